@@ -1,0 +1,36 @@
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+# Rules that hold in every room, written once.
+
+add_library(dmp_rules INTERFACE)
+target_compile_features(dmp_rules INTERFACE cxx_std_20)
+target_compile_options(dmp_rules INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                           -Wnon-virtual-dtor -Werror)
+if(DMP_NATIVE)
+  target_compile_options(dmp_rules INTERFACE -march=native)
+endif()
+if(DMP_SANITIZE)
+  target_compile_options(dmp_rules INTERFACE -fsanitize=${DMP_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all)
+  target_link_options(dmp_rules INTERFACE -fsanitize=${DMP_SANITIZE})
+endif()
+
+# dmp_room(NAME SOURCES a.cpp ... [LINKS public ...] [PRIVATE_LINKS ...])
+# One static library dmp_NAME, known to others as dmp::NAME; headers are included as "NAME/header.hpp".
+function(dmp_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(dmp_${name} STATIC ${ROOM_SOURCES})
+  add_library(dmp::${name} ALIAS dmp_${name})
+  set_target_properties(dmp_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF)
+  target_include_directories(dmp_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                $<INSTALL_INTERFACE:include/dmp>)
+  target_link_libraries(dmp_${name} PUBLIC ${ROOM_LINKS} PRIVATE $<BUILD_INTERFACE:dmp_rules> ${ROOM_PRIVATE_LINKS})
+endfunction()
+
+# dmp_test(NAME room...): one GoogleTest program from NAME.cpp in the current folder.
+function(dmp_test name)
+  add_executable(test_${name} ${name}.cpp)
+  target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest_main GTest::gmock ${ARGN})
+  target_compile_definitions(test_${name} PRIVATE DMP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                                  DMP_BUILD_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(test_${name} PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,62 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace dmp {
+
+enum class ParticleKind : std::uint8_t { fluid, rigid, springs };
+
+/// A harmonic bond, U = stiffness (r - rest_length)^2 (no 1/2), between particles a and b.
+struct Bond {
+    int a = 0, b = 0;
+    double rest_length = 0;  ///< [m]
+    double stiffness = 0;    ///< k_b [N/m]
+};
+
+/// A hinge, U = stiffness (theta - rest_angle)^2 (no 1/2), theta the signed angle from centre->a to centre->b.
+struct Hinge {
+    int a = 0, centre = 0, b = 0;
+    double rest_angle = 0;  ///< in (-pi, pi] [rad]
+    double stiffness = 0;   ///< k_a [J]
+};
+
+/// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
+struct ParticleSet {
+    struct PartInfo {
+        std::string name;
+        ParticleKind kind = ParticleKind::fluid;
+    };
+
+    int dimension = 2;
+    double spacing = 0;                    ///< [m]
+    Box box;                               ///< periodic axes: one period; others: around everything
+    std::array<bool, 3> periodic{};        ///< by axis
+    std::vector<PartInfo> parts;           ///< what the part numbers mean
+
+    // one entry a particle
+    std::vector<Vec> position;             ///< [m]
+    std::vector<double> volume;            ///< volume it stands for in the SPH sums [m^2 x 1 m]
+    std::vector<double> mass;              ///< inertial mass [kg]
+    std::vector<int> part;                 ///< index into parts
+    std::vector<int> body;                 ///< connected piece of a springs part, counted over all parts; -1: none
+    std::vector<std::uint8_t> fixed;       ///< 1: never moves (rigid walls, anchored ends)
+    std::vector<std::uint8_t> seated;      ///< 1: drawn touching a wall, so that it feels no contact force
+    std::vector<Vec> wall_normal;          ///< rigid: unit vector from the surface into the fluid; else 0
+    std::vector<double> wall_distance;     ///< rigid: distance to the surface, > 0 behind it [m]; else 0
+
+    std::vector<Bond> bonds;
+    std::vector<Hinge> hinges;
+
+    [[nodiscard]] std::size_t size() const { return position.size(); }
+    [[nodiscard]] ParticleKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }
+    [[nodiscard]] std::size_t count(ParticleKind kind) const;
+};
+
+}  // namespace dmp

@@ -1,0 +1,37 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace dmp {
+
+/// A checked formula of t [s], x, y, z [m] whose value is in SI units.
+/// Copies are cheap and independent, so each thread may evaluate its own copy.
+class Expression {
+  public:
+    /// The constant 0.
+    Expression();
+    /// `formula` in muParser's grammar, every literal already in SI. Throws std::invalid_argument with muParser's words.
+    Expression(std::string formula, std::string as_written);
+    Expression(const Expression& other);
+    Expression(Expression&& other) noexcept;
+    Expression& operator=(const Expression& other);
+    Expression& operator=(Expression&& other) noexcept;
+    ~Expression();
+
+    [[nodiscard]] double operator()(double t, double x = 0, double y = 0, double z = 0) const;
+
+    [[nodiscard]] bool depends_on_time() const;
+    [[nodiscard]] bool depends_on_place() const;
+    /// As the user wrote it, with units.
+    [[nodiscard]] const std::string& text() const { return as_written_; }
+
+  private:
+    struct Parser;
+    std::string formula_;
+    std::string as_written_;
+    std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace dmp

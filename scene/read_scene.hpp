@@ -1,0 +1,31 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace dmp {
+
+/// Reads and checks a scene. `path` is a scene file or a folder with a scene.toml in it.
+/// `overrides` are "key=value" texts as given to --set: `particles.spacing="0.1 mm"`, `part.leaflets.enabled=false`
+/// (a part or measure is addressed by its name); a value that is no TOML value is taken as text, so the shell's
+/// missing quotes do no harm.
+/// Throws InputError with file:line:column (for an override: "--set KEY=VALUE").
+Scene read_scene(const std::string& path, std::span<const std::string> overrides = {});
+
+/// What `dmp explain KEY` prints: the key's type, unit, range, default and meaning.
+/// Throws InputError with the nearest right key for an unknown one.
+std::string explain_key(const std::string& key);
+
+/// Every scene key with its default, one line each, in the order of the reference page (docs/scene.md is made from this).
+std::string scene_reference();
+
+/// The scene with every default filled in, as TOML in SI units; written beside the results.
+std::string resolved_scene(const Scene& scene);
+
+/// Reads "0.2 s", "3e-3 m/s" ... of the dimension of `expected_unit` ("s", "m/s"); throws InputError.
+double read_quantity(const std::string& text, const std::string& expected_unit, const Place& place = {});
+
+}  // namespace dmp

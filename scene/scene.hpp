@@ -1,0 +1,143 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/vec.hpp"
+#include "scene/expression.hpp"
+
+namespace dmp {
+
+/// A scene value with the place it came from. Defaults have no place.
+template <class T>
+struct Value {
+    T value{};
+    Place place;
+
+    Value() = default;
+    Value(T v) : value(std::move(v)) {}  // NOLINT(google-explicit-constructor): defaults read as plain values
+    Value(T v, Place p) : value(std::move(v)), place(std::move(p)) {}
+
+    operator const T&() const { return value; }  // NOLINT(google-explicit-constructor): reads as the value itself
+    [[nodiscard]] const T& operator*() const { return value; }
+    [[nodiscard]] const T* operator->() const { return &value; }
+    [[nodiscard]] bool given() const { return place.known(); }
+};
+
+enum class PartKind { fluid, rigid, springs };
+enum class Arrangement { square, hexagonal };
+enum class KernelKind { wendland_c2, lucy };
+enum class WallModel { extrapolated, plain };
+enum class MeasureKind { flux, gap, largest_speed, density, probe };
+enum class FluidField { velocity, pressure, density, shear_stress };
+
+/// [[part]]: one named region, curve or group of the drawing and what it is made of.
+/// 2-D scenes are 1 m deep: masses in kg, forces in N, energies in J.
+struct Part {
+    Value<std::string> name;
+    Value<PartKind> kind;
+    Value<bool> enabled = true;  ///< false leaves the part out; its name in the drawing stays known
+
+    // fluid
+    Value<double> density;    ///< rest density [kg/m^3]
+    Value<double> viscosity;  ///< dynamic viscosity [Pa s]
+
+    // rigid and springs
+    Value<int> layers;  ///< rows of particles; default 3 for rigid, 2 for springs
+
+    // springs
+    Value<double> bending_stiffness;             ///< EI [N m^2]
+    Value<double> axial_stiffness;               ///< EA [N]
+    Value<bool> lower_axial_stiffness = true;    ///< lower EA where the lattice cannot hold EI and EA at this spacing
+    Value<double> mass_per_length;               ///< [kg/m]
+    Value<std::string> anchor;                   ///< named points of the drawing where the part is clamped; empty: free
+    Value<double> bond_damping = 0.01;           ///< dashpot along each bond, fraction of critical [-]
+    Value<double> drag = 0.0;                    ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
+};
+
+/// [[measure]]: one number followed over time.
+struct Measure {
+    Value<std::string> name;
+    Value<MeasureKind> kind;
+    Value<Vec> from{Vec::Zero()};   ///< flux: the line's start [m]
+    Value<Vec> to{Vec::Zero()};     ///< flux: the line's end [m]
+    Value<Vec> point{Vec::Zero()};  ///< probe: where [m]
+    Value<FluidField> field = FluidField::velocity;  ///< probe: what
+    Value<std::string> part;        ///< gap: smallest distance between the pieces of this springs part
+};
+
+struct Scene {
+    std::string file;       ///< path of the scene file as given
+    std::string directory;  ///< its folder; relative paths in the scene start here
+    std::string hash;       ///< of the resolved scene (all defaults, SI), 16 hex digits
+
+    Value<std::string> title;
+    Value<int> dimension = 2;
+
+    struct {
+        Value<std::string> file;  ///< the drawing, absolute or relative to `directory`
+        Value<double> unit = 1.0;  ///< one unit of the drawing [m]
+        /// DefineConstant names -> values in the drawing's own units (lengths already divided by `unit`).
+        std::map<std::string, Value<double>> parameters;
+    } geometry;
+
+    struct {
+        Value<double> spacing;  ///< particle spacing [m]
+        Value<Arrangement> arrangement = Arrangement::square;
+    } particles;
+
+    std::vector<Part> parts;  ///< in the order written, disabled ones included
+
+    struct {
+        std::array<Expression, 3> acceleration;   ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
+        std::array<Value<bool>, 3> periodic;      ///< by axis
+        Value<double> largest_speed;              ///< largest speed expected [m/s]; 0 = not given
+    } flow;
+
+    struct {
+        Value<double> range = 1.0;     ///< r*, cut-off of the short-range repulsion [spacings]; 0 switches it off
+        Value<double> strength = 0.0;  ///< K [J]; 0 = "auto"
+    } contact;
+
+    struct {
+        Value<KernelKind> kernel = KernelKind::wendland_c2;
+        Value<double> support = 3.0;            ///< support radius [spacings]
+        Value<double> sound_speed = 0.0;        ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
+        Value<WallModel> walls = WallModel::extrapolated;
+        Value<double> density_diffusion = 0.1;  ///< delta of Molteni & Colagrossi [-]; 0 switches it off
+        Value<double> shifting = 4.0;           ///< strength s of the particle shifting [-]; 0 switches it off
+        Value<double> step_factor = 0.3;        ///< c0 dt / support radius [-]
+        Value<double> spring_step_factor = 0.5; ///< fraction of the springs' largest stable step [-]
+    } accuracy;
+
+    struct {
+        Value<double> duration;    ///< [s]
+        Value<int> threads = 0;    ///< 0 = all the machine has
+    } run;
+
+    struct {
+        Value<double> every;                       ///< time between frames [s]
+        std::vector<FluidField> fields;            ///< per-particle fields in the frames
+        Value<double> measure_every = 0.0;         ///< time between rows of measures.csv [s]; 0 = every / 4
+        Value<bool> pictures = true;
+        Value<FluidField> picture_field = FluidField::velocity;
+    } output;
+
+    std::vector<Measure> measures;
+
+    /// The enabled parts of one kind, in order.
+    [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
+};
+
+/// The word a scene uses for it: "fluid", "wendland_c2", ...
+std::string word(PartKind kind);
+std::string word(FluidField field);
+std::string word(KernelKind kernel);
+std::string word(MeasureKind kind);
+
+}  // namespace dmp
