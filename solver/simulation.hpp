@@ -1,0 +1,110 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "particles/particle_set.hpp"
+#include "scene/scene.hpp"
+#include "solver/frame.hpp"
+
+namespace dmp {
+
+/// The largest stable step of one model.
+struct StepLimit {
+    std::string model;    ///< "sound", "viscosity", "body force", "contact", "springs (leaflets)"
+    double dt = 0;        ///< [s]
+    std::string formula;  ///< how it comes about
+};
+
+/// A model the scene makes run, and why.
+struct ModelUse {
+    std::string model;   ///< "Tait equation of state", "Morris viscosity", ...
+    std::string source;  ///< equation and paper
+    std::string reason;  ///< the scene's line that asks for it, or "default"
+};
+
+/// What a run will be, before it runs.
+struct Plan {
+    std::map<std::string, std::size_t> particles;  ///< by kind
+    std::size_t bytes_per_particle = 0;
+    double sound_speed = 0;               ///< c0 [m/s]
+    double largest_speed = 0;             ///< expected [m/s]
+    double dt = 0;                        ///< fluid step [s]
+    int spring_substeps = 0;              ///< spring steps in one fluid step; 0: no springs
+    long steps = 0;
+    std::vector<StepLimit> limits;        ///< of the fluid step and the spring step
+    std::string ruling_limit;             ///< which of them sets the fluid step
+    std::vector<ModelUse> models;
+    std::vector<std::string> fields;      ///< per-particle arrays that are allocated, with their bytes
+};
+
+/// Momentum and mass, and what came and went.
+struct Conserved {
+    double mass = 0;                ///< of all moving particles [kg]
+    std::array<double, 3> momentum{};  ///< of all moving particles [kg m/s]
+};
+
+struct RunSummary {
+    std::map<std::string, std::size_t> particles;
+    long steps = 0;
+    double simulated_s = 0;
+    double wall_s = 0;
+    double particle_steps_per_s = 0;
+    int threads = 1;
+    int ranks = 1;
+    std::vector<StepLimit> limits;
+    std::string ruling_limit;
+    double sound_speed = 0;
+    Conserved start, end;
+    std::array<double, 3> impulse_of_body_forces{};  ///< given to moving particles [N s]
+    std::array<double, 3> impulse_of_fixed{};        ///< given to moving particles by walls and anchors [N s]
+    std::array<double, 3> impulse_of_drag{};         ///< given to moving particles by lab-frame drag [N s]
+    double momentum_residual = 0;  ///< |end - start - impulses| over the sum of the impulses' magnitudes [-]
+    double density_low = 0, density_high = 0;        ///< extremes over the whole run, fluid [kg/m^3]
+    std::size_t lost = 0;
+    std::string state_hash;  ///< of final positions, velocities, densities in id order, 16 hex digits
+    std::map<std::string, double> seconds_by_stage;
+    MeasureSeries measures;
+    bool interrupted = false;
+};
+
+struct RunProgress {
+    double time = 0, until = 0;  ///< [s]
+    long step = 0;
+    double dt = 0;
+    double largest_speed = 0;
+    long frames = 0;
+};
+
+struct RunOptions {
+    double until = 0;    ///< [s]; 0 = the scene's duration
+    FrameSink* sink = nullptr;
+    std::function<void(const RunProgress&)> progress;  ///< called a few times a second at most
+    const std::atomic<bool>* stop = nullptr;           ///< set from a signal handler: finish the step, write, leave
+};
+
+/// A scene's particles in motion.
+class Simulation {
+  public:
+    /// threads = 0: all the machine has. Throws InputError when scene and particles do not fit together.
+    Simulation(const Scene& scene, ParticleSet particles, int threads = 0);
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    [[nodiscard]] Plan plan() const;
+
+    /// Runs to the end. Throws DivergenceError (after writing a snapshot to the sink) and ResourceError.
+    RunSummary run(const RunOptions& options);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace dmp
