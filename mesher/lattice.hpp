@@ -1,0 +1,33 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "scene/scene.hpp"
+
+namespace dmp {
+
+/// A square or hexagonal lattice of points that fits a box: along periodic axes a whole number of cells makes one
+/// period, along the others the first row lies half a cell inside the box.
+class Lattice {
+  public:
+    Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement);
+
+    /// All points in the box widened by `margin` along axes that are not periodic, row after row (y, then x).
+    [[nodiscard]] std::vector<Vec> points(double margin) const;
+
+    /// Area each point stands for [m^2].
+    [[nodiscard]] double cell_area() const { return step_[0] * step_[1]; }
+    /// Distance of columns and rows [m].
+    [[nodiscard]] const std::array<double, 2>& step() const { return step_; }
+
+  private:
+    Box box_;
+    std::array<bool, 3> periodic_;
+    Arrangement arrangement_;
+    std::array<double, 2> step_{};
+};
+
+}  // namespace dmp

@@ -1,0 +1,61 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/mesh.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "mesher/names.hpp"
+#include "mesher/particle_builder.hpp"
+#include "mesher/quality.hpp"
+#include "mesher/relax.hpp"
+
+namespace dmp {
+
+namespace {
+
+void check_walls_reach(const Scene& scene) {
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        // The first fluid row stands half a spacing from the wall on average.
+        const double needed = scene.accuracy.support - 0.5;
+        if (part->layers >= needed - 1e-9) continue;
+        std::ostringstream problem;
+        problem << "the wall '" << part->name.value << "' has " << part->layers.value
+                << " layers, thinner than the kernel's support of " << scene.accuracy.support.value << " spacings";
+        throw InputError(part->layers.given() ? part->layers.place : part->name.place, problem.str(),
+                         "give it layers = " + std::to_string(static_cast<int>(std::ceil(needed - 1e-9))) +
+                             " or more, or lower accuracy.support");
+    }
+}
+
+void check_periods(const Scene& scene, const Box& box) {
+    const double needed = (scene.accuracy.support + 1) * scene.particles.spacing;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!scene.flow.periodic[axis] || box.extent()[axis] >= needed) continue;
+        std::ostringstream problem;
+        problem << "the period along " << "xyz"[axis] << " is " << box.extent()[axis] << " m, shorter than the kernel's support plus a spacing, "
+                << needed << " m";
+        throw InputError(scene.flow.periodic[axis].place, problem.str(), "draw a longer period or refine particles.spacing");
+    }
+}
+
+}  // namespace
+
+MeshResult mesh(const Geometry& geometry, const Scene& scene) {
+    check_names(geometry, scene);
+    check_walls_reach(scene);
+    const Box box = fluid_box(geometry, scene);
+    check_periods(scene, box);
+    check_boundary(geometry, scene, box);
+
+    ParticleBuilder builder(geometry, scene);
+    for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
+    for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
+    for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
+    builder.mark_seated(scene.contact.range * scene.particles.spacing);
+    relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing);
+    MeshResult result = builder.finish();
+    measure_quality(result, scene);
+    return result;
+}
+
+}  // namespace dmp

@@ -1,0 +1,132 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/names.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "base/nearest_name.hpp"
+#include "geometry/inside_test.hpp"
+#include "geometry/nearest_curve.hpp"
+
+namespace dmp {
+
+namespace {
+
+std::string point_text(const Vec& p) {
+    std::ostringstream text;
+    text << "(" << 1e3 * p[0] << ", " << 1e3 * p[1] << ") mm";
+    return text.str();
+}
+
+/// What the drawing has under this name, in words; empty when nothing.
+std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
+    if (geometry.region(name) != nullptr) return "a surface";
+    if (geometry.curve_set(name) != nullptr) return "a curve";
+    return geometry.points.count(name) > 0 ? "a point" : "";
+}
+
+[[noreturn]] void missing(const Geometry& geometry, const Value<std::string>& name, const std::string& wanted) {
+    const std::string found = kind_in_drawing(geometry, name);
+    const auto names = geometry.names();
+    const std::string near = nearest_name(name.value, names);
+    const std::string problem = found.empty() ? "the drawing has nothing named '" + name.value + "'"
+                                              : "'" + name.value + "' is " + found + " in the drawing, but " + wanted +
+                                                    " is needed here";
+    throw InputError(name.place, problem + " (" + geometry.file + ")",
+                     "it names " + quoted_list(names) + (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
+}
+
+bool on_periodic_side(const Vec& a, const Vec& b, const Scene& scene, const Box& box, double tolerance) {
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!scene.flow.periodic[axis]) continue;
+        for (const double side : {box.low[axis], box.high[axis]})
+            if (std::abs(a[axis] - side) < tolerance && std::abs(b[axis] - side) < tolerance) return true;
+    }
+    return false;
+}
+
+/// The whole side must look alike on both ends of the period.
+void check_sides_match(const Region& region, const Part& part, int axis, const Box& box, double spacing) {
+    const InsideTest inside(region);
+    const int other = 1 - axis;
+    const double step = 0.25 * spacing;
+    for (double along = box.low[other] + 0.5 * step; along < box.high[other]; along += step) {
+        Vec low = Vec::Zero(), high = Vec::Zero();
+        low[axis] = box.low[axis] + 1e-3 * spacing;
+        high[axis] = box.high[axis] - 1e-3 * spacing;
+        low[other] = high[other] = along;
+        if ((inside.side_of(low) == Side::inside) == (inside.side_of(high) == Side::inside)) continue;
+        const bool low_is_in = inside.side_of(low) == Side::inside;
+        throw InputError(part.name.place,
+                         "the periodic sides of '" + part.name.value + "' do not match: " + point_text(low_is_in ? low : high) +
+                             " is fluid, " + point_text(low_is_in ? high : low) + " is not",
+                         "draw both ends of the period alike, or take the axis out of flow.periodic");
+    }
+}
+
+}  // namespace
+
+void check_names(const Geometry& geometry, const Scene& scene) {
+    std::set<std::string> used;
+    for (const Part& part : scene.parts) {
+        used.insert(part.name);
+        if (!part.anchor->empty()) used.insert(part.anchor);
+        if (!part.enabled) continue;
+        if (part.kind.value == PartKind::fluid) {
+            if (geometry.region(part.name) == nullptr) missing(geometry, part.name, "a surface for a fluid");
+        } else if (geometry.curve_set(part.name) == nullptr) {
+            missing(geometry, part.name, "a curve");
+        }
+        if (!part.anchor->empty() && geometry.points.count(part.anchor) == 0) missing(geometry, part.anchor, "a point");
+    }
+    for (const std::string& name : geometry.names()) {
+        if (used.count(name) > 0) continue;
+        const std::vector<std::string> parts(used.begin(), used.end());
+        const std::string near = nearest_name(name, parts);
+        throw InputError(scene.geometry.file.place,
+                         "the drawing names " + kind_in_drawing(geometry, name) + " '" + name + "' that no part of the scene uses (" +
+                             geometry.file + ")",
+                         "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the drawing" +
+                             (near.empty() ? "" : "; the scene has '" + near + "'"));
+    }
+}
+
+void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box) {
+    const double spacing = scene.particles.spacing;
+    const double tolerance = 1e-3 * spacing;
+    std::vector<NearestCurve> walls;
+    for (const Part* part : scene.parts_of(PartKind::rigid))
+        walls.emplace_back(*geometry.curve_set(part->name), 2 * tolerance);
+    std::vector<const Region*> regions;
+    for (const Part* part : scene.parts_of(PartKind::fluid)) regions.push_back(geometry.region(part->name));
+
+    const auto at_wall = [&](const Vec& p) {
+        return std::any_of(walls.begin(), walls.end(), [&](const NearestCurve& wall) { return wall.nearest(p).has_value(); });
+    };
+    const auto at_another_fluid = [&](const Vec& p, const Region* own) {
+        return std::any_of(regions.begin(), regions.end(), [&](const Region* region) {
+            return region != own && region->side_of(p) != Side::outside;
+        });
+    };
+    for (const Part* part : scene.parts_of(PartKind::fluid)) {
+        const Region& region = *geometry.region(part->name);
+        for (const Polyline& loop : region.loops)
+            for (std::size_t k = 0; k < loop.points.size(); ++k) {
+                const Vec& a = loop.points[k];
+                const Vec& b = loop.points[(k + 1) % loop.points.size()];
+                const Vec middle = 0.5 * (a + b);
+                if (on_periodic_side(a, b, scene, box, tolerance) || at_wall(middle) || at_another_fluid(middle, &region)) continue;
+                throw InputError(part->name.place,
+                                 "the boundary of '" + part->name.value + "' is open between " + point_text(a) + " and " + point_text(b) +
+                                     ": no rigid part and no periodic side closes it",
+                                 "name this curve in the drawing as part of a rigid part, or make the axis periodic "
+                                 "(flow.periodic)");
+            }
+        for (int axis = 0; axis < 2; ++axis)
+            if (scene.flow.periodic[axis]) check_sides_match(region, *part, axis, box, spacing);
+    }
+}
+
+}  // namespace dmp

@@ -1,0 +1,306 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/particle_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "geometry/inside_test.hpp"
+#include "geometry/nearest_curve.hpp"
+#include "mesher/spring_lattice.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// A wall particle nearer than this to a body's node would stand in its place [spacings].
+constexpr double wall_clearance = 0.75;
+
+double distance_to(const Polyline& line, const Vec& point) {
+    return CurveSet{"", {line}}.nearest(point).distance;
+}
+
+/// Signed angle from arm a to arm b.
+double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
+
+/// The wall's nearest surface point, looked for across periodic sides as well.
+std::optional<Projection> nearest_surface(const NearestCurve& wall, const Vec& point, const Box& box,
+                                          const std::array<Value<bool>, 3>& periodic) {
+    std::optional<Projection> best = wall.nearest(point);
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!periodic[axis]) continue;
+        for (const double period : {box.extent()[axis], -box.extent()[axis]}) {
+            Vec moved = point;
+            moved[axis] += period;
+            auto found = wall.nearest(moved);
+            if (!found || (best && best->distance <= found->distance)) continue;
+            found->point[axis] -= period;
+            best = found;
+        }
+    }
+    return best;
+}
+
+/// From a point on the surface into the fluid: the mean direction in which fluid lies.
+Vec normal_on_surface(const std::vector<InsideTest>& fluids, const Vec& point, double reach) {
+    Vec sum = Vec::Zero();
+    for (int k = 0; k < 64; ++k) {
+        const double angle = 2 * std::numbers::pi * (k + 0.5) / 64;
+        const Vec direction(std::cos(angle), std::sin(angle), 0);
+        for (const InsideTest& fluid : fluids)
+            if (fluid.side_of(point + reach * direction) == Side::inside) sum += direction;
+    }
+    return sum.norm() > 0 ? Vec(sum.normalized()) : Vec(Vec::Zero());
+}
+
+}  // namespace
+
+Box fluid_box(const Geometry& geometry, const Scene& scene) {
+    Box box;
+    box.low.setConstant(std::numeric_limits<double>::infinity());
+    box.high.setConstant(-std::numeric_limits<double>::infinity());
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        for (const Polyline& loop : geometry.region(part->name)->loops)
+            for (const Vec& point : loop.points) {
+                box.low = box.low.cwiseMin(point);
+                box.high = box.high.cwiseMax(point);
+            }
+    if (scene.parts_of(PartKind::fluid).empty()) box = geometry.box;
+    return box;
+}
+
+ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
+    : geometry_(geometry),
+      scene_(scene),
+      spacing_(scene.particles.spacing),
+      lattice_(fluid_box(geometry, scene), {scene.flow.periodic[0], scene.flow.periodic[1], scene.flow.periodic[2]},
+               spacing_, scene.particles.arrangement) {
+    ParticleSet& set = result_.particles;
+    set.dimension = scene.dimension;
+    set.spacing = spacing_;
+    set.box = fluid_box(geometry, scene);
+    for (int axis = 0; axis < 3; ++axis) set.periodic[axis] = scene.flow.periodic[axis];
+}
+
+int ParticleBuilder::add_part(const Part& part, ParticleKind kind) {
+    result_.particles.parts.push_back({part.name, kind});
+    return static_cast<int>(result_.particles.parts.size()) - 1;
+}
+
+int ParticleBuilder::add_particle(int part, const NewParticle& particle) {
+    ParticleSet& set = result_.particles;
+    set.position.push_back(particle.position);
+    set.volume.push_back(particle.volume);
+    set.mass.push_back(particle.mass);
+    set.part.push_back(part);
+    set.body.push_back(particle.body);
+    set.fixed.push_back(particle.fixed ? 1 : 0);
+    set.seated.push_back(0);
+    set.wall_normal.push_back(particle.wall_normal);
+    set.wall_distance.push_back(particle.wall_distance);
+    return static_cast<int>(set.size()) - 1;
+}
+
+void ParticleBuilder::add_springs(const Part& part) {
+    const int number = add_part(part, ParticleKind::springs);
+    MeshReport::SpringLine line;
+    line.part = part.name;
+    line.axial_stiffness_asked = part.axial_stiffness;
+    for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
+    if (!part.anchor->empty() && line.anchored == 0)
+        throw InputError(part.anchor.place, "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'",
+                         "put the anchor points on the curve in the drawing");
+    if (line.axial_stiffness < (1 - 1e-9) * part.axial_stiffness) {
+        std::ostringstream note;
+        note << part.name.value << ": EA lowered from " << part.axial_stiffness.value << " to " << line.axial_stiffness
+             << " N, so that two rows " << spacing_ << " m apart can bend as softly as EI asks; EI is held";
+        result_.report.notes.push_back(note.str());
+    }
+    result_.report.springs.push_back(line);
+}
+
+void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line) {
+    constexpr int fewest_columns = 5;
+    if (curve.closed)
+        throw InputError(part.name.place, "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
+                         "leave a gap in the curve in the drawing");
+    const Ladder ladder = ladder_along(curve, spacing_);
+    if (ladder.columns() < fewest_columns) {
+        std::ostringstream problem;
+        problem << "a curve of '" << part.name.value << "' is " << curve.length() << " m long, " << ladder.columns()
+                << " columns of particles; at least " << fewest_columns << " are needed to bend";
+        throw InputError(part.name.place, problem.str(), "refine particles.spacing or draw a longer curve");
+    }
+    const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
+    const int body = bodies_++;
+    body_curves_.push_back(curve);
+    ParticleSet& set = result_.particles;
+
+    std::vector<Vec> middles;
+    for (int c = 0; c < ladder.columns(); ++c) middles.push_back(0.5 * (ladder.nodes[2 * c] + ladder.nodes[2 * c + 1]));
+    const std::vector<bool> anchored = anchored_columns(part, middles, ladder.along);
+
+    const int first = static_cast<int>(set.size());
+    const double mass = part.mass_per_length * ladder.along / 2;
+    for (std::size_t n = 0; n < ladder.nodes.size(); ++n)
+        add_particle(part_number, {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
+
+    const auto bond = [&](int a, int b) {
+        set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), constants.bond_stiffness});
+        ++line.bonds;
+    };
+    const auto hinge = [&](int a, int centre, int b) {
+        const double rest = angle_between(set.position[a] - set.position[centre], set.position[b] - set.position[centre]);
+        set.hinges.push_back({a, centre, b, rest, constants.hinge_stiffness});
+        ++line.hinges;
+    };
+    for (int c = 0; c < ladder.columns(); ++c) {
+        const int left = first + 2 * c, right = left + 1;
+        bond(left, right);
+        if (c + 1 == ladder.columns()) break;
+        const int next_left = left + 2, next_right = right + 2;
+        bond(left, next_left);
+        bond(right, next_right);
+        hinge(next_left, left, right);
+        hinge(left, right, next_right);
+        hinge(right, next_right, next_left);
+        hinge(next_right, next_left, left);
+    }
+    ++line.bodies;
+    line.anchored += 2 * static_cast<std::size_t>(std::count(anchored.begin(), anchored.end(), true));
+    line.bond_stiffness = constants.bond_stiffness;
+    line.hinge_stiffness = constants.hinge_stiffness;
+    line.bending_stiffness = constants.bending_stiffness();
+    line.axial_stiffness = constants.axial_stiffness();
+    line.shear_stiffness = constants.shear_stiffness();
+    line.particle_mass = mass;
+}
+
+std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const std::vector<Vec>& middles, double along) const {
+    std::vector<bool> anchored(middles.size(), false);
+    if (part.anchor->empty()) return anchored;
+    for (const Vec& anchor : geometry_.points.at(part.anchor))
+        for (std::size_t c = 0; c < middles.size(); ++c)
+            if ((middles[c] - anchor).norm() < 0.5 * along) anchored[c] = true;
+    return anchored;
+}
+
+double ParticleBuilder::distance_to_bodies(const Vec& point) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Polyline& curve : body_curves_) nearest = std::min(nearest, distance_to(curve, point));
+    return nearest;
+}
+
+double ParticleBuilder::distance_to_spring_nodes(const Vec& point) const {
+    const ParticleSet& set = result_.particles;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) == ParticleKind::springs) nearest = std::min(nearest, (set.position[i] - point).norm());
+    return nearest;
+}
+
+void ParticleBuilder::add_fluid(const Part& part) {
+    const Region& region = *geometry_.region(part.name);
+    const InsideTest inside(region);
+    const int number = add_part(part, ParticleKind::fluid);
+    const double volume = lattice_.cell_area();
+    std::size_t count = 0, left_out = 0;
+    for (const Vec& point : lattice_.points(0)) {
+        if (inside.side_of(point) != Side::inside) continue;
+        if (distance_to_bodies(point) < spacing_) {
+            ++left_out;
+            continue;
+        }
+        add_particle(number, {point, volume, volume * part.density, -1, false, Vec::Zero(), 0});
+        ++count;
+    }
+    if (count == 0)
+        throw InputError(scene_.particles.spacing.place,
+                         "no particle of '" + part.name.value + "' fits into its region at this spacing",
+                         "refine particles.spacing, or check geometry.unit");
+    MeshReport::PartLine line;
+    line.name = part.name;
+    line.kind = word(PartKind::fluid);
+    line.particles = count;
+    line.target = region.area() - static_cast<double>(left_out) * volume;
+    line.reached = static_cast<double>(count) * volume;
+    line.unit = "m^2";
+    result_.report.parts.push_back(line);
+    if (left_out > 0)
+        result_.report.notes.push_back(part.name.value + ": " + std::to_string(left_out) +
+                                       " lattice points left out where bodies stand");
+}
+
+void ParticleBuilder::add_walls(const Part& part) {
+    const CurveSet& curve = *geometry_.curve_set(part.name);
+    const double thickness = part.layers * spacing_;
+    const NearestCurve surface(curve, 1.001 * thickness);
+    std::vector<InsideTest> fluids;
+    for (const Part* fluid : scene_.parts_of(PartKind::fluid)) fluids.emplace_back(*geometry_.region(fluid->name));
+
+    const int number = add_part(part, ParticleKind::rigid);
+    const Box& box = result_.particles.box;
+    const double volume = lattice_.cell_area();
+    double density = 0;  // a wall never moves: its mass only has to be there
+    for (const Part* fluid : scene_.parts_of(PartKind::fluid)) density = std::max(density, fluid->density.value);
+    std::size_t count = 0;
+    for (const Vec& point : lattice_.points(thickness + spacing_)) {
+        const bool in_fluid = std::any_of(fluids.begin(), fluids.end(),
+                                          [&](const InsideTest& fluid) { return fluid.side_of(point) == Side::inside; });
+        if (in_fluid) continue;
+        const auto nearest = nearest_surface(surface, point, box, scene_.flow.periodic);
+        if (!nearest || nearest->distance >= thickness) continue;
+        if (distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
+        const Vec to_surface = nearest->point - point;
+        const Vec normal = nearest->distance > 1e-6 * spacing_ ? Vec(to_surface.normalized())
+                                                               : normal_on_surface(fluids, point, 0.1 * spacing_);
+        add_particle(number, {point, volume, volume * density, -1, true, normal, nearest->distance});
+        ++count;
+    }
+    MeshReport::PartLine line;
+    line.name = part.name;
+    line.kind = word(PartKind::rigid);
+    line.particles = count;
+    line.target = curve.length();
+    line.reached = static_cast<double>(count) / part.layers * spacing_;
+    line.unit = "m";
+    result_.report.parts.push_back(line);
+}
+
+void ParticleBuilder::mark_seated(double contact_range) {
+    ParticleSet& set = result_.particles;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::springs) continue;
+        for (std::size_t j = 0; j < set.size(); ++j)
+            if (set.kind(j) == ParticleKind::rigid && (set.position[i] - set.position[j]).norm() < contact_range) set.seated[i] = 1;
+    }
+}
+
+MeshResult ParticleBuilder::finish() {
+    ParticleSet& set = result_.particles;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (set.periodic[axis]) {
+            const double step = lattice_.step()[axis];
+            const double wanted = axis == 1 && scene_.particles.arrangement.value == Arrangement::hexagonal
+                                      ? spacing_ * std::sqrt(0.75)
+                                      : spacing_;
+            if (std::abs(step / wanted - 1) > 1e-9) {
+                std::ostringstream note;
+                note << "lattice stretched along " << "xyz"[axis] << " by " << 100 * (step / wanted - 1)
+                     << " % so that a whole number of cells makes one period";
+                result_.report.notes.push_back(note.str());
+            }
+            continue;
+        }
+        for (const Vec& point : set.position) {
+            set.box.low[axis] = std::min(set.box.low[axis], point[axis]);
+            set.box.high[axis] = std::max(set.box.high[axis], point[axis]);
+        }
+    }
+    return std::move(result_);
+}
+
+}  // namespace dmp

@@ -1,0 +1,58 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/geometry.hpp"
+#include "mesher/lattice.hpp"
+#include "mesher/mesh.hpp"
+
+namespace dmp {
+
+/// The box around the fluid regions of the scene; along periodic axes exactly one period.
+Box fluid_box(const Geometry& geometry, const Scene& scene);
+
+/// Builds a particle set part by part: first the spring bodies, then the fluid around them, then the walls.
+class ParticleBuilder {
+  public:
+    ParticleBuilder(const Geometry& geometry, const Scene& scene);
+
+    /// Two rows of nodes along each curve, with bonds along and across and four hinges a cell, clamped at the anchors.
+    void add_springs(const Part& part);
+    /// Lattice points inside the region, outside the bodies: a body takes up one spacing on both sides of its curve.
+    void add_fluid(const Part& part);
+    /// Lattice points outside all fluid, at most `layers` spacings behind the curve, that do not overlap a body.
+    void add_walls(const Part& part);
+    /// Marks spring nodes drawn so near a wall that contact would push from the start.
+    void mark_seated(double contact_range);
+
+    [[nodiscard]] MeshResult finish();
+    [[nodiscard]] ParticleSet& particles() { return result_.particles; }
+
+  private:
+    struct NewParticle {
+        Vec position;
+        double volume = 0, mass = 0;
+        int body = -1;
+        bool fixed = false;
+        Vec wall_normal = Vec::Zero();
+        double wall_distance = 0;
+    };
+
+    int add_part(const Part& part, ParticleKind kind);
+    int add_particle(int part, const NewParticle& particle);
+    void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
+    [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const std::vector<Vec>& middles, double along) const;
+    [[nodiscard]] double distance_to_bodies(const Vec& point) const;
+    [[nodiscard]] double distance_to_spring_nodes(const Vec& point) const;
+
+    const Geometry& geometry_;
+    const Scene& scene_;
+    double spacing_;
+    Lattice lattice_;
+    std::vector<Polyline> body_curves_;
+    int bodies_ = 0;
+    MeshResult result_;
+};
+
+}  // namespace dmp

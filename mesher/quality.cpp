@@ -1,0 +1,78 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesher/searchable_particles.hpp"
+#include "particles/kernels.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// Particles of different bodies nearer than this stand on top of each other [spacings].
+constexpr double too_near = 0.4;
+
+struct PartSums {
+    double nearest = std::numeric_limits<double>::infinity();
+    double kernel_sum = 0, kernel_sum_square = 0;
+    std::size_t count = 0;
+};
+
+template <class Kernel>
+std::vector<PartSums> sums_by_part(const ParticleSet& set, const Kernel& kernel, double support) {
+    std::vector<PartSums> sums(set.parts.size());
+    const SearchableParticles search(set, support);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        PartSums& part = sums[static_cast<std::size_t>(set.part[i])];
+        double nearest = support, kernel_sum = set.volume[i] * kernel.value(0.0);
+        search.for_each_neighbour(i, [&](std::size_t j, const Vec& separation) {
+            const double r = separation.norm();
+            nearest = std::min(nearest, r);
+            kernel_sum += set.volume[j] * kernel.value(r);
+            const bool overlap = r < too_near * set.spacing && set.part[i] != set.part[j] && !set.seated[i] && !set.seated[j];
+            const bool bodies_overlap = r < too_near * set.spacing && set.body[i] != set.body[j];
+            if (overlap || bodies_overlap)
+                throw InputError("particles of '" + set.parts[set.part[i]].name + "' and '" + set.parts[set.part[j]].name +
+                                     "' stand on top of each other at (" + std::to_string(1e3 * set.position[i][0]) + ", " +
+                                     std::to_string(1e3 * set.position[i][1]) + ") mm",
+                                 "draw them at least a particle spacing apart");
+        });
+        part.nearest = std::min(part.nearest, nearest);
+        part.kernel_sum += kernel_sum;
+        part.kernel_sum_square += kernel_sum * kernel_sum;
+        ++part.count;
+    }
+    return sums;
+}
+
+}  // namespace
+
+void measure_quality(MeshResult& result, const Scene& scene) {
+    const ParticleSet& set = result.particles;
+    const double support = scene.accuracy.support * scene.particles.spacing;
+    const auto sums = scene.accuracy.kernel.value == KernelKind::lucy ? sums_by_part(set, Lucy<2>(support), support)
+                                                                      : sums_by_part(set, WendlandC2<2>(support), support);
+    for (const MeshReport::SpringLine& springs : result.report.springs) {
+        MeshReport::PartLine line;
+        line.name = springs.part;
+        line.kind = word(PartKind::springs);
+        line.unit = "m";
+        result.report.parts.push_back(line);
+    }
+    for (std::size_t p = 0; p < set.parts.size(); ++p) {
+        const auto line = std::find_if(result.report.parts.begin(), result.report.parts.end(),
+                                       [&](const MeshReport::PartLine& l) { return l.name == set.parts[p].name; });
+        line->nearest = sums[p].nearest / set.spacing;
+        line->particles = sums[p].count;
+        if (set.parts[p].kind != ParticleKind::fluid) continue;
+        const auto count = static_cast<double>(sums[p].count);
+        line->kernel_sum_mean = sums[p].kernel_sum / count;
+        line->kernel_sum_spread = std::sqrt(
+            std::max(0.0, sums[p].kernel_sum_square / count - line->kernel_sum_mean * line->kernel_sum_mean));
+    }
+}
+
+}  // namespace dmp

@@ -1,0 +1,12 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesher/mesh.hpp"
+
+namespace dmp {
+
+/// Fills in the report's nearest distances and kernel sums, adds the spring parts' lines, and throws InputError where
+/// particles of different bodies stand on top of each other.
+void measure_quality(MeshResult& result, const Scene& scene);
+
+}  // namespace dmp

@@ -1,0 +1,61 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/relax.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/searchable_particles.hpp"
+#include "particles/kernels.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// Fluid particles within this distance of a body move [support radii].
+constexpr double moving_zone = 2.0;
+constexpr int iterations = 80;
+/// Displacement per unit of R^2 SUM V grad W; half of what makes the descent oscillate on a lattice.
+constexpr double descent = 0.1;
+
+std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distance) {
+    const SearchableParticles search(set, distance);
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::fluid) continue;
+        bool found = false;
+        search.for_each_neighbour(i, [&](std::size_t j, const Vec&) { found = found || set.kind(j) == ParticleKind::springs; });
+        if (found) near.push_back(i);
+    }
+    return near;
+}
+
+}  // namespace
+
+void relax_around_bodies(ParticleSet& set, double support) {
+    if (set.count(ParticleKind::springs) == 0) return;
+    const WendlandC2<2> kernel(support);
+    const double inverse_at_spacing = 1 / kernel.value(set.spacing);
+    const std::vector<std::size_t> moving = fluid_near_bodies(set, moving_zone * support);
+    std::vector<Vec> step(moving.size());
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        const SearchableParticles search(set, support);
+        for (std::size_t k = 0; k < moving.size(); ++k) {
+            Vec sum = Vec::Zero();
+            search.for_each_neighbour(moving[k], [&](std::size_t j, const Vec& separation) {
+                const double r = separation.norm();
+                const double crowding = 1 + 0.2 * square(square(kernel.value(r) * inverse_at_spacing));
+                sum += crowding * set.volume[j] * kernel.slope(r) * separation;
+            });
+            step[k] = -descent * support * support * sum;
+            const double length = step[k].norm(), longest = 0.1 * set.spacing;
+            if (length > longest) step[k] *= longest / length;
+        }
+        for (std::size_t k = 0; k < moving.size(); ++k) set.position[moving[k]] += step[k];
+    }
+    for (const std::size_t i : moving)
+        for (int axis = 0; axis < set.dimension; ++axis)
+            if (set.periodic[axis])
+                set.position[i][axis] = wrapped(set.position[i][axis], set.box.low[axis], set.box.high[axis]);
+}
+
+}  // namespace dmp

@@ -1,0 +1,34 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "mesher/mesh.hpp"
+
+namespace dmp {
+
+std::string MeshReport::text() const {
+    std::string text = fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13}  {:>16}\n", "part", "kind", "particles",
+                                   "drawn / filled", "nearest [dx]", "kernel sum");
+    for (const PartLine& part : parts) {
+        const bool is_area = part.unit == "m^2";
+        const double scale = is_area ? 1e6 : 1e3;
+        const std::string size = part.target > 0 ? fmt::format("{:.2f} / {:.2f} {}", scale * part.target, scale * part.reached,
+                                                               is_area ? "mm^2" : "mm")
+                                                 : "-";
+        const std::string sum = part.kernel_sum_mean > 0
+                                    ? fmt::format("{:.4f} +- {:.4f}", part.kernel_sum_mean, part.kernel_sum_spread)
+                                    : "-";
+        text += fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13.3f}  {:>16}\n", part.name, part.kind, part.particles, size,
+                            part.nearest, sum);
+    }
+    for (const SpringLine& line : springs)
+        text += fmt::format(
+            "springs of {}: {} {}, {} bonds of k_b = {:.4g} N/m, {} hinges of k_a = {:.4g} J, {} nodes clamped\n"
+            "  give EI = {:.4g} N*m^2, EA = {:.4g} N, GA_s = {:.4g} N; {:.4g} kg a node\n",
+            line.part, line.bodies, line.bodies == 1 ? "body" : "bodies", line.bonds, line.bond_stiffness, line.hinges,
+            line.hinge_stiffness, line.anchored, line.bending_stiffness, line.axial_stiffness, line.shear_stiffness,
+            line.particle_mass);
+    for (const std::string& note : notes) text += "note: " + note + "\n";
+    return text;
+}
+
+}  // namespace dmp

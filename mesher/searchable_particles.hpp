@@ -1,0 +1,52 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "particles/cell_grid.hpp"
+#include "particles/particle_set.hpp"
+
+namespace dmp {
+
+/// A particle set with its periodic images, sorted for neighbour search.
+class SearchableParticles {
+  public:
+    SearchableParticles(const ParticleSet& set, double reach) : owned_(set.size()) {
+        for (int axis = 0; axis < set.dimension; ++axis)
+            for (const Vec& point : set.position)
+                points_[axis].push_back(set.periodic[axis] ? wrapped(point[axis], set.box.low[axis], set.box.high[axis])
+                                                           : point[axis]);
+        points_[2].resize(set.dimension == 2 ? 0 : set.size());
+        images_ = periodic_images(points_, set.size(), set.box, set.periodic, reach);
+        for (int axis = 0; axis < set.dimension; ++axis)
+            for (const PeriodicImage& image : images_)
+                points_[axis].push_back(points_[axis][image.source] + image.shift[axis]);
+        grid_ = CellGrid(points_, points_[0].size(), set.dimension, reach);
+        reach_ = reach;
+        dimension_ = set.dimension == 3 ? 3 : 2;
+    }
+
+    /// Calls visit(j, x_i - x_j) for every other particle j (or image of one) nearer than the reach.
+    template <class Visit>
+    void for_each_neighbour(std::size_t i, Visit&& visit) const {
+        const std::array<double, 3> here{points_[0][i], points_[1][i], dimension_ == 3 ? points_[2][i] : 0.0};
+        grid_.for_each_near(here, reach_, [&](int k) {
+            if (static_cast<std::size_t>(k) == i) return;
+            Vec separation = Vec::Zero();
+            for (int axis = 0; axis < (dimension_ == 3 ? 3 : 2); ++axis) separation[axis] = here[axis] - points_[axis][k];
+            if (separation.squaredNorm() >= reach_ * reach_) return;
+            const auto index = static_cast<std::size_t>(k);
+            visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), separation);
+        });
+    }
+
+  private:
+    std::size_t owned_;
+    Coordinates points_;
+    std::vector<PeriodicImage> images_;
+    CellGrid grid_;
+    double reach_ = 0;
+    int dimension_ = 2;
+};
+
+}  // namespace dmp

@@ -1,0 +1,37 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/sweeps/vector.hpp"
+
+namespace dmp {
+
+/// A fluid particle as pair laws see it. T is double, or Lanes for the particles of a cluster side by side.
+template <class T, int D>
+struct FluidPoint {
+    Vector<T, D> position, velocity;
+    T volume, density, pressure, viscosity;
+};
+
+/// A particle of a wall or a spring body. Density and pressure are its own (used by plain walls alone).
+template <class T, int D>
+struct SolidPoint {
+    Vector<T, D> position, velocity;
+    T volume, density, pressure;
+    Vector<T, D> normal;  ///< rigid walls: from the surface into the fluid; else 0
+    T depth;              ///< rigid walls: distance behind the surface; else 0 [m]
+};
+
+/// Two particles that meet: i is the one acted upon.
+template <class I, class J, class Separation, class T>
+struct Pair {
+    const I& i;
+    const J& j;
+    Separation separation;  ///< x_i - x_j [m]
+    T distance;             ///< |x_i - x_j| [m]
+    T slope;                ///< (1/r) dW/dr [1/m^(D+2)]
+};
+
+template <class I, class J, class Separation, class T>
+Pair(const I&, const J&, Separation, T, T) -> Pair<I, J, Separation, T>;
+
+}  // namespace dmp

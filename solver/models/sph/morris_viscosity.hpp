@@ -1,0 +1,19 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/models/pair.hpp"
+
+namespace dmp {
+
+/// Viscous force on particle i (Morris, Fox & Zhu 1997, eq. 22, times m_i):
+///   F_i = SUM_j V_i V_j (mu_i + mu_j) (1/r dW/dr) v_ij   [N]
+/// Reads volume, velocity and dynamic viscosity. Antisymmetric.
+/// Largest stable explicit step: kernel.viscous_limit support^2 / nu (linear theory).
+struct MorrisViscosity {
+    template <class P>
+    static auto law(const P& p) {
+        return (p.i.volume * p.j.volume * (p.i.viscosity + p.j.viscosity) * p.slope) * (p.i.velocity - p.j.velocity);
+    }
+};
+
+}  // namespace dmp

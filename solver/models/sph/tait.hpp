@@ -1,0 +1,20 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dmp {
+
+/// Tait's equation of state for a weakly compressible liquid (Monaghan 1994, eq. 2.1 with gamma = 7):
+///   p = (c0^2 rho0 / 7) [(rho/rho0)^7 - 1]   [Pa]
+struct TaitEquation {
+    double sound_speed;   ///< c0 [m/s]
+    double rest_density;  ///< rho0 [kg/m^3]
+
+    template <class T>
+    [[nodiscard]] T pressure(const T& density) const {
+        const T ratio = density * (1 / rest_density);
+        const T cube = ratio * ratio * ratio;
+        return sound_speed * sound_speed * rest_density / 7 * (cube * cube * ratio - T(1.0));
+    }
+};
+
+}  // namespace dmp

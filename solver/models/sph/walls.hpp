@@ -1,0 +1,83 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "solver/models/pair.hpp"
+
+namespace dmp {
+
+/// What a fluid particle sees in a solid one: a fluid particle in its place, on which the ordinary pair laws act.
+
+/// No-slip walls with velocity and pressure extrapolated into them, pair by pair.
+/// Rigid walls: the velocity is the straight line through the fluid particle's and the wall's at its surface
+/// (Morris, Fox & Zhu 1997, eqs. 28-29), v_j = v_w - (d_j / d_i)(v_i - v_w), d the distances to the surface; the
+/// pressure continues hydrostatically (Adami, Hu & Adams 2012, eq. 23, for one pair), p_j = p_i + rho_i g . (x_j - x_i).
+/// Spring bodies are thin and have fluid on both sides: their own velocity, and the pressure of the side that looks.
+template <int D>
+struct ExtrapolatedSolid {
+    static constexpr bool needs_surface = true;
+
+    Vector<double, D> acceleration;  ///< body acceleration g of the fluid now [m/s^2]
+    double nearest;                  ///< smallest distance to the surface a fluid particle counts with: dx/2 [m]
+
+    /// Density rates use the solid's real velocity: the fluid may not pass through it (Adami et al. 2012).
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
+        using T = Wider<decltype(fluid.density), decltype(wall.depth)>;
+        const T distance = max_of(T(dot(from_wall, wall.normal) - wall.depth), T(nearest));
+        const T ratio = wall.depth / distance;
+        FluidPoint<T, D> ghost;
+        for (int a = 0; a < D; ++a)
+            ghost.velocity[a] = wall.velocity[a] - ratio * (fluid.velocity[a] - wall.velocity[a]);
+        ghost.pressure = fluid.pressure - fluid.density * dot(acceleration, from_wall);
+        ghost.volume = wall.volume;
+        ghost.density = fluid.density;
+        ghost.viscosity = fluid.viscosity;
+        return ghost;
+    }
+
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation&) const {
+        using T = Wider<decltype(fluid.density), decltype(body.volume)>;
+        FluidPoint<T, D> ghost;
+        for (int a = 0; a < D; ++a) ghost.velocity[a] = body.velocity[a];
+        ghost.pressure = fluid.pressure;
+        ghost.volume = body.volume;
+        ghost.density = fluid.density;
+        ghost.viscosity = fluid.viscosity;
+        return ghost;
+    }
+
+  private:
+    template <class T>
+    static T max_of(const T& a, const T& b) {
+        using std::max;
+        return max(a, b);
+    }
+};
+
+/// The plain fixed particles of Monaghan (1994): solids carry a density of their own, integrated like the fluid's.
+/// Slip velocity stays at the wall (the no-slip plane lies near the first row of wall particles).
+template <int D>
+struct PlainSolid {
+    static constexpr bool needs_surface = false;
+
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation&) const {
+        using T = Wider<decltype(fluid.density), decltype(solid.volume)>;
+        FluidPoint<T, D> ghost;
+        for (int a = 0; a < D; ++a) ghost.velocity[a] = solid.velocity[a];
+        ghost.pressure = solid.pressure;
+        ghost.volume = solid.volume;
+        ghost.density = solid.density;
+        ghost.viscosity = fluid.viscosity;
+        return ghost;
+    }
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& from_body) const {
+        return rigid(fluid, body, from_body);
+    }
+};
+
+}  // namespace dmp

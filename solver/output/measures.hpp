@@ -1,0 +1,38 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.hpp"
+#include "solver/frame.hpp"
+#include "solver/time/fluid_step.hpp"
+
+namespace dmp {
+
+/// Follows the scene's measures over time.
+///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];
+///                  particles count with a hat of one support radius across the line, so the sum does not jump
+///   gap            smallest distance between centres of particles of different bodies of a springs part [m]
+///   largest_speed  of the fluid [m/s]
+///   density        lowest and highest density of the fluid over its rest density, two columns [-]
+///   probe          a fluid field at a point (Shepard interpolation); velocity has one column an axis
+class Measures {
+  public:
+    Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings);
+
+    void take(double time, const ParticleStore& particles, const FluidStep& fluid);
+
+    [[nodiscard]] const MeasureSeries& series() const { return series_; }
+
+  private:
+    [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
+    [[nodiscard]] double gap(const Measure& measure, const ParticleStore& particles) const;
+    [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,
+                                            const FluidStep& fluid) const;
+    [[nodiscard]] Vec nearest_offset(const ParticleStore& particles, int i, const Vec& from) const;
+
+    const ParticleSet& set_;
+    PairSettings settings_;
+    std::vector<const Measure*> measures_;
+    MeasureSeries series_;
+};
+
+}  // namespace dmp

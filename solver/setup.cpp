@@ -1,0 +1,143 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/setup.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "solver/models/contact/repulsion.hpp"
+
+namespace dmp {
+
+namespace {
+
+const Part& part_named(const Scene& scene, const std::string& name) {
+    const auto part =
+        std::find_if(scene.parts.begin(), scene.parts.end(), [&](const Part& p) { return p.name.value == name; });
+    if (part == scene.parts.end())
+        throw InputError("the particles have a part '" + name + "' that the scene does not know", "mesh the scene again");
+    return *part;
+}
+
+double largest_density(const Scene& scene) {
+    double largest = 0;
+    for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
+    return largest;
+}
+
+}  // namespace
+
+double sound_speed(const Scene& scene) {
+    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value : 10 * scene.flow.largest_speed;
+}
+
+PairSettings pair_settings(const Scene& scene, int threads) {
+    PairSettings settings;
+    settings.kernel = scene.accuracy.kernel;
+    settings.walls = scene.accuracy.walls;
+    settings.spacing = scene.particles.spacing;
+    settings.support = scene.accuracy.support * scene.particles.spacing;
+    settings.sound_speed = sound_speed(scene);
+    settings.density_diffusion = scene.accuracy.density_diffusion;
+    settings.shifting = scene.accuracy.shifting;
+    if (scene.contact.range > 0) {
+        const double range = scene.contact.range * scene.particles.spacing;
+        // Automatic strength: a twentieth of the energy rho c0^2 r*^2, so that contact is as stiff as the fluid is
+        // against compression and never rules the step.
+        settings.repulsion_strength =
+            scene.contact.strength > 0
+                ? scene.contact.strength.value
+                : 0.05 * largest_density(scene) * settings.sound_speed * settings.sound_speed * range * range;
+    }
+    settings.threads = threads > 0 ? threads : omp_get_num_procs();
+    return settings;
+}
+
+std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSet& set) {
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    const double first_density = fluids.empty() ? 1 : fluids.front()->density.value;
+    std::vector<TaitEquation> equations;
+    for (const auto& part : set.parts) {
+        const bool is_fluid = part.kind == ParticleKind::fluid;
+        equations.push_back({sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density});
+    }
+    return equations;
+}
+
+void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
+    const auto equations = equations_of_state(scene, set);
+    const double range = scene.contact.range * scene.particles.spacing;
+    const bool with_surface = particles.has(Field::wall_normal);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const auto part = static_cast<std::size_t>(set.part[i]);
+        particles.data(Field::density)[i] = equations[part].rest_density;
+        if (set.kind(i) == ParticleKind::fluid)
+            particles.data(Field::viscosity)[i] = part_named(scene, set.parts[part].name).viscosity;
+        particles.data(Field::contact_range)[i] = set.seated[i] ? 0 : range;
+        if (!with_surface) continue;
+        particles.data(Field::wall_distance)[i] = set.wall_distance[i];
+        for (int axis = 0; axis < set.dimension; ++axis)
+            particles.data(Field::wall_normal, axis)[i] = set.wall_normal[i][axis];
+    }
+}
+
+StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit) {
+    StepScales scales;
+    scales.support = settings.support;
+    scales.sound_speed = settings.sound_speed;
+    scales.viscous_limit = viscous_limit;
+    scales.step_factor = scene.accuracy.step_factor;
+    scales.shifting = settings.shifting;
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
+    if (settings.repulsion_strength > 0 && set.size() > 0) {
+        const double lightest = *std::min_element(set.mass.begin(), set.mass.end());
+        const double range = scene.contact.range * scene.particles.spacing;
+        scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
+    }
+    return scales;
+}
+
+std::vector<ModelUse> models_in_use(const Scene& scene) {
+    const auto because = [](const auto& value, const std::string& key) {
+        return value.given() ? key + " at " + value.place.text() : key + " (default)";
+    };
+    std::vector<ModelUse> models;
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    if (!fluids.empty()) {
+        const std::string fluid = "part '" + fluids.front()->name.value + "' at " + fluids.front()->name.place.text();
+        models.push_back({"Tait equation of state", "Monaghan 1994, eq. 2.1", fluid});
+        models.push_back({"continuity", "Monaghan 1994, eq. 2.3, in volume form", fluid});
+        models.push_back({"pressure force", "Bonet & Lok 1999, eq. 41", fluid});
+        models.push_back({"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
+        if (scene.accuracy.density_diffusion > 0)
+            models.push_back({"density diffusion", "Molteni & Colagrossi 2009, eq. 14",
+                              because(scene.accuracy.density_diffusion, "accuracy.density_diffusion")});
+        if (scene.accuracy.shifting > 0)
+            models.push_back({"particle shifting", "after Sun et al. 2017, eq. 9",
+                              because(scene.accuracy.shifting, "accuracy.shifting")});
+    }
+    for (const Expression& axis : scene.flow.acceleration)
+        if (axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0) {
+            models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
+        }
+    if (!scene.parts_of(PartKind::rigid).empty())
+        models.push_back({scene.accuracy.walls == WallModel::plain ? "plain walls" : "extrapolated no-slip walls",
+                          scene.accuracy.walls == WallModel::plain
+                              ? "Monaghan 1994, sec. 5"
+                              : "Morris, Fox & Zhu 1997, eqs. 28-29; Adami, Hu & Adams 2012, eq. 23",
+                          because(scene.accuracy.walls, "accuracy.walls")});
+    for (const Part* part : scene.parts_of(PartKind::springs)) {
+        const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
+        models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});
+        models.push_back({"hinges", "U = k_a (theta - theta0)^2", where});
+        if (part->drag > 0) models.push_back({"lab-frame drag", "F = -k_v v", because(part->drag, "drag")});
+    }
+    const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();
+    if (scene.contact.range > 0 && has_solids)
+        models.push_back({"short-range repulsion", "Monaghan 1994, eq. 5.1, cut at r*",
+                          because(scene.contact.range, "contact.range")});
+    return models;
+}
+
+}  // namespace dmp

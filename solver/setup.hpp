@@ -1,0 +1,30 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.hpp"
+#include "solver/models/sph/tait.hpp"
+#include "solver/simulation.hpp"
+#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/step_limits.hpp"
+
+namespace dmp {
+
+/// c0: the scene's, or ten times the largest speed it expects, which keeps density within about 1 % [m/s].
+double sound_speed(const Scene& scene);
+
+/// What the pair terms need; "auto" values decided. threads = 0: all the machine has.
+PairSettings pair_settings(const Scene& scene, int threads);
+
+/// Equation of state by part number; solids stand in for the first fluid part.
+std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSet& set);
+
+/// Writes the fluid's density and viscosity, wall surfaces and contact ranges into the store. The fields must have been declared.
+void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles);
+
+/// What the fluid step depends on.
+StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit);
+
+/// Which models run and why.
+std::vector<ModelUse> models_in_use(const Scene& scene);
+
+}  // namespace dmp

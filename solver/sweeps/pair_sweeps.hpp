@@ -1,0 +1,55 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "scene/scene.hpp"
+#include "solver/neighbours/cluster_list.hpp"
+#include "solver/store/particle_store.hpp"
+
+namespace dmp {
+
+/// What the pair terms of a scene need to know, in SI.
+struct PairSettings {
+    KernelKind kernel = KernelKind::wendland_c2;
+    WallModel walls = WallModel::extrapolated;
+    double spacing = 0;             ///< dx [m]
+    double support = 0;             ///< support radius R [m]
+    double sound_speed = 0;         ///< c0 [m/s]
+    double density_diffusion = 0;   ///< delta [-]; 0: not there
+    double shifting = 0;            ///< s [-]; 0: not there
+    double repulsion_strength = 0;  ///< K [J]; 0: not there
+    int threads = 1;
+};
+
+/// The two sweeps over all pairs that one step makes. Each sweep visits every pair of a cluster and a neighbour once
+/// and applies all pair terms of its stage.
+class PairSweeps {
+  public:
+    virtual ~PairSweeps() = default;
+
+    /// force [N] on every particle, fixed ones included (their reaction): pressure, viscosity, repulsion.
+    virtual void forces(ParticleStore& particles, const ClusterList& list,
+                        const std::array<double, 3>& body_acceleration) const = 0;
+
+    /// density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m]. Fluid
+    /// particles; with plain walls the solids' density rate too.
+    virtual void density_rates(ParticleStore& particles, const ClusterList& list) const = 0;
+
+    /// Largest stable c dt / support and nu dt / support^2 of the kernel (linear theory).
+    [[nodiscard]] virtual double sound_limit() const = 0;
+    [[nodiscard]] virtual double viscous_limit() const = 0;
+    /// W at distance r [1/m^D], for interpolation at points.
+    [[nodiscard]] virtual double kernel_value(double r) const = 0;
+    /// (1/r) dW/dr at distance r [1/m^(D+2)].
+    [[nodiscard]] virtual double kernel_slope(double r) const = 0;
+    /// Displacement per unit of the shift sum for one step [m^2], and the longest displacement [m].
+    [[nodiscard]] virtual double shift_step(double largest_speed, double dt) const = 0;
+    [[nodiscard]] virtual double longest_shift() const = 0;
+};
+
+/// The sweeps for these settings in the plane. Declares the fields they need.
+std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles);
+
+}  // namespace dmp

@@ -1,0 +1,78 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "solver/models/sph/tait.hpp"
+#include "solver/neighbours/cluster_list.hpp"
+#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/spring_bodies.hpp"
+#include "solver/time/stage_timer.hpp"
+
+namespace dmp {
+
+/// Impulses that moving particles have been given from outside [N s].
+struct OutsideImpulses {
+    std::array<double, 3> of_body_forces{}, of_fixed{}, of_drag{};
+};
+
+/// The state of the fluid after a step, as the step-size controller and the watch want it.
+struct FluidExtremes {
+    double largest_speed = 0;                   ///< [m/s]; not finite when any velocity is not
+    double density_low = 0, density_high = 0;   ///< relative to each particle's rest density [-]
+};
+
+/// One step of weakly compressible flow with sub-cycled spring bodies, drift-kick-drift:
+///   positions and densities half a step; forces there; velocities a whole step; density rates with the new
+///   velocities; positions and densities the second half. The sound waves' two halves of the step are then a
+///   staggered (symplectic) pair; viscosity is explicit.
+class FluidStep {
+  public:
+    FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
+              std::vector<TaitEquation> state_of_part);
+
+    /// From time t to t + dt.
+    void advance(double t, double dt);
+
+    /// Makes the neighbour list and images fit the present positions.
+    void refresh_neighbours();
+    /// Brings pressure (and volume) up to the present density.
+    void update_pressure();
+
+    [[nodiscard]] FluidExtremes extremes() const;
+    [[nodiscard]] const OutsideImpulses& impulses() const { return impulses_; }
+    [[nodiscard]] const StageTimer& timer() const { return timer_; }
+    [[nodiscard]] const ClusterList& list() const { return list_; }
+    [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
+    [[nodiscard]] const SpringBodies& springs() const { return springs_; }
+    /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
+    /// pressure in walls is then continued as it is).
+    [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
+
+  private:
+    void drift_fluid(double dt);
+    void advance_springs(double dt);
+    void exchange_after_drift();
+    void kick(double t, double dt);
+    void shift(double dt);
+    [[nodiscard]] double moved_since_list() const;
+
+    const Scene& scene_;
+    const ParticleSet& set_;
+    ParticleStore& particles_;
+    PairSettings settings_;
+    std::vector<TaitEquation> state_of_part_;  ///< by part number (solids: the first fluid's)
+    std::unique_ptr<PairSweeps> sweeps_;
+    SpringBodies springs_;
+    ClusterList list_;
+    std::array<std::vector<double>, 3> position_at_list_;
+    std::vector<int> with_density_;  ///< particles that integrate a density: fluid, with plain walls all
+    std::array<Expression, 3> acceleration_;
+    double largest_speed_ = 0;
+    OutsideImpulses impulses_;
+    StageTimer timer_;
+};
+
+}  // namespace dmp

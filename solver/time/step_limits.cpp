@@ -1,0 +1,34 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/time/step_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmp {
+
+std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration) {
+    std::vector<StepLimit> limits;
+    limits.push_back({"sound", scales.step_factor * scales.support / (scales.sound_speed + largest_speed),
+                      "step_factor R / (c0 + U)"});
+    if (scales.kinematic_viscosity > 0)
+        // Half of the linear limit: walls with extrapolated velocity raise the largest eigenvalue.
+        limits.push_back({"viscosity",
+                          0.5 * scales.viscous_limit * scales.support * scales.support / scales.kinematic_viscosity,
+                          "half of the kernel's linear limit of nu dt / R^2"});
+    if (acceleration > 0)
+        limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
+    if (scales.shifting > 0 && largest_speed > 0)
+        // A particle may be moved by shifting no further than the sum's own scale allows.
+        limits.push_back({"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed),
+                          "s c0 dt / R <= 1.2"});
+    if (scales.contact_limit > 0)
+        limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion at touch"});
+    return limits;
+}
+
+const StepLimit& ruling_limit(const std::vector<StepLimit>& limits) {
+    return *std::min_element(limits.begin(), limits.end(),
+                             [](const StepLimit& a, const StepLimit& b) { return a.dt < b.dt; });
+}
+
+}  // namespace dmp

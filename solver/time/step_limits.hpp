@@ -1,0 +1,27 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/simulation.hpp"
+
+namespace dmp {
+
+/// What the fluid step may depend on.
+struct StepScales {
+    double support = 0;              ///< R [m]
+    double sound_speed = 0;          ///< c0 [m/s]
+    double kinematic_viscosity = 0;  ///< largest nu of the scene [m^2/s]
+    double viscous_limit = 0;        ///< of the kernel, nu dt / R^2 [-]
+    double step_factor = 0;          ///< c0 dt / R asked for [-]
+    double shifting = 0;             ///< s [-]
+    double contact_limit = 0;        ///< [s]; 0: no contact
+};
+
+/// Largest fluid step by each model, at the given speed [m/s] and body acceleration [m/s^2] of the moment.
+std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration);
+
+/// The shortest of them.
+const StepLimit& ruling_limit(const std::vector<StepLimit>& limits);
+
+}  // namespace dmp
