@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/errors.hpp"
@@ -16,7 +17,8 @@ struct Polyline {
     bool closed = false;
 
     [[nodiscard]] double length() const;
-    /// The point at arc length s in [0, length()] and the unit tangent there.
+    /// The point at arc length s in [0, length()] and the unit tangent there (at a corner that of the segment before).
+    /// Throws std::out_of_range for an s outside, or a line without length.
     [[nodiscard]] std::pair<Vec, Vec> at(double s) const;
 };
 
@@ -30,6 +32,8 @@ struct Projection {
 };
 
 /// A named area of a 2-D drawing, bounded by closed polylines (the first need not be the outer one; even-odd rule).
+/// Every loop counts as closed. read_drawing turns all loops so that the region lies on their left.
+/// For many points ask an InsideTest (geometry/inside_test.hpp).
 struct Region {
     std::string name;
     std::vector<Polyline> loops;
@@ -39,12 +43,15 @@ struct Region {
     [[nodiscard]] Side side_of(const Vec& point) const;
 };
 
-/// A named set of curves: walls, inlets, leaflets. Each piece is a maximal chain of connected curves.
+/// A named set of curves: walls, inlets, leaflets. Each piece is a maximal chain of connected curves: it ends at loose
+/// ends and where more than two curves meet. Pieces follow the order of the curves' numbers in the drawing, and each
+/// has the direction of its first curve. For many points ask a NearestCurve (geometry/nearest_curve.hpp).
 struct CurveSet {
     std::string name;
     std::vector<Polyline> pieces;
 
     [[nodiscard]] double length() const;
+    /// The first of the nearest points; of a set without points the distance is infinite.
     [[nodiscard]] Projection nearest(const Vec& point) const;
 };
 
@@ -56,6 +63,7 @@ struct Geometry {
     std::vector<Region> regions;
     std::vector<CurveSet> curves;
     std::map<std::string, std::vector<Vec>> points;
+    std::vector<std::string> warnings;  ///< what gmsh warned of while it read the drawing
 
     [[nodiscard]] const Region* region(const std::string& name) const;
     [[nodiscard]] const CurveSet* curve_set(const std::string& name) const;
@@ -64,16 +72,33 @@ struct Geometry {
 };
 
 struct DrawingOptions {
-    std::string file;                          ///< path of the drawing
-    double unit = 1.0;                         ///< one unit of the drawing [m]
-    std::map<std::string, double> parameters;  ///< DefineConstant name -> value in the drawing's units
+    std::string file;                               ///< path of the drawing
+    double unit = 1.0;                              ///< one unit of the drawing [m]
+    std::map<std::string, double> parameters;       ///< DefineConstant name -> value in the drawing's units
     std::map<std::string, Place> parameter_places;  ///< where the scene sets them, for errors
-    double chord_error = 1e-6;                 ///< largest distance between a curve and its polyline [m]
-    Place place;                               ///< where the scene names the file, for errors
+    double chord_error = 1e-6;                      ///< largest distance between a curve and its polyline [m]
+    Place place;                                    ///< where the scene names the file, for errors
 };
 
-/// Reads a 2-D gmsh drawing (.geo, .geo_unrolled, .msh). Throws InputError: unreadable file, gmsh's own error with
-/// its line, a parameter the drawing has no DefineConstant for (with the nearest name), a drawing without names.
+/// Reads a 2-D gmsh drawing in the plane z = 0: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then
+/// taken as they are. Named physical surfaces become regions, named physical curves curve sets, named physical points
+/// points; coordinates are scaled to metres. The ends of curves are the drawing's points, bit for bit; straight lines
+/// stay two points.
+///
+/// Parameters set the constants that the script offers with a Name:
+///
+///     DefineConstant[ leaflet_length = {0.0175, Name "leaflet_length"} ];
+///
+/// It is the text after Name that counts. gmsh offers no way to set the plain form DefineConstant[ a = 1 ] from
+/// outside.
+///
+/// Safe to call from several threads (one drawing is read at a time). gmsh's global state does not outlive the call;
+/// the caller's locale and number of threads stay as they were.
+///
+/// Throws InputError: a file that cannot be read or has a format we do not read; gmsh's own errors with their line; a
+/// parameter that the drawing does not offer (with the nearest name) or fixes itself; a drawing without named groups,
+/// in three dimensions or outside z = 0; groups without a name; curves without length; regions that are empty, open or
+/// cross themselves.
 Geometry read_drawing(const DrawingOptions& options);
 
 }  // namespace dmp

@@ -13,20 +13,6 @@ namespace dmp {
 
 namespace {
 
-void check_walls_reach(const Scene& scene) {
-    for (const Part* part : scene.parts_of(PartKind::rigid)) {
-        // The first fluid row stands half a spacing from the wall on average.
-        const double needed = scene.accuracy.support - 0.5;
-        if (part->layers >= needed - 1e-9) continue;
-        std::ostringstream problem;
-        problem << "the wall '" << part->name.value << "' has " << part->layers.value
-                << " layers, thinner than the kernel's support of " << scene.accuracy.support.value << " spacings";
-        throw InputError(part->layers.given() ? part->layers.place : part->name.place, problem.str(),
-                         "give it layers = " + std::to_string(static_cast<int>(std::ceil(needed - 1e-9))) +
-                             " or more, or lower accuracy.support");
-    }
-}
-
 void check_periods(const Scene& scene, const Box& box) {
     const double needed = (scene.accuracy.support + 1) * scene.particles.spacing;
     for (int axis = 0; axis < 2; ++axis) {
@@ -42,7 +28,6 @@ void check_periods(const Scene& scene, const Box& box) {
 
 MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     check_names(geometry, scene);
-    check_walls_reach(scene);
     const Box box = fluid_box(geometry, scene);
     check_periods(scene, box);
     check_boundary(geometry, scene, box);

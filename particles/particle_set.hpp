@@ -47,7 +47,7 @@ struct ParticleSet {
     std::vector<int> part;                 ///< index into parts
     std::vector<int> body;                 ///< connected piece of a springs part, counted over all parts; -1: none
     std::vector<std::uint8_t> fixed;       ///< 1: never moves (rigid walls, anchored ends)
-    std::vector<std::uint8_t> seated;      ///< 1: drawn touching a wall, so that it feels no contact force
+    std::vector<std::uint8_t> seated;      ///< 1: drawn touching a wall, so that the wall does not push it away
     std::vector<Vec> wall_normal;          ///< rigid: unit vector from the surface into the fluid; else 0
     std::vector<double> wall_distance;     ///< rigid: distance to the surface, > 0 behind it [m]; else 0
 

@@ -12,8 +12,9 @@ class Expression {
   public:
     /// The constant 0.
     Expression();
-    /// `formula` in muParser's grammar, every literal already in SI. Throws std::invalid_argument with muParser's words.
-    Expression(std::string formula, std::string as_written);
+    /// `formula` in muParser's grammar, every literal already in SI; `in_si` is the same with units, every literal in
+    /// SI base units (empty: `as_written`). Throws std::invalid_argument with muParser's words.
+    Expression(std::string formula, std::string as_written, std::string in_si = {});
     Expression(const Expression& other);
     Expression(Expression&& other) noexcept;
     Expression& operator=(const Expression& other);
@@ -26,11 +27,14 @@ class Expression {
     [[nodiscard]] bool depends_on_place() const;
     /// As the user wrote it, with units.
     [[nodiscard]] const std::string& text() const { return as_written_; }
+    /// With units, literals in SI base units; the same for every way to write the same formula in other units.
+    [[nodiscard]] const std::string& si_text() const { return in_si_; }
 
   private:
     struct Parser;
     std::string formula_;
     std::string as_written_;
+    std::string in_si_;
     std::unique_ptr<Parser> parser_;
 };
 

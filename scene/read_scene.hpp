@@ -19,7 +19,8 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
 /// Throws InputError with the nearest right key for an unknown one.
 std::string explain_key(const std::string& key);
 
-/// Every scene key with its default, one line each, in the order of the reference page (docs/scene.md is made from this).
+/// Every scene key with its default, one line each, in the order of the reference page (docs/scene.md is made from
+/// this).
 std::string scene_reference();
 
 /// The scene with every default filled in, as TOML in SI units; written beside the results.

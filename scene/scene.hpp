@@ -33,6 +33,7 @@ enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, lucy };
 enum class WallModel { extrapolated, plain };
+enum class SpringStepping { implicit, subcycled };
 enum class MeasureKind { flux, gap, largest_speed, density, probe };
 enum class FluidField { velocity, pressure, density, shear_stress };
 
@@ -51,24 +52,24 @@ struct Part {
     Value<int> layers;  ///< rows of particles; default 3 for rigid, 2 for springs
 
     // springs
-    Value<double> bending_stiffness;             ///< EI [N m^2]
-    Value<double> axial_stiffness;               ///< EA [N]
-    Value<bool> lower_axial_stiffness = true;    ///< lower EA where the lattice cannot hold EI and EA at this spacing
-    Value<double> mass_per_length;               ///< [kg/m]
-    Value<std::string> anchor;                   ///< named points of the drawing where the part is clamped; empty: free
-    Value<double> bond_damping = 0.01;           ///< dashpot along each bond, fraction of critical [-]
-    Value<double> drag = 0.0;                    ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
+    Value<double> bending_stiffness;           ///< EI [N m^2]
+    Value<double> axial_stiffness;             ///< EA [N]
+    Value<bool> lower_axial_stiffness = true;  ///< lower EA where the lattice cannot hold EI and EA at this spacing
+    Value<double> mass_per_length;             ///< [kg/m]
+    Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
+    Value<double> bond_damping = 0.01;         ///< dashpot along each bond, fraction of critical [-]
+    Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
 };
 
 /// [[measure]]: one number followed over time.
 struct Measure {
     Value<std::string> name;
     Value<MeasureKind> kind;
-    Value<Vec> from{Vec::Zero()};   ///< flux: the line's start [m]
-    Value<Vec> to{Vec::Zero()};     ///< flux: the line's end [m]
-    Value<Vec> point{Vec::Zero()};  ///< probe: where [m]
+    Value<Vec> from{Vec::Zero()};                    ///< flux: the line's start [m]
+    Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
+    Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
-    Value<std::string> part;        ///< gap: smallest distance between the pieces of this springs part
+    Value<std::string> part;                         ///< gap: smallest distance between the pieces of this springs part
 };
 
 struct Scene {
@@ -76,11 +77,12 @@ struct Scene {
     std::string directory;  ///< its folder; relative paths in the scene start here
     std::string hash;       ///< of the resolved scene (all defaults, SI), 16 hex digits
 
+    Value<int> schema = 1;  ///< version of the scene's keys
     Value<std::string> title;
     Value<int> dimension = 2;
 
     struct {
-        Value<std::string> file;  ///< the drawing, absolute or relative to `directory`
+        Value<std::string> file;   ///< the drawing, absolute or relative to `directory`
         Value<double> unit = 1.0;  ///< one unit of the drawing [m]
         /// DefineConstant names -> values in the drawing's own units (lengths already divided by `unit`).
         std::map<std::string, Value<double>> parameters;
@@ -94,9 +96,9 @@ struct Scene {
     std::vector<Part> parts;  ///< in the order written, disabled ones included
 
     struct {
-        std::array<Expression, 3> acceleration;   ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
-        std::array<Value<bool>, 3> periodic;      ///< by axis
-        Value<double> largest_speed;              ///< largest speed expected [m/s]; 0 = not given
+        std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
+        std::array<Value<bool>, 3> periodic;     ///< by axis
+        Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
     } flow;
 
     struct {
@@ -106,24 +108,25 @@ struct Scene {
 
     struct {
         Value<KernelKind> kernel = KernelKind::wendland_c2;
-        Value<double> support = 3.0;            ///< support radius [spacings]
-        Value<double> sound_speed = 0.0;        ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
+        Value<double> support = 3.0;      ///< support radius [spacings]
+        Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
         Value<WallModel> walls = WallModel::extrapolated;
         Value<double> density_diffusion = 0.1;  ///< delta of Molteni & Colagrossi [-]; 0 switches it off
         Value<double> shifting = 4.0;           ///< strength s of the particle shifting [-]; 0 switches it off
         Value<double> step_factor = 0.3;        ///< c0 dt / support radius [-]
-        Value<double> spring_step_factor = 0.5; ///< fraction of the springs' largest stable step [-]
+        Value<SpringStepping> spring_stepping = SpringStepping::implicit;
+        Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
     } accuracy;
 
     struct {
-        Value<double> duration;    ///< [s]
-        Value<int> threads = 0;    ///< 0 = all the machine has
+        Value<double> duration;  ///< [s]
+        Value<int> threads = 0;  ///< 0 = all the machine has
     } run;
 
     struct {
-        Value<double> every;                       ///< time between frames [s]
-        std::vector<FluidField> fields;            ///< per-particle fields in the frames
-        Value<double> measure_every = 0.0;         ///< time between rows of measures.csv [s]; 0 = every / 4
+        Value<double> every;                ///< time between frames [s]
+        std::vector<FluidField> fields;     ///< per-particle fields in the frames
+        Value<double> measure_every = 0.0;  ///< time between rows of measures.csv [s]; 0 = every / 4
         Value<bool> pictures = true;
         Value<FluidField> picture_field = FluidField::velocity;
     } output;
@@ -136,6 +139,9 @@ struct Scene {
 
 /// The word a scene uses for it: "fluid", "wendland_c2", ...
 std::string word(PartKind kind);
+std::string word(Arrangement arrangement);
+std::string word(WallModel walls);
+std::string word(SpringStepping stepping);
 std::string word(FluidField field);
 std::string word(KernelKind kernel);
 std::string word(MeasureKind kind);

@@ -76,9 +76,12 @@ Conserved Simulation::State::conserved() const {
     for (std::size_t i = 0; i < particles.owned(); ++i) {
         if (set.fixed[i]) continue;
         sum.mass += mass[i];
+        if (set.kind(i) == ParticleKind::springs) continue;  // the bodies know their momentum
         for (int axis = 0; axis < set.dimension; ++axis)
             sum.momentum[axis] += mass[i] * particles.data(Field::velocity, axis)[i];
     }
+    for (const SpringBody& body : fluid.springs().bodies())
+        for (int axis = 0; axis < 2; ++axis) sum.momentum[axis] += body.momentum()[axis];
     return sum;
 }
 

@@ -21,6 +21,7 @@ enum class Field {
     wall_normal,
     wall_distance,
     contact_range,
+    wall_contact_range,
     count  // how many there are
 };
 
@@ -45,6 +46,7 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"wall_normal", "1", true},
     {"wall_distance", "m", false},
     {"contact_range", "m", false},
+    {"wall_contact_range", "m", false},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }

@@ -13,12 +13,13 @@ template <int D, class Kernel, bool WithDiffusion, bool WithShifting>
 class DensitySweep {
   public:
     DensitySweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
-                 const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting, int threads)
+                 const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting, double solid_weight, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           diffusion_(diffusion),
           shifting_(shifting),
+          solid_weight_(solid_weight),
           threads_(threads),
           read_(particles) {}
 
@@ -75,7 +76,8 @@ class DensitySweep {
     template <bool BothFluid, class I, class J>
     void add(const I& i, const J& j, Sum& sum) const {
         const auto p = pair(i, j);
-        sum.rate += ContinuityRate::law(p);
+        const auto rate = ContinuityRate::law(p);
+        sum.rate += BothFluid ? rate : solid_weight_ * rate;
         if constexpr (BothFluid && WithDiffusion) sum.rate += diffusion_.law(p);
         if constexpr (WithShifting) sum.shift += shifting_.law(p, kernel_);
     }
@@ -85,6 +87,7 @@ class DensitySweep {
     const Kernel& kernel_;
     const DensityDiffusion& diffusion_;
     const Shifting<Kernel>& shifting_;
+    double solid_weight_;  ///< what a solid's approach counts: see ExtrapolatedSolid::approach_weight
     int threads_;
     PointReader<D> read_;
 };

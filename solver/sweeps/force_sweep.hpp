@@ -25,7 +25,8 @@ class ForceSweep {
           with_contact_(repulsion.strength > 0),
           threads_(threads),
           read_(particles),
-          range_(particles.data(Field::contact_range)) {}
+          range_(particles.data(Field::contact_range)),
+          wall_range_(particles.data(Field::wall_contact_range)) {}
 
     void run() {
         sweep(ParticleKind::fluid, [this](const Cluster& cluster) { return force_on_fluid(cluster); });
@@ -70,8 +71,8 @@ class ForceSweep {
     /// The reaction to what the fluid feels, and contact with spring bodies.
     Force force_on_rigid(const Cluster& cluster) const {
         const auto wall = read_.template solid<Solid::needs_surface>(cluster);
-        Force force = contact(cluster, wall.position, ParticleKind::springs);
-        force += contact(cluster, wall.position, ParticleKind::fluid);
+        Force force = contact(cluster, wall.position, ParticleKind::springs, wall_range_);
+        force += contact(cluster, wall.position, ParticleKind::fluid, range_);
         for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) {
             const auto j = read_.fluid(index);
             const auto from_wall = j.position - wall.position;
@@ -82,9 +83,9 @@ class ForceSweep {
 
     Force force_on_springs(const Cluster& cluster) const {
         const auto body = read_.template solid<false>(cluster);
-        Force force = contact(cluster, body.position, ParticleKind::fluid);
-        force += contact(cluster, body.position, ParticleKind::rigid);
-        force += contact(cluster, body.position, ParticleKind::springs);
+        Force force = contact(cluster, body.position, ParticleKind::fluid, range_);
+        force += contact(cluster, body.position, ParticleKind::rigid, wall_range_);
+        force += contact(cluster, body.position, ParticleKind::springs, range_);
         for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) {
             const auto j = read_.fluid(index);
             const auto from_body = j.position - body.position;
@@ -93,13 +94,15 @@ class ForceSweep {
         return force;
     }
 
-    Force contact(const Cluster& cluster, const Vector<Lanes, D>& position, ParticleKind kind) const {
-        const Lanes range = load(range_, cluster);
+    /// Repulsion by the particles of one kind; `ranges` holds r* by particle.
+    Force contact(const Cluster& cluster, const Vector<Lanes, D>& position, ParticleKind kind,
+                  const double* ranges) const {
+        const Lanes range = load(ranges, cluster);
         Force force = Force::zero();
         if (!with_contact_) return force;
         for (const int index : list_.neighbours(cluster, kind)) {
             const auto j = read_.template solid<false>(index);
-            force += repulsion_.law(position - j.position, min(range, Lanes(range_[index])));
+            force += repulsion_.law(position - j.position, min(range, Lanes(ranges[index])));
         }
         return force;
     }
@@ -119,7 +122,7 @@ class ForceSweep {
     bool with_contact_;
     int threads_;
     PointReader<D> read_;
-    const double* range_;
+    const double *range_, *wall_range_;  ///< r* by particle: of any contact; between spring bodies and walls [m]
 };
 
 }  // namespace dmp

@@ -44,10 +44,12 @@ class Sweeps final : public PairSweeps {
     void density_rates(ParticleStore& particles, const ClusterList& list) const override {
         with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
+                const bool plain = settings_.walls == WallModel::plain;
+                const double solid_weight = plain ? PlainSolid<D>::approach_weight : ExtrapolatedSolid<D>::approach_weight;
                 DensitySweep<D, Kernel, decltype(diffusion)::value, decltype(shifting)::value> sweep(
-                    particles, list, kernel_, diffusion_, shifting_, settings_.threads);
+                    particles, list, kernel_, diffusion_, shifting_, solid_weight, settings_.threads);
                 sweep.fluid();
-                if (settings_.walls == WallModel::plain) sweep.solids();
+                if (plain) sweep.solids();
             });
         });
     }
@@ -72,7 +74,8 @@ class Sweeps final : public PairSweeps {
 }  // namespace
 
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles) {
-    particles.declare({Field::density, Field::density_rate, Field::pressure, Field::viscosity, Field::contact_range});
+    particles.declare({Field::density, Field::density_rate, Field::pressure, Field::viscosity, Field::contact_range,
+                       Field::wall_contact_range});
     if (settings.shifting > 0) particles.declare({Field::shift});
     if (settings.walls == WallModel::extrapolated) particles.declare({Field::wall_normal, Field::wall_distance});
     if (settings.kernel == KernelKind::lucy) return std::make_unique<Sweeps<2, Lucy<2>>>(settings);

@@ -35,16 +35,18 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
 
 void FluidStep::advance(double t, double dt) {
     timer_.timed("drift", [&] { drift_fluid(dt / 2); });
-    timer_.timed("springs", [&] { advance_springs(dt / 2); });
     timer_.timed("pressure", [&] { update_pressure(); });
     timer_.timed("neighbours", [&] { refresh_neighbours(); });
     timer_.timed("images", [&] { exchange_after_drift(); });
     timer_.timed("forces", [&] { sweeps_->forces(particles_, list_, body_acceleration(t + dt / 2)); });
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
+    timer_.timed("springs", [&] { advance_springs(dt); });
     timer_.timed("images", [&] { particles_.refresh_images({Field::velocity}); });
     timer_.timed("density", [&] { sweeps_->density_rates(particles_, list_); });
-    timer_.timed("drift", [&] { drift_fluid(dt / 2); });
-    timer_.timed("springs", [&] { advance_springs(dt / 2); });
+    timer_.timed("drift", [&] {
+        drift_fluid(dt / 2);
+        springs_.show_positions(particles_);
+    });
     if (settings_.shifting > 0) timer_.timed("shift", [&] { shift(dt); });
 }
 
@@ -154,13 +156,8 @@ void FluidStep::kick(double t, double dt) {
 
         double on_fixed = 0;
         for (const int i : particles_.ids(ParticleKind::rigid)) on_fixed += force[i];
-        for (const int i : particles_.ids(ParticleKind::springs)) {
-            if (set_.fixed[i]) {
-                on_fixed += force[i];
-            } else {
-                v[i] += dt * force[i] / mass[i];
-            }
-        }
+        for (const int i : particles_.ids(ParticleKind::springs))
+            if (set_.fixed[i]) on_fixed += force[i];
         impulses_.of_fixed[axis] -= dt * on_fixed;
     }
     largest_speed_ = extremes().largest_speed;

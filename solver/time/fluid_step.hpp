@@ -24,10 +24,13 @@ struct FluidExtremes {
     double density_low = 0, density_high = 0;   ///< relative to each particle's rest density [-]
 };
 
-/// One step of weakly compressible flow with sub-cycled spring bodies, drift-kick-drift:
+/// One step of weakly compressible flow with spring bodies, drift-kick-drift:
 ///   positions and densities half a step; forces there; velocities a whole step; density rates with the new
 ///   velocities; positions and densities the second half. The sound waves' two halves of the step are then a
 ///   staggered (symplectic) pair; viscosity is explicit.
+/// Spring bodies live at the middles of the steps: kicked by the fluid there, they move under their own forces to the
+/// next middle before the density rates are taken, so that the fluid feels exactly the displacement they will make.
+/// After `advance` they stand half a step ahead of the fluid.
 class FluidStep {
   public:
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,

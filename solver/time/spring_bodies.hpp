@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,34 @@ namespace dmp {
 class SpringBody {
   public:
     SpringBody(const ParticleSet& set, const Part& part, int body);
+    ~SpringBody();
+    SpringBody(SpringBody&&) noexcept;
+    SpringBody& operator=(SpringBody&&) noexcept;
 
     struct Impulses {
         Vector<double, 2> of_anchors{};  ///< given to the free nodes by the anchored ones [N s]
         Vector<double, 2> of_drag{};     ///< by lab-frame drag [N s]
     };
 
-    /// Moves the nodes over dt in `substeps` equal drift-kick-drift steps, from the velocities in the store.
-    Impulses advance(ParticleStore& particles, double dt, int substeps);
+    /// Velocities change by dt F / m, F the forces of the fluid and of contact in the store.
+    void kick_from_outside(const ParticleStore& particles, double dt);
+
+    /// Moves the nodes over dt under the body's own forces, in `substeps` equal drift-kick-drift steps.
+    Impulses advance_subcycled(double dt, int substeps);
+
+    /// Moves the nodes over dt in one implicit midpoint step: stable for any dt, and free of the resonance between
+    /// kicks of the fluid and spring modes that sub-cycling has (Stern & Grinspun 2009, sec. 3: "IMEX").
+    /// Throws DivergenceError when the equations have no solution near the present state.
+    Impulses advance_implicit(double dt);
+
+    /// What the fluid is to see of the last advance: the nodes' mean velocity, displacement over dt, before they are
+    /// moved (fast vibration of the springs is none of the fluid's business) ...
+    void show_mean_velocity(ParticleStore& particles, double dt) const;
+    /// ... and then where they went.
+    void show_position(ParticleStore& particles) const;
+
+    /// Of the free nodes [kg m/s].
+    [[nodiscard]] Vector<double, 2> momentum() const;
 
     /// Largest stable step 2 / omega_max of the drawn lattice [s], omega_max by power iteration on its stiffness.
     [[nodiscard]] double step_limit() const;
@@ -32,12 +53,13 @@ class SpringBody {
     /// Bond and hinge energy now [J].
     [[nodiscard]] double energy() const;
 
-    /// Spring forces (dashpots included) at the present positions and velocities [N], by node.
-    [[nodiscard]] const std::vector<Vector<double, 2>>& spring_forces();
-
     [[nodiscard]] const std::vector<int>& ids() const { return ids_; }
     [[nodiscard]] const std::vector<Vector<double, 2>>& positions() const { return position_; }
+    /// For tests and static solves: nodes may be put anywhere.
     std::vector<Vector<double, 2>>& positions() { return position_; }
+    /// Spring forces (dashpots included) of nodes at these places and velocities [N].
+    [[nodiscard]] std::vector<Vector<double, 2>> forces(const std::vector<Vector<double, 2>>& position,
+                                                        const std::vector<Vector<double, 2>>& velocity) const;
 
   private:
     using Vectors = std::vector<Vector<double, 2>>;
@@ -49,9 +71,12 @@ class SpringBody {
         int a, centre, b;
         HingeForce force;
     };
+    class ImplicitSystem;
 
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
     void drift(double h);
+    /// v += h F / m on free nodes; adds up what anchors and drag gave.
+    void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
 
     std::vector<int> ids_;  ///< particle ids of the nodes
     std::vector<std::uint8_t> fixed_;
@@ -59,24 +84,31 @@ class SpringBody {
     std::vector<LocalBond> bonds_;
     std::vector<LocalHinge> hinges_;
     double drag_;
+    double spacing_;                       ///< scale of the nodes' distances [m]
     Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
+    Vectors position_before_;              ///< before the last advance
+    std::unique_ptr<ImplicitSystem> system_;
 };
 
-/// All spring bodies of a scene, sub-cycled under the fluid step.
+/// All spring bodies of a scene.
 class SpringBodies {
   public:
     SpringBodies(const ParticleSet& set, const Scene& scene);
 
-    /// Largest stable spring step by part name [s].
+    /// Largest stable explicit step by part name [s].
     struct PartLimit {
         std::string part;
         double dt;
     };
     [[nodiscard]] const std::vector<PartLimit>& step_limits() const { return limits_; }
-    /// Spring steps that cover dt; 0 without bodies.
+    /// Spring steps that cover dt: one when implicit, 0 without bodies.
     [[nodiscard]] int substeps(double dt) const;
+    [[nodiscard]] bool implicit() const { return implicit_; }
 
+    /// Kicks all bodies by the forces in the store, then moves them over dt; the store sees their mean velocities.
     SpringBody::Impulses advance(ParticleStore& particles, double dt, int threads);
+    /// Hands the positions after the last advance to the store.
+    void show_positions(ParticleStore& particles) const;
 
     [[nodiscard]] bool empty() const { return bodies_.empty(); }
     [[nodiscard]] const std::vector<SpringBody>& bodies() const { return bodies_; }
@@ -84,7 +116,8 @@ class SpringBodies {
   private:
     std::vector<SpringBody> bodies_;
     std::vector<PartLimit> limits_;
-    double largest_step_ = 0;  ///< the shortest limit times the scene's spring_step_factor [s]
+    bool implicit_;
+    double largest_step_ = 0;  ///< explicit: the shortest limit times the scene's spring_step_factor [s]
 };
 
 }  // namespace dmp

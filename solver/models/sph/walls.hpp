@@ -17,11 +17,14 @@ namespace dmp {
 template <int D>
 struct ExtrapolatedSolid {
     static constexpr bool needs_surface = true;
+    /// In the density rate the wall's image approaches as fast as the fluid does (v_j = 2 v_w - v_i along the pair), so
+    /// the relative velocity counts twice. It goes with the pressure, which acts twice too (p_j = p_i): the work of the
+    /// forces is then the energy that the density stores, without which thin bodies flutter.
+    static constexpr double approach_weight = 2;
 
     Vector<double, D> acceleration;  ///< body acceleration g of the fluid now [m/s^2]
     double nearest;                  ///< smallest distance to the surface a fluid particle counts with: dx/2 [m]
 
-    /// Density rates use the solid's real velocity: the fluid may not pass through it (Adami et al. 2012).
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
         using T = Wider<decltype(fluid.density), decltype(wall.depth)>;
@@ -62,6 +65,7 @@ struct ExtrapolatedSolid {
 template <int D>
 struct PlainSolid {
     static constexpr bool needs_surface = false;
+    static constexpr double approach_weight = 1;  ///< the solid's own density takes up the other half
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation&) const {

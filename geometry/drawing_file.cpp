@@ -1,0 +1,88 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/drawing_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "geometry/geo_text.hpp"
+
+namespace dmp {
+
+namespace {
+
+constexpr std::string_view formats_read = "dmp reads .geo, .geo_unrolled and .msh drawings.";
+
+std::string extension_of(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+void check_script(const std::string& file) {
+    const GeoText text(file_text(file));
+    if (const auto open = text.unclosed_block()) {
+        const bool beginning = !open->word.starts_with("End");
+        const std::string partner = beginning ? "End" + open->word : open->word.substr(3);
+        throw InputError({.file = file, .line = open->line}, "'" + open->word + "' without its '" + partner + "'",
+                         "Add '" + partner + "'; gmsh itself does not notice.");
+    }
+    if (const int line = text.line_cut_short(); line > 0) {
+        throw InputError({.file = file, .line = line}, "several statements on a last line without line break",
+                         "End the file with a line break; gmsh drops all but the first of them.");
+    }
+}
+
+}  // namespace
+
+bool is_script(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".geo" || extension == ".geo_unrolled";
+}
+
+std::string file_text(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream) throw InputError({.file = file}, "the drawing cannot be read", "Check its permissions.");
+    return text;
+}
+
+void check_drawing_file(const DrawingOptions& options) {
+    constexpr std::array<std::string_view, 9> formats_to_come{".step", ".stp", ".iges", ".igs", ".brep",
+                                                              ".stl",  ".obj", ".ply",  ".off"};
+    const std::string& file = options.file;
+    const std::string drawing = "the drawing '" + file + "'";
+    const auto refuse = [&](const std::string& what, const std::string& what_to_do) {
+        throw InputError(options.place, what, what_to_do);
+    };
+    if (!(options.unit > 0) || !std::isfinite(options.unit)) {
+        refuse("the drawing's unit must be a positive length", "Give it as a length, like \"1 mm\".");
+    }
+    if (!(options.chord_error > 0)) {
+        refuse("the chord error must be a positive length", "Give it as a length, like \"1 um\".");
+    }
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (std::filesystem::is_directory(status)) refuse(drawing + " is a folder", "Name a file in it.");
+    if (!std::filesystem::exists(status)) refuse(drawing + " does not exist", "Check the path.");
+    const std::string extension = extension_of(file);
+    if (std::ranges::find(formats_to_come, extension) != formats_to_come.end()) {
+        refuse(drawing + ": " + extension + " files are not read yet", std::string(formats_read));
+    }
+    if (!is_script(file) && extension != ".msh") {
+        refuse(drawing + (extension.empty() ? " has no extension" : ": unknown extension " + extension),
+               std::string(formats_read));
+    }
+    if (!std::filesystem::is_regular_file(status) || !std::ifstream(file)) {
+        refuse(drawing + " cannot be read", "Check its permissions.");
+    }
+    if (is_script(file)) check_script(file);
+}
+
+}  // namespace dmp

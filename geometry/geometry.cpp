@@ -1,0 +1,31 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/geometry.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace dmp {
+
+namespace {
+
+template <class Named>
+const Named* find_named(const std::vector<Named>& all, const std::string& name) {
+    const auto found = std::ranges::find(all, name, &Named::name);
+    return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Region* Geometry::region(const std::string& name) const { return find_named(regions, name); }
+
+const CurveSet* Geometry::curve_set(const std::string& name) const { return find_named(curves, name); }
+
+std::vector<std::string> Geometry::names() const {
+    std::set<std::string> all;
+    for (const auto& region : regions) all.insert(region.name);
+    for (const auto& set : curves) all.insert(set.name);
+    for (const auto& [name, positions] : points) all.insert(name);
+    return {all.begin(), all.end()};
+}
+
+}  // namespace dmp

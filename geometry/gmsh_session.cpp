@@ -1,0 +1,173 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/gmsh_session.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <clocale>
+#include <string_view>
+
+#include <gmsh.h>
+#include <omp.h>
+
+#include "base/nearest_name.hpp"
+#include "geometry/drawing_file.hpp"
+#include "geometry/geo_text.hpp"
+
+namespace dmp {
+
+GmshSession::GmshSession() : threads_(omp_get_max_threads()), locale_(std::setlocale(LC_ALL, nullptr)) {
+    gmsh::initialize(0, nullptr, false);
+    gmsh::option::setNumber("General.Terminal", 0);
+    throw_on_error(false);
+    gmsh::onelab::clear();  // finalize leaves the constants of the last drawing
+    gmsh::logger::start();
+}
+
+GmshSession::~GmshSession() {
+    try {
+        gmsh::logger::stop();
+        gmsh::finalize();
+    } catch (...) {  // a destructor must not throw, and there is nothing left to save
+    }
+    omp_set_num_threads(threads_);
+    std::setlocale(LC_ALL, locale_.c_str());
+}
+
+void GmshSession::throw_on_error(bool yes) { gmsh::option::setNumber("General.AbortOnError", yes ? 2 : 0); }
+
+std::vector<std::string> GmshSession::logged(const std::string& level) {
+    std::vector<std::string> all;
+    gmsh::logger::get(all);
+    std::vector<std::string> chosen;
+    for (const auto& line : all) {
+        if (line.starts_with(level + ": ")) chosen.push_back(line.substr(level.size() + 2));
+    }
+    return chosen;
+}
+
+namespace {
+
+/// One error of gmsh; the place is unknown for those that do not start with "'drawing.geo', line 5: ".
+struct GmshError {
+    Place place;
+    std::string text;
+};
+
+GmshError parsed(const std::string& message) {
+    constexpr std::string_view before_line = "', line ";
+    const std::size_t name_end = message.find(before_line);
+    if (!message.starts_with('\'') || name_end == std::string::npos) return {.place = {}, .text = message};
+    const std::size_t line_begin = name_end + before_line.size();
+    const std::size_t colon = message.find(':', line_begin);
+    const std::size_t text_begin = colon == std::string::npos ? colon : message.find_first_not_of(' ', colon + 1);
+    if (text_begin == std::string::npos) return {.place = {}, .text = message};
+    Place place{.file = message.substr(1, name_end - 1)};
+    std::from_chars(message.data() + line_begin, message.data() + colon, place.line);
+    return {.place = place, .text = message.substr(text_begin)};
+}
+
+/// Turns gmsh's errors into one of ours, at the first line they name.
+void throw_logged_errors(const std::string& file) {
+    constexpr std::size_t most_shown = 4;
+    constexpr std::string_view syntax_error = "syntax error (";
+    std::vector<GmshError> errors;
+    for (const auto& message : GmshSession::logged("Error")) errors.push_back(parsed(message));
+    if (errors.empty()) return;
+
+    const auto located = std::ranges::find_if(errors, [](const GmshError& error) { return error.place.line > 0; });
+    const Place place = located == errors.end() ? Place{.file = file} : located->place;
+    std::string problem;
+    bool syntax = false;
+    for (std::size_t i = 0; i < std::min(errors.size(), most_shown); ++i) {
+        auto& [at, text] = errors[i];
+        if (text.starts_with(syntax_error)) {
+            syntax = true;
+            const std::string word = text.substr(syntax_error.size(), text.rfind(')') - syntax_error.size());
+            text = word.empty() ? "syntax error at the end" : "syntax error near '" + word + "'";
+        }
+        if (i > 0) problem += "; ";
+        if (at.line > 0 && at.file != place.file) {
+            problem += at.text() + ": ";
+        } else if (at.line > 0 && at.line != place.line) {
+            problem += "line " + std::to_string(at.line) + ": ";
+        }
+        problem += text;
+    }
+    if (errors.size() > most_shown) problem += "; and " + std::to_string(errors.size() - most_shown) + " more";
+    throw InputError(place, "gmsh cannot read the drawing: " + problem,
+                     syntax ? "Look for a missing ';' or bracket on this line or the one before."
+                            : "Correct the drawing; 'gmsh " + file + "' shows it.");
+}
+
+/// The numbers that the drawing offers for setting. (gmsh lists facts of its own and texts beside them.)
+std::vector<std::string> offered_constants() {
+    std::vector<std::string> names;
+    gmsh::onelab::getNames(names);
+    std::erase_if(names, [](const std::string& name) {
+        std::vector<double> value;
+        gmsh::onelab::getNumber(name, value);
+        return value.empty() || name.starts_with("Gmsh/") || name.starts_with("ONELAB/");
+    });
+    std::ranges::sort(names);
+    return names;
+}
+
+[[noreturn]] void throw_unknown_parameter(const std::string& name, const std::vector<std::string>& offered,
+                                          const DrawingOptions& options, const Place& place) {
+    const std::string problem = "the drawing '" + options.file + "' offers no constant '" + name + "' for setting";
+    const std::string form = "DefineConstant[ " + name + " = {value, Name \"" + name + "\"} ];";
+    if (!is_script(options.file)) throw InputError(place, problem, "A mesh has no parameters; give its .geo script.");
+    if (const int line = GeoText(file_text(options.file)).line_of_assignment(name); line > 0) {
+        throw InputError(place, problem,
+                         "Line " + std::to_string(line) +
+                             " of the drawing sets it, but not in the one form that can be " +
+                             "set from outside: " + form);
+    }
+    std::string advice = "It offers " + quoted_list(offered) + ".";
+    if (const auto near = nearest_name(name, offered); !near.empty()) advice = "Did you mean '" + near + "'? " + advice;
+    if (offered.empty()) advice += " A constant is offered by " + form;
+    throw InputError(place, problem, advice);
+}
+
+void check_parameters(const DrawingOptions& options, const std::map<std::string, double>& known,
+                      const std::vector<std::string>& offered) {
+    for (const auto& [name, value] : options.parameters) {
+        const auto found = options.parameter_places.find(name);
+        const Place& place = found != options.parameter_places.end() ? found->second : options.place;
+        if (!known.contains(name)) throw_unknown_parameter(name, offered, options, place);
+        std::vector<double> now;
+        gmsh::onelab::getNumber(name, now);
+        if (now.empty() || now.front() != value) {
+            throw InputError(place, "the drawing '" + options.file + "' sets '" + name + "' itself",
+                             "Remove ReadOnly or SetNumber for it from the drawing, or the parameter from the scene.");
+        }
+    }
+}
+
+}  // namespace
+
+// It takes as many goes as parameters bring others to light: setting one creates its name, so only a reading without it
+// shows whether the drawing knows it, and a parameter may make the drawing offer others.
+std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options) {
+    std::map<std::string, double> known;
+    std::vector<std::string> offered;
+    std::unique_ptr<GmshSession> session;
+    for (bool more = true; more;) {
+        session.reset();
+        session = std::make_unique<GmshSession>();
+        for (const auto& [name, value] : known) gmsh::onelab::setNumber(name, {value});
+        gmsh::open(options.file);
+        offered = offered_constants();
+        more = false;
+        for (const auto& name : offered) {
+            const auto asked = options.parameters.find(name);
+            if (asked != options.parameters.end() && known.insert(*asked).second) more = true;
+        }
+    }
+    throw_logged_errors(options.file);
+    check_parameters(options, known, offered);
+    GmshSession::throw_on_error(true);
+    return session;
+}
+
+}  // namespace dmp

@@ -1,0 +1,40 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "geometry/geometry.hpp"
+
+namespace dmp {
+
+/// CurveSet::nearest for many points of the x-y plane and distances up to a limit: the segments are sorted once into
+/// the cells of a grid. The answers are the same, bit for bit. Holds its own copy of the curves; after construction it
+/// is never changed, so any number of threads may ask it.
+class NearestCurve {
+  public:
+    /// @param largest_distance how far to look [m]; must be positive (throws std::invalid_argument).
+    NearestCurve(const CurveSet& curves, double largest_distance);
+
+    /// The nearest point of the curves; nothing when all are further than the largest distance.
+    [[nodiscard]] std::optional<Projection> nearest(const Vec& point) const;
+
+  private:
+    struct Segment {
+        Vec a, b;
+    };
+
+    [[nodiscard]] std::size_t column(double x) const;
+    [[nodiscard]] std::size_t row(double y) const;
+
+    double largest_distance_;
+    Box box_;          ///< of the curves, widened by the largest distance
+    double cell_ = 0;  ///< edge of a grid cell [m]
+    std::size_t columns_ = 0, rows_ = 0;
+    std::vector<Segment> segments_;
+    std::vector<std::size_t> begin_;    ///< cell -> its first entry in entries_; one more at the end
+    std::vector<std::size_t> entries_;  ///< indices of segments, ascending in each cell
+};
+
+}  // namespace dmp

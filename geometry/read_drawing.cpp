@@ -1,0 +1,158 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <mutex>
+
+#include <gmsh.h>
+
+#include "geometry/chains.hpp"
+#include "geometry/drawing_file.hpp"
+#include "geometry/drawn_curves.hpp"
+#include "geometry/geometry.hpp"
+#include "geometry/gmsh_session.hpp"
+#include "geometry/number_text.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// A named physical group of gmsh: the numbers of its points, curves or surfaces.
+struct Group {
+    std::string name;
+    std::vector<int> tags;
+};
+
+const char* kind_of_group(int dimension) {
+    constexpr const char* kinds[] = {"Physical Point", "Physical Curve", "Physical Surface"};
+    return kinds[dimension];
+}
+
+std::vector<Group> groups_of(int dimension, const std::string& file) {
+    gmsh::vectorpair found;
+    gmsh::model::getPhysicalGroups(found, dimension);
+    std::vector<Group> groups;
+    for (const auto& [group_dimension, tag] : found) {
+        Group group;
+        gmsh::model::getPhysicalName(dimension, tag, group.name);
+        gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, group.tags);
+        if (group.name.empty()) {
+            const std::string kind = kind_of_group(dimension);
+            throw InputError({.file = file}, kind + " " + std::to_string(tag) + " has no name",
+                             "Name it, as in " + kind + "(\"wall\") = {...};, or remove it.");
+        }
+        for (int& entity : group.tags) entity = std::abs(entity);  // the sign is a direction
+        std::ranges::sort(group.tags);
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+std::string text_of(const Vec& point) { return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m)"; }
+
+Region region_of(const Group& group, DrawnCurves& curves, const std::string& file) {
+    const auto wrong = [&](const std::string& what, const std::string& what_to_do) {
+        return InputError({.file = file}, "region '" + group.name + "' " + what, what_to_do);
+    };
+    auto search = closed_loops(curves.boundary(group.tags));
+    if (search.loose_end) {
+        throw wrong("is not closed: its boundary ends at " + text_of(*search.loose_end),
+                    "Curves that meet must share the point, or have the same coordinates to the last digit.");
+    }
+    Region region{.name = group.name, .loops = std::move(search.loops)};
+    if (region.loops.empty()) throw wrong("is empty", "Give its Physical Surface a surface with a boundary.");
+    if (const auto crossing = self_crossing(region)) {
+        throw wrong("crosses itself near " + text_of(*crossing), "Check the drawing, or the parameters it was given.");
+    }
+    double around = 0;
+    for (const auto& loop : region.loops) around += loop.length();
+    if (region.area() <= 1e-12 * around * around) {
+        throw wrong("has no area", "Check the drawing, or the parameters it was given.");
+    }
+    return region;
+}
+
+template <class Visit>
+void for_each_point(Geometry& geometry, Visit&& visit) {
+    for (auto& region : geometry.regions) {
+        for (auto& loop : region.loops) std::ranges::for_each(loop.points, visit);
+    }
+    for (auto& set : geometry.curves) {
+        for (auto& piece : set.pieces) std::ranges::for_each(piece.points, visit);
+    }
+    for (auto& [name, positions] : geometry.points) std::ranges::for_each(positions, visit);
+}
+
+/// Sets the box, and puts the drawing on z = 0 where rounding left it beside.
+void flatten(Geometry& geometry) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Box box{.low = Vec::Constant(infinity), .high = Vec::Constant(-infinity)};
+    for_each_point(geometry, [&](const Vec& point) {
+        box.low = box.low.cwiseMin(point);
+        box.high = box.high.cwiseMax(point);
+    });
+    if (!box.low.allFinite() || !box.high.allFinite()) {
+        throw InputError({.file = geometry.file}, "the drawing has a point without finite coordinates",
+                         "Check the drawing, or the parameters it was given.");
+    }
+    const double height = std::max(-box.low.z(), box.high.z());
+    const double width = std::max(box.extent().x(), box.extent().y());
+    if (height > 1e-9 * width) {
+        throw InputError({.file = geometry.file},
+                         "the drawing leaves the plane z = 0: it reaches z = " +
+                             number_text(box.high.z() == height ? height : -height) + " m",
+                         "dmp reads drawings in the x-y plane only, for now.");
+    }
+    for_each_point(geometry, [](Vec& point) { point.z() = 0; });
+    box.low.z() = box.high.z() = 0;
+    geometry.box = box;
+}
+
+Geometry read_open_drawing(const DrawingOptions& options) {
+    Geometry geometry;
+    geometry.file = options.file;
+    gmsh::vectorpair volumes;
+    gmsh::model::getEntities(volumes, 3);
+    if (!volumes.empty()) {
+        throw InputError({.file = options.file}, "the drawing has volumes",
+                         "dmp reads drawings in the x-y plane only, for now.");
+    }
+    DrawnCurves curves(options);
+    for (const auto& group : groups_of(2, options.file)) {
+        geometry.regions.push_back(region_of(group, curves, options.file));
+    }
+    for (const auto& group : groups_of(1, options.file)) {
+        std::vector<CurvePiece> pieces;
+        for (const int tag : group.tags) std::ranges::copy(curves.curve(tag), std::back_inserter(pieces));
+        geometry.curves.push_back({.name = group.name, .pieces = maximal_chains(pieces)});
+    }
+    for (const auto& group : groups_of(0, options.file)) {
+        for (const int tag : group.tags) geometry.points[group.name].push_back(curves.point(tag));
+    }
+    if (geometry.names().empty()) {
+        throw InputError(
+            {.file = options.file}, "the drawing has no named groups",
+            "Name its parts, as in Physical Surface(\"blood\") = {1}; or Physical Curve(\"wall\") = {2, 3};");
+    }
+    flatten(geometry);
+    geometry.warnings = GmshSession::logged("Warning");
+    return geometry;
+}
+
+}  // namespace
+
+Geometry read_drawing(const DrawingOptions& options) {
+    static std::mutex one_at_a_time;  // gmsh is a global
+    check_drawing_file(options);
+    const std::scoped_lock lock(one_at_a_time);
+    const auto session = open_drawing(options);
+    try {
+        return read_open_drawing(options);
+    } catch (const std::string& message) {  // gmsh throws its messages as they are
+        throw InputError({.file = options.file}, "gmsh cannot follow the drawing: " + message,
+                         "Correct the drawing; 'gmsh " + options.file + "' shows it.");
+    }
+}
+
+}  // namespace dmp

@@ -1,0 +1,29 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dmp {
+
+/// Round numbers (1, 2 or 5 times a power of ten apart) in [low, high], about `about` of them, and their texts.
+struct Ticks {
+    std::vector<double> value;
+    std::vector<std::string> text;
+    double step = 0;
+};
+Ticks round_ticks(double low, double high, int about);
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `length`; 0 unless length > 0 and finite.
+double round_below(double length);
+
+/// A length with the prefix that keeps it short: 0.005 -> "5 mm".
+std::string length_text(double metres);
+
+/// "m^2/s" -> "m²/s"; "1" and "" -> "".
+std::string printed_unit(const std::string& unit);
+
+/// "inlet_flux", "m^2/s" -> "inlet flux [m²/s]".
+std::string axis_label(const std::string& name, const std::string& unit);
+
+}  // namespace dmp

@@ -1,0 +1,216 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/frame_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "postproc/axis.hpp"
+
+namespace dmp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A disc of radius sqrt(1/2) spacings covers the corners of its cell in a square lattice; moving fluid is less regular,
+// and where discs overlap the nearest particle shows.
+constexpr double covering_radius_of_lattice = 0.72;
+constexpr double covering_radius_of_fluid = 0.95;
+
+Vec point(const std::vector<float>& position, std::size_t i) {
+    return {position[3 * i], position[3 * i + 1], position[3 * i + 2]};
+}
+
+bool is_finite(const Vec& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
+
+bool contains(const Box& box, const Vec& p) {
+    return p.x() >= box.low.x() && p.x() <= box.high.x() && p.y() >= box.low.y() && p.y() <= box.high.y();
+}
+
+Box nothing() {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    return {Vec::Constant(far), Vec::Constant(-far)};
+}
+
+bool is_empty(const Box& box) { return box.low.x() > box.high.x(); }
+
+/// Grows the box around the group's particles; with a limit, only around those inside it.
+void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr) {
+    if (!group) return;
+    for (std::size_t i = 0; i < group->size(); ++i) {
+        const Vec p = point(group->position, i);
+        if (!is_finite(p) || (limit != nullptr && !contains(*limit, p))) continue;
+        box.low = box.low.cwiseMin(p);
+        box.high = box.high.cwiseMax(p);
+    }
+}
+
+const FrameField* find_field(const FrameGroup& group, const std::string& name) {
+    const auto found = std::find_if(group.fields.begin(), group.fields.end(),
+                                    [&](const FrameField& field) { return field.name == name; });
+    return found == group.fields.end() ? nullptr : &*found;
+}
+
+/// One number a particle: the value, or the vector's magnitude.
+std::vector<float> scalars(const FrameField& field) {
+    if (field.components == 1) return field.values;
+    std::vector<float> magnitude(field.values.size() / 3);
+    for (std::size_t i = 0; i < magnitude.size(); ++i) {
+        const float* v = &field.values[3 * i];
+        magnitude[i] = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    return magnitude;
+}
+
+ParticleLayer plain_layer(const FrameGroup& group, Colour colour, double radius) {
+    ParticleLayer layer;
+    layer.position = group.position;
+    layer.colour.assign(group.size(), colour);
+    layer.radius = radius;
+    return layer;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
+    fluid_ = read_series(folder_ / "fluid.pvd");
+    solid_ = read_series(folder_ / "solid.pvd");
+    for (const auto* series : {&fluid_, &solid_})
+        for (const SeriesEntry& entry : *series) times_.push_back(entry.time);
+    std::sort(times_.begin(), times_.end());
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+    if (times_.empty())
+        throw InputError("'" + folder_.string() + "' holds no frames (no fluid.pvd, no solid.pvd)",
+                         "Name the output folder of a run.");
+    title_ = read_frame((fluid_.empty() ? solid_ : fluid_).back().file, "any").title;
+    if (fs::exists(folder_ / "walls.vtp"))
+        walls_ = std::move(read_frame(folder_ / "walls.vtp", "walls").frame.groups[0]);
+
+    const RunFrame first = read(0);
+    const RunFrame last = frames() > 1 ? read(frames() - 1) : first;
+    area_ = nothing();
+    include(area_, walls_);
+    include(area_, first.fluid);
+    include(area_, first.solid);
+    const Box limit = is_empty(area_) ? Box{} : Box{area_.low - area_.extent() / 2, area_.high + area_.extent() / 2};
+    include(area_, last.fluid, &limit);
+    include(area_, last.solid, &limit);
+    if (is_empty(area_))
+        throw InputError("'" + folder_.string() + "': no particle of the first frame has a place",
+                         "The run diverged at once or the files are broken; run the simulation again.");
+    flat_ = area_.extent().z() <= 4 * first.spacing;
+    const Vec margin = Vec::Constant(std::max(first.spacing, 1e-3 * area_.extent().maxCoeff()));
+    area_ = {area_.low - margin, area_.high + margin};
+}
+
+RunFrame RunFolder::read(std::size_t frame) const {
+    RunFrame result;
+    result.time = times_.at(frame);
+    const auto take = [&](const std::vector<SeriesEntry>& series, const char* name, std::optional<FrameGroup>& group) {
+        const auto entry = std::find_if(series.begin(), series.end(),
+                                        [&](const SeriesEntry& candidate) { return candidate.time == result.time; });
+        if (entry == series.end()) return;
+        FrameFile file = read_frame(entry->file, name);
+        result.spacing = file.frame.spacing;
+        group = std::move(file.frame.groups[0]);
+    };
+    take(fluid_, "fluid", result.fluid);
+    take(solid_, "solid", result.solid);
+    return result;
+}
+
+void FieldRange::include(const RunFrame& frame, const std::string& field) {
+    field_ = field;
+    if (!frame.fluid) return;
+    const FrameField* found = find_field(*frame.fluid, field);
+    if (found == nullptr) {
+        missing_ = true;
+        return;
+    }
+    unit_ = found->unit;
+    vector_ = found->components == 3;
+    std::vector<float> values = scalars(*found);
+    values.erase(std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }), values.end());
+    if (values.empty()) return;
+    std::sort(values.begin(), values.end());
+    const std::size_t outermost = values.size() / 1000;
+    const auto extend = [this](double& low, double& high, double new_low, double new_high) {
+        low = any_ ? std::min(low, new_low) : new_low;
+        high = any_ ? std::max(high, new_high) : new_high;
+    };
+    extend(lowest_, highest_, values.front(), values.back());
+    extend(low_, high_, values[outermost], values[values.size() - 1 - outermost]);
+    any_ = true;
+}
+
+ColourScale FieldRange::scale() const {
+    const std::string label = axis_label(field_ == "velocity" ? "speed" : field_, unit_);
+    if (!any_) return {ColourMap::sequential(0, 1), label, false, false, colours::solid, false};
+    const auto with_ends = [&](const ColourMap& map, Colour solid) {
+        const double slack = 1e-6 * (map.high() - map.low());
+        const bool beyond_low = map.low() - lowest_ > slack;
+        const bool beyond_high = highest_ - map.high() > slack;
+        return ColourScale{map, label, beyond_low, beyond_high, solid, true};
+    };
+    if (field_ == "pressure" || (low_ < 0 && high_ > 0)) {
+        const double span = std::max(std::abs(low_), std::abs(high_));
+        return with_ends(ColourMap::diverging(0, span > 0 ? span : 1), colours::dark_solid);
+    }
+    const double low = vector_ || (low_ >= 0 && low_ < 0.3 * high_) ? 0 : low_;
+    const bool constant = high_ - low <= 1e-6 * std::abs(high_);
+    const double high = constant ? (high_ == 0 ? 1 : low + 1e-3 * std::abs(low)) : high_;
+    return with_ends(ColourMap::sequential(low, high), colours::solid);
+}
+
+std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
+                                     const std::string& field, const ColourScale& scale) {
+    std::vector<ParticleLayer> layers;
+    if (frame.fluid) {
+        ParticleLayer layer = plain_layer(*frame.fluid, colours::plain_fluid, covering_radius_of_fluid * frame.spacing);
+        if (const FrameField* found = find_field(*frame.fluid, field)) {
+            const std::vector<float> values = scalars(*found);
+            std::transform(values.begin(), values.end(), layer.colour.begin(), std::cref(scale.map));
+        }
+        layers.push_back(std::move(layer));
+    }
+    if (walls) layers.push_back(plain_layer(*walls, colours::wall, covering_radius_of_lattice * frame.spacing));
+    if (frame.solid) {
+        ParticleLayer layer = plain_layer(*frame.solid, scale.solid, 0.6 * frame.spacing);
+        layer.lines = frame.solid->bond_ends;
+        layer.line_colour = scale.solid;
+        layer.line_width = frame.spacing / 2;
+        layers.push_back(std::move(layer));
+    }
+    return layers;
+}
+
+std::size_t count_outside(const RunFrame& frame, const Box& area) {
+    std::size_t outside = 0;
+    for (const auto* group : {&frame.fluid, &frame.solid}) {
+        if (!*group) continue;
+        for (std::size_t i = 0; i < (*group)->size(); ++i)
+            if (const Vec p = point((*group)->position, i); !is_finite(p) || !contains(area, p)) ++outside;
+    }
+    return outside;
+}
+
+std::string time_text(double seconds, double scale) {
+    struct Prefix {
+        double size;
+        const char* unit;
+    };
+    constexpr std::array prefixes{Prefix{1, "s"}, Prefix{1e-3, "ms"}, Prefix{1e-6, "µs"}};
+    const auto fits = [scale](const Prefix& prefix) { return std::abs(scale) >= prefix.size * (1 - 1e-9); };
+    const auto found = std::find_if(prefixes.begin(), prefixes.end(), fits);
+    const Prefix& prefix = found == prefixes.end() ? prefixes.front() : *found;
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.4g %s", seconds / prefix.size, prefix.unit);
+    return text.data();
+}
+
+}  // namespace dmp

@@ -1,0 +1,13 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "postproc/canvas.hpp"
+#include "solver/frame.hpp"
+
+namespace dmp {
+
+/// One panel a measure over a common time axis, `width` pixels wide. Missing values leave a gap in the curve.
+/// The series must hold a measure and a row.
+Canvas draw_measures(const MeasureSeries& measures, const std::string& title, int width);
+
+}  // namespace dmp

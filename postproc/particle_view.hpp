@@ -1,0 +1,40 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "postproc/canvas.hpp"
+
+namespace dmp {
+
+/// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order.
+struct ParticleLayer {
+    std::vector<float> position;      ///< x, y, z of each particle [m]; z is not seen
+    std::vector<Colour> colour;       ///< one a particle
+    double radius = 0;                ///< of the discs [m]
+    std::vector<std::int32_t> lines;  ///< two particles a line
+    Colour line_colour;
+    double line_width = 0;  ///< [m]
+};
+
+/// Draws particles off the screen with OpenGL, seen along z. Needs a usable VirtualDisplay that outlives it.
+class ParticleView {
+  public:
+    ParticleView();
+    ~ParticleView();
+    ParticleView(const ParticleView&) = delete;
+    ParticleView& operator=(const ParticleView&) = delete;
+
+    /// The part `area` of the plane on width x height pixels of the same aspect ratio, on white.
+    [[nodiscard]] Image draw(const std::vector<ParticleLayer>& layers, const Box& area, int width, int height);
+
+  private:
+    struct Window;
+    std::unique_ptr<Window> window_;
+};
+
+}  // namespace dmp

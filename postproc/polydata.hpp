@@ -1,0 +1,29 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "postproc/run_label.hpp"
+#include "solver/frame.hpp"
+
+namespace dmp {
+
+/// A group as VTK sees it. One vertex cell a particle (Threshold needs cells), then one line cell a bond.
+///   points:  id, part, the group's fields in float32
+///   cells:   is_bond (0 vertex, 1 bond) and the bond fields, 0 at the vertices; only in groups that have bonds
+///            or are called "solid", so that a series keeps its arrays when the last bond breaks
+///   field data: TimeValue, Step, spacing, part_names, title, scene_hash, dmp_version, "units:FIELD" for each field
+/// Throws std::invalid_argument when an array's length does not fit the number of particles or bonds.
+vtkSmartPointer<vtkPolyData> to_polydata(const Frame& frame, const FrameGroup& group, const RunLabel& label);
+
+/// The first string of a string array; empty when there is none.
+std::string text_of(vtkFieldData& field_data, const std::string& name);
+
+/// The group back again, and the rest of its frame's values: `time`, `step`, `spacing`, `parts`, one group.
+Frame to_frame(vtkPolyData& data, const std::string& group_name);
+
+}  // namespace dmp

@@ -1,0 +1,95 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/safe_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/errors.hpp"
+
+namespace dmp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string system_text(int error) { return std::generic_category().message(error); }
+
+/// Writes everything, whatever the number of calls it takes; 0 or the errno of the failure.
+int write_all(int descriptor, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(descriptor, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+std::string megabytes(std::uintmax_t bytes) { return std::to_string(bytes / 1'000'000) + " MB"; }
+
+/// ", 12 MB free on the disk, files limited to 3 MB"
+std::string room_left(const fs::path& file) {
+    std::string text;
+    std::error_code failed;
+    const fs::space_info space = fs::space(file.parent_path().empty() ? fs::path(".") : file.parent_path(), failed);
+    if (!failed) text += "; " + megabytes(space.available) + " free on that disk";
+    rlimit limit{};
+    if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        text += "; files are limited to " + megabytes(limit.rlim_cur) + " (ulimit -f)";
+    return text;
+}
+
+}  // namespace
+
+void make_folder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (!failed && fs::is_directory(folder, failed) && ::access(folder.c_str(), W_OK | X_OK) == 0) return;
+    for (fs::path above = folder; !above.empty() && above != above.parent_path(); above = above.parent_path()) {
+        std::error_code unknown;
+        if (fs::exists(above, unknown) && !fs::is_directory(above, unknown))
+            throw InputError(
+                "output folder '" + folder.string() + "' cannot be made: '" + above.string() + "' is a file",
+                "Name a folder that does not run through a file, or move the file away.");
+    }
+    const std::string reason = failed ? failed.message() : system_text(EACCES);
+    throw InputError("output folder '" + folder.string() + "' cannot be made or written to: " + reason,
+                     "Name a folder you may write to.");
+}
+
+void throw_write_error(const fs::path& file, const std::string& reason) {
+    throw ResourceError("cannot write '" + file.string() + "': " + reason + room_left(file),
+                        "Free some room or raise the limit, or choose another output folder, then run again. "
+                        "What was written before is whole.");
+}
+
+void write_file(const fs::path& file, std::string_view content) {
+    // in the same folder, so that the renaming is one step
+    const fs::path unfinished = file.parent_path() / ("." + file.filename().string() + ".unfinished");
+    const int descriptor = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw_write_error(file, system_text(errno));
+    int error = write_all(descriptor, content);
+    if (::close(descriptor) != 0 && error == 0) error = errno;
+    if (error == 0 && ::rename(unfinished.c_str(), file.c_str()) != 0) error = errno;
+    if (error != 0) {
+        ::unlink(unfinished.c_str());
+        throw_write_error(file, system_text(error));
+    }
+}
+
+std::string read_file(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || fs::is_directory(file))
+        throw InputError("cannot read '" + file.string() + "'",
+                         "Check the name; the folder of a finished run holds summary.json, measures.csv, *.pvd.");
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace dmp

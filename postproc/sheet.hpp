@@ -1,0 +1,41 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/vec.hpp"
+#include "postproc/canvas.hpp"
+#include "postproc/frame_scene.hpp"
+
+namespace dmp {
+
+/// One or more drawings of the same area with title, times, length scale and colour bar.
+class Sheet {
+  public:
+    /// `panels` drawings of `area` on a sheet at most `width` pixels wide; columns are chosen so that it fits a page.
+    Sheet(const Box& area, std::size_t panels, int width, const std::string& title);
+
+    [[nodiscard]] int panel_width() const { return panel_width_; }
+    [[nodiscard]] int panel_height() const { return panel_height_; }
+
+    /// The next drawing, of panel_width x panel_height pixels.
+    void add(const Image& image, const std::string& caption);
+    /// The length scale and the colour bar, below the drawings.
+    void finish(const ColourScale& scale);
+    void save(const std::filesystem::path& file) const { canvas_.save(file); }
+
+  private:
+    struct Layout;
+    Sheet(const Layout& layout, const Box& area, const std::string& title);
+    void draw_length(double top);
+    void draw_colours(const ColourScale& scale, double top);
+
+    double unit_;  ///< a pixel of a sheet 1600 pixels wide
+    int columns_, rows_, panel_width_, panel_height_;
+    double pitch_x_, pitch_y_, left_, head_, pixels_per_metre_;
+    int added_ = 0;
+    Canvas canvas_;
+};
+
+}  // namespace dmp

@@ -1,0 +1,205 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.hpp"
+#include "postproc/safe_file.hpp"
+
+namespace dmp {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+void check(const MeasureSeries& measures) {
+    const auto fits = [&](const std::vector<double>& row) { return row.size() == measures.names.size(); };
+    if (measures.units.size() != measures.names.size() || measures.time.size() != measures.rows.size() ||
+        !std::all_of(measures.rows.begin(), measures.rows.end(), fits))
+        throw std::invalid_argument("measures: names, units, times and rows do not fit together");
+}
+
+void append_number(std::string& text, double value) {
+    if (std::isnan(value)) {
+        text += "nan";  // whatever the sign bit
+        return;
+    }
+    std::array<char, 32> buffer{};
+    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
+/// A cell as RFC 4180 wants it: in quotes when it holds a comma, a quote or a line break.
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return quoted + '"';
+}
+
+std::vector<std::string> csv_cells(std::string_view line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+            cells.back() += line[++i];
+        else if (line[i] == '"')
+            quoted = !quoted;
+        else if (line[i] == ',' && !quoted)
+            cells.emplace_back();
+        else
+            cells.back() += line[i];
+    }
+    return cells;
+}
+
+/// "inlet_flux [m^2/s]" -> name and unit.
+std::pair<std::string, std::string> name_and_unit(const std::string& heading) {
+    const auto open = heading.rfind(" [");
+    if (open == std::string::npos || heading.back() != ']') return {heading, ""};
+    return {heading.substr(0, open), heading.substr(open + 2, heading.size() - open - 3)};
+}
+
+double number_in(const std::string& cell, const Place& place) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size())
+        throw InputError(place, "'" + cell + "' is not a number", "Restore the file or run the simulation again.");
+    return value;
+}
+
+Json summary_of_measure(const MeasureSeries& measures, std::size_t column) {
+    std::vector<double> finite;
+    for (const auto& row : measures.rows)
+        if (std::isfinite(row[column])) finite.push_back(row[column]);
+    Json json{{"unit", measures.units[column]},
+              {"last", nullptr},
+              {"min", nullptr},
+              {"max", nullptr},
+              {"mean", nullptr},
+              {"missing", measures.rows.size() - finite.size()}};
+    if (finite.empty()) return json;
+    json["last"] = measures.rows.back()[column];
+    json["min"] = *std::min_element(finite.begin(), finite.end());
+    json["max"] = *std::max_element(finite.begin(), finite.end());
+    double sum = 0;
+    for (const double value : finite) sum += value;
+    json["mean"] = sum / static_cast<double>(finite.size());
+    return json;
+}
+
+Json summary_of_measures(const MeasureSeries& measures) {
+    check(measures);
+    Json json = Json::object();
+    for (std::size_t column = 0; column < measures.names.size(); ++column)
+        json[measures.names[column]] = summary_of_measure(measures, column);
+    return json;
+}
+
+Json conserved(const RunSummary& summary) {
+    const auto state = [](const Conserved& c) { return Json{{"mass", c.mass}, {"momentum", c.momentum}}; };
+    return {{"start", state(summary.start)},
+            {"end", state(summary.end)},
+            {"impulse_of_body_forces", summary.impulse_of_body_forces},
+            {"impulse_of_fixed", summary.impulse_of_fixed},
+            {"impulse_of_drag", summary.impulse_of_drag},
+            {"momentum_residual", summary.momentum_residual}};
+}
+
+template <class Map>
+Json object_of(const Map& values) {
+    Json json = Json::object();
+    for (const auto& [key, value] : values) json[key] = value;
+    return json;
+}
+
+}  // namespace
+
+void write_measures_csv(const fs::path& folder, const MeasureSeries& measures) {
+    check(measures);
+    std::string text = "time [s]";
+    for (std::size_t i = 0; i < measures.names.size(); ++i)
+        text += "," + csv_cell(measures.names[i] + " [" + measures.units[i] + "]");
+    text += '\n';
+    for (std::size_t i = 0; i < measures.rows.size(); ++i) {
+        append_number(text, measures.time[i]);
+        for (const double value : measures.rows[i]) {
+            text += ',';
+            append_number(text, value);
+        }
+        text += '\n';
+    }
+    make_folder(folder);
+    write_file(folder / measures_file_name, text);
+}
+
+MeasureSeries read_measures_csv(const fs::path& folder) {
+    Place place{(folder / measures_file_name).string(), 1, 0};
+    const std::string text = read_file(place.file);
+    MeasureSeries measures;
+    for (std::size_t start = 0; start < text.size(); ++place.line) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::vector<std::string> cells = csv_cells(std::string_view(text).substr(start, end - start));
+        start = end + 1;
+        if (place.line == 1) {
+            for (std::size_t i = 1; i < cells.size(); ++i) {
+                auto [name, unit] = name_and_unit(cells[i]);
+                measures.names.push_back(std::move(name));
+                measures.units.push_back(std::move(unit));
+            }
+            continue;
+        }
+        if (cells.size() != measures.names.size() + 1)
+            throw InputError(place,
+                             "found " + std::to_string(cells.size()) + " values, expected " +
+                                 std::to_string(measures.names.size() + 1),
+                             "Restore the file or run the simulation again.");
+        measures.time.push_back(number_in(cells[0], place));
+        std::vector<double>& row = measures.rows.emplace_back();
+        for (std::size_t i = 1; i < cells.size(); ++i) row.push_back(number_in(cells[i], place));
+    }
+    return measures;
+}
+
+void write_summary(const fs::path& folder, const RunSummary& summary, const SummaryExtra& extra) {
+    Json limits = Json::object();
+    Json formulas = Json::object();
+    for (const StepLimit& limit : summary.limits) {
+        limits[limit.model] = limit.dt;
+        formulas[limit.model] = limit.formula;
+    }
+    const Json json{{"title", extra.label.title},
+                    {"version", extra.label.version},
+                    {"scene_hash", extra.label.scene_hash},
+                    {"interrupted", summary.interrupted},
+                    {"particles", object_of(summary.particles)},
+                    {"steps", summary.steps},
+                    {"simulated_s", summary.simulated_s},
+                    {"wall_s", summary.wall_s},
+                    {"particle_steps_per_s", summary.particle_steps_per_s},
+                    {"threads", summary.threads},
+                    {"ranks", summary.ranks},
+                    {"dt_limits", limits},
+                    {"dt_formulas", formulas},
+                    {"ruling_limit", summary.ruling_limit},
+                    {"sound_speed", summary.sound_speed},
+                    {"density_low", summary.density_low},
+                    {"density_high", summary.density_high},
+                    {"conserved", conserved(summary)},
+                    {"lost", summary.lost},
+                    {"measures", summary_of_measures(summary.measures)},
+                    {"state_hash", summary.state_hash},
+                    {"seconds_by_stage", object_of(summary.seconds_by_stage)},
+                    {"files", extra.files}};
+    make_folder(folder);
+    write_file(folder / summary_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace dmp

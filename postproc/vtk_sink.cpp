@@ -1,0 +1,122 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/vtk_sink.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <string_view>
+
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "postproc/paraview_script.hpp"
+#include "postproc/polydata.hpp"
+#include "postproc/safe_file.hpp"
+#include "postproc/vtk_messages.hpp"
+
+namespace dmp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* frames_folder = "frames";
+
+/// The shortest text that reads back as the same number.
+std::string exact_text(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string frame_file(const std::string& group, long number) {
+    std::array<char, 32> digits{};
+    std::snprintf(digits.data(), digits.size(), "_%06ld.vtp", number);
+    return std::string(frames_folder) + "/" + group + digits.data();
+}
+
+/// The file's text. VTK writes it to memory: when the disk fills up under it, VTK 9.1 misses errors or crashes.
+/// Inline and not appended: ParaView 5.11 of Debian 12 cannot read appended data with that system's libexpat.
+std::string vtp_text(vtkPolyData* data, const fs::path& file) {
+    const VtkMessages messages;
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(data);
+    writer->SetDataModeToBinary();
+    writer->SetCompressorTypeToLZ4();
+    writer->SetHeaderTypeToUInt64();
+    writer->WriteToOutputStringOn();
+    const bool written = writer->Write() == 1;
+    std::string text = writer->GetOutputString();
+    if (!written || !messages.text().empty() || writer->GetErrorCode() != vtkErrorCode::NoError ||
+        !std::string_view(text).substr(0, text.find_last_not_of(" \n") + 1).ends_with("</VTKFile>"))
+        throw_write_error(file, messages.text().empty() ? "VTK ran out of memory" : messages.text());
+    return text;
+}
+
+bool is_own_frame(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return file.extension() == ".vtp" && (name.starts_with("fluid_") || name.starts_with("solid_"));
+}
+
+/// Series first: no .pvd may name a file that is gone.
+void remove_earlier_run(const fs::path& folder) {
+    std::error_code failed;
+    for (const char* name : {"fluid.pvd", "solid.pvd", "walls.vtp"}) fs::remove(folder / name, failed);
+    std::vector<fs::path> old_frames;
+    for (const auto& entry : fs::directory_iterator(folder / frames_folder, failed))
+        if (is_own_frame(entry.path())) old_frames.push_back(entry.path());
+    for (const fs::path& file : old_frames) fs::remove(file, failed);
+}
+
+}  // namespace
+
+VtkSink::VtkSink(fs::path folder, RunLabel label) : folder_(std::move(folder)), label_(std::move(label)) {
+    make_folder(folder_);
+    make_folder(folder_ / frames_folder);
+}
+
+void VtkSink::start(const Frame& frame) {
+    remove_earlier_run(folder_);
+    write_file(folder_ / paraview_script_name, paraview_script(frame.spacing));
+}
+
+void VtkSink::write(const Frame& frame) {
+    if (frames_ == 0) start(frame);
+    std::map<std::string, Entry> written;
+    for (const FrameGroup& group : frame.groups) {
+        const bool walls = group.name == "walls";
+        if (group.size() == 0 || (walls && walls_written_)) continue;
+        const std::string file = walls ? "walls.vtp" : frame_file(group.name, frames_);
+        write_file(folder_ / file, vtp_text(to_polydata(frame, group, label_), folder_ / file));
+        if (walls)
+            walls_written_ = true;
+        else
+            written[group.name] = {frame.time, file};
+    }
+    ++frames_;
+    for (const auto& [name, entry] : written) {
+        series_[name].push_back(entry);
+        write_series(name);
+    }
+}
+
+void VtkSink::write_series(const std::string& name) const {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "  <Collection>\n";
+    for (const Entry& entry : series_.at(name))
+        text += "    <DataSet timestep=\"" + exact_text(entry.time) + "\" part=\"0\" file=\"" + entry.file + "\"/>\n";
+    text += "  </Collection>\n</VTKFile>\n";
+    write_file(folder_ / (name + ".pvd"), text);
+}
+
+std::vector<std::string> VtkSink::files() const {
+    std::vector<std::string> names;
+    for (const auto& [name, entries] : series_) names.push_back(name + ".pvd");
+    if (walls_written_) names.emplace_back("walls.vtp");
+    if (frames_ > 0) names.emplace_back(paraview_script_name);
+    return names;
+}
+
+}  // namespace dmp

@@ -1,0 +1,52 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "postproc/run_label.hpp"
+#include "solver/frame.hpp"
+
+namespace dmp {
+
+/// Writes frames for ParaView into one folder:
+///
+///     fluid.pvd, solid.pvd           the series, rewritten after each frame
+///     frames/fluid_000012.vtp        particles as vertex cells
+///     frames/solid_000012.vtp        particles as vertex cells, bonds as line cells
+///     walls.vtp                      once
+///     open_in_paraview.py            opens them all with sensible settings
+///
+/// A folder holds one run: the first frame removes the frames an earlier run left there.
+/// A .pvd never names a file that is not whole, so a killed run opens up to its last frame.
+class VtkSink : public FrameSink {
+  public:
+    /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
+    VtkSink(std::filesystem::path folder, RunLabel label);
+
+    /// Throws ResourceError when the disk does not take it. Empty groups are skipped.
+    void write(const Frame& frame) override;
+
+    [[nodiscard]] long frames() const { return frames_; }
+    /// The files to open, relative to the folder: .pvd, walls.vtp, open_in_paraview.py.
+    [[nodiscard]] std::vector<std::string> files() const;
+
+  private:
+    struct Entry {
+        double time;
+        std::string file;  ///< relative to the folder
+    };
+
+    void start(const Frame& frame);
+    void write_series(const std::string& name) const;
+
+    std::filesystem::path folder_;
+    RunLabel label_;
+    std::map<std::string, std::vector<Entry>> series_;  ///< by group name
+    long frames_ = 0;
+    bool walls_written_ = false;
+};
+
+}  // namespace dmp

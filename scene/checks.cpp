@@ -1,0 +1,119 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/checks.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/nearest_name.hpp"
+#include "scene/quantity.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// The first of the places that points somewhere, else the scene file as a whole.
+Place first_known(const Scene& scene, std::initializer_list<const Place*> places) {
+    for (const Place* place : places) {
+        if (place != nullptr && place->known()) return *place;
+    }
+    return {scene.file, 0, 0};
+}
+
+const Place* place_of(const TomlNode& document, const char* path) {
+    const TomlNode* node = document.find(path);
+    return node == nullptr ? nullptr : &node->place;
+}
+
+template <class Item>
+void refuse_equal_names(const std::vector<Item>& items, const std::string& what) {
+    for (std::size_t i = 1; i < items.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (*items[i].name != *items[j].name) continue;
+            throw InputError(
+                items[i].name.place,
+                "there is already a " + what + " called '" + *items[i].name + "', at " + items[j].name.place.text(),
+                "give each " + what + " its own name");
+        }
+    }
+}
+
+void need_something_to_move(const Scene& scene) {
+    if (!scene.parts_of(PartKind::fluid).empty() || !scene.parts_of(PartKind::springs).empty()) return;
+    const Place place = scene.parts.empty() ? Place{scene.file, 0, 0} : scene.parts.front().kind.place;
+    throw InputError(first_known(scene, {&place}),
+                     "no enabled part is of kind 'fluid' or 'springs': nothing would move",
+                     "add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+}
+
+void need_largest_speed(const Scene& scene, const TomlNode& document) {
+    const bool automatic = *scene.accuracy.sound_speed == 0;
+    if (!automatic || *scene.flow.largest_speed > 0 || scene.parts_of(PartKind::fluid).empty()) return;
+    throw InputError(first_known(scene, {&scene.accuracy.sound_speed.place, place_of(document, "flow")}),
+                     "flow.largest_speed is missing: accuracy.sound_speed = \"auto\" is 10 times that speed",
+                     "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
+}
+
+/// A fluid particle at the wall must not see past the wall's last row.
+void need_thick_walls(const Scene& scene) {
+    if (scene.parts_of(PartKind::fluid).empty()) return;
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        if (*wall->layers >= *scene.accuracy.support) continue;
+        throw InputError(first_known(scene, {&wall->layers.place, &scene.accuracy.support.place}),
+                         "the wall '" + *wall->name +
+                             "' is thinner than the kernel: layers = " + std::to_string(*wall->layers) +
+                             ", accuracy.support = " + exact_text(scene.accuracy.support),
+                         "give the part at least as many layers as the support has spacings");
+    }
+}
+
+void need_plane_formulas(const Scene& scene, const TomlNode& document) {
+    const TomlNode* list = document.find("flow.acceleration");
+    const auto& third = scene.flow.acceleration[2];
+    if (list == nullptr || list->children.size() < 3) return;
+    if (!third.depends_on_time() && !third.depends_on_place() && third(0) == 0) return;
+    throw InputError(list->children[2].place, "flow.acceleration has a third component in a 2-D scene",
+                     "leave it out, or write 0");
+}
+
+void check_measure(const Scene& scene, const Measure& measure) {
+    for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
+        if ((**point)[2] == 0) continue;
+        throw InputError(point->place, "the third coordinate of a point in a 2-D scene is not 0",
+                         "leave it out, or write 0");
+    }
+    if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
+        throw InputError(measure.to.place,
+                         "the line of measure '" + *measure.name + "' starts and ends at the same point",
+                         "give two different points");
+    }
+    if (*measure.kind != MeasureKind::gap) return;
+    std::vector<std::string> springs;
+    for (const auto& part : scene.parts) {
+        if (*part.kind == PartKind::springs) springs.push_back(part.name);
+    }
+    if (std::find(springs.begin(), springs.end(), *measure.part) != springs.end()) return;
+    const auto nearest = nearest_name(*measure.part, springs);
+    const auto other = std::find_if(scene.parts.begin(), scene.parts.end(),
+                                    [&](const Part& part) { return *part.name == *measure.part; });
+    const std::string what = other == scene.parts.end() ? "the scene has no part '" + *measure.part + "'"
+                                                        : "part '" + *measure.part + "' is of kind '" +
+                                                              word(*other->kind) + "', expected 'springs'";
+    throw InputError(measure.part.place, what,
+                     nearest.empty() ? "a gap is measured between the pieces of a springs part; the scene has " +
+                                           quoted_list(springs)
+                                     : "did you mean '" + nearest + "'?");
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene, const TomlNode& document) {
+    refuse_equal_names(scene.parts, "part");
+    refuse_equal_names(scene.measures, "measure");
+    need_something_to_move(scene);
+    need_largest_speed(scene, document);
+    need_thick_walls(scene);
+    need_plane_formulas(scene, document);
+    for (const auto& measure : scene.measures) check_measure(scene, measure);
+}
+
+}  // namespace dmp

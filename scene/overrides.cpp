@@ -1,0 +1,110 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/overrides.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/nearest_name.hpp"
+#include "scene/schema.hpp"
+
+namespace dmp {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+    const auto begin = text.find_first_not_of(" \t");
+    if (begin == std::string::npos) return {};
+    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+std::vector<std::string> split_at_dots(const std::string& path) {
+    std::vector<std::string> words;
+    std::size_t begin = 0;
+    for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', begin)) {
+        words.push_back(path.substr(begin, dot - begin));
+        begin = dot + 1;
+    }
+    words.push_back(path.substr(begin));
+    return words;
+}
+
+void need_known_key(const std::string& key, const std::vector<std::string>& words, const Place& place) {
+    const bool item = words[0] == "part" || words[0] == "measure";
+    if (item && words.size() != 3) {
+        throw InputError(place, "'" + key + "' does not say which " + words[0] + " and which of its keys",
+                         "write " + words[0] + ".NAME.KEY=VALUE");
+    }
+    const std::string pattern = key_pattern(key);
+    const auto facts = schema().facts();
+    if (std::none_of(facts.begin(), facts.end(), [&](const KeyFacts& f) { return f.path == pattern; })) {
+        throw InputError(place, "unknown key '" + key + "'", advice_for_unknown_key(pattern));
+    }
+}
+
+TomlNode& find_item(TomlNode& document, const std::string& list, const std::string& name, const Place& place) {
+    std::vector<std::string> names;
+    if (TomlNode* items = document.child(list); items != nullptr && items->is_array()) {
+        for (auto& item : items->children) {
+            const TomlNode* its_name = item.child("name");
+            if (its_name == nullptr || !its_name->is_text()) continue;
+            if (its_name->text.text == name) return item;
+            names.push_back(its_name->text.text);
+        }
+    }
+    const auto nearest = nearest_name(name, names);
+    throw InputError(
+        place, "the scene has no " + list + " '" + name + "'",
+        nearest.empty() ? "its " + list + "s are " + quoted_list(names) : "did you mean '" + nearest + "'?");
+}
+
+/// The table called `name` in `table`, made if it is not there.
+TomlNode& table_in(TomlNode& table, const std::string& name, const Place& place) {
+    TomlNode* child = table.child(name);
+    if (child == nullptr) {
+        TomlNode made;
+        made.key = name;
+        made.key_place = made.place = place;
+        child = &table.children.emplace_back(std::move(made));
+    }
+    if (!child->is_table()) {
+        throw InputError(child->place, "'" + name + "' is " + child->shown() + ", expected a table",
+                         "write it as a table, [" + name + "]");
+    }
+    return *child;
+}
+
+void put(TomlNode& table, TomlNode value) {
+    if (TomlNode* old = table.child(value.key)) {
+        *old = std::move(value);
+    } else {
+        table.children.push_back(std::move(value));
+    }
+}
+
+}  // namespace
+
+void apply_overrides(TomlNode& document, std::span<const std::string> overrides) {
+    for (const auto& text : overrides) {
+        const Place place{"--set " + text, 0, 0};
+        const auto equals = text.find('=');
+        const std::string key = trimmed(text.substr(0, equals));
+        if (equals == std::string::npos || key.empty()) {
+            throw InputError(place, "expected KEY=VALUE", "write for example --set particles.spacing=\"0.1 mm\"");
+        }
+        const auto words = split_at_dots(key);
+        need_known_key(key, words, place);
+
+        TomlNode* table = &document;
+        if (words[0] == "part" || words[0] == "measure") {
+            table = &find_item(document, words[0], words[1], place);
+        } else {
+            for (std::size_t i = 0; i + 1 < words.size(); ++i) table = &table_in(*table, words[i], place);
+        }
+        TomlNode value = parse_toml_value(trimmed(text.substr(equals + 1)), place);
+        value.key = words.back();
+        put(*table, std::move(value));
+    }
+}
+
+}  // namespace dmp

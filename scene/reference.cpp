@@ -1,0 +1,79 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "base/nearest_name.hpp"
+#include "scene/read_scene.hpp"
+#include "scene/schema.hpp"
+
+namespace dmp {
+
+namespace {
+
+std::string shown_default(const KeyFacts& key) {
+    switch (key.fallback.presence) {
+        case Default::Presence::required:
+            return "required";
+        case Default::Presence::not_given:
+            return "none";
+        case Default::Presence::value:
+            break;
+    }
+    TomlNode value = parse_toml_value(key.fallback.value, {});
+    if (!value.is_array()) return value.is_table() ? key.fallback.value : value.shown();
+    std::string list = key.fallback.value;
+    std::replace(list.begin(), list.end(), '\'', '"');
+    return list;
+}
+
+/// "for fluid parts", "for flux measures"; empty for a key of every kind.
+std::string shown_kinds(const KeyFacts& key) {
+    if (key.kinds.empty()) return "";
+    std::string text = "for ";
+    for (const auto& kind : key.kinds) text += kind + " ";
+    return text + key.path.substr(0, key.path.find('.')) + "s";
+}
+
+std::string explained(const KeyFacts& key) {
+    std::string text = key.path + "\n    " + key.meaning + "\n    type:    " + key.type + "\n    default: ";
+    text += key.fallback.presence == required ? "none, it must be given" : shown_default(key);
+    if (!key.kinds.empty()) text += "\n    only " + shown_kinds(key);
+    return text + "\n";
+}
+
+/// '|' would end the cell of a Markdown table.
+std::string cell(std::string text) {
+    for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) {
+        text.insert(bar, "\\");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string explain_key(const std::string& key) {
+    const std::string pattern = key_pattern(key);
+    std::string text;
+    for (const auto& facts : schema().facts()) {
+        const std::string section = facts.section();
+        const bool whole_section = !section.empty() && (section == key || section == key + ".*");
+        if (facts.path == pattern || whole_section) text += (text.empty() ? "" : "\n") + explained(facts);
+    }
+    if (text.empty()) {
+        const auto nearest = nearest_key(pattern);
+        throw InputError("unknown key '" + key + "'",
+                         nearest.empty() ? advice_for_unknown_key(pattern) : "did you mean '" + nearest + "'?");
+    }
+    return text;
+}
+
+std::string scene_reference() {
+    std::string text = "| key | type | default | meaning |\n|---|---|---|---|\n";
+    for (const auto& key : schema().facts()) {
+        const std::string kinds = shown_kinds(key);
+        text += "| `" + key.path + "` | " + cell(key.type) + " | " + cell(shown_default(key)) + " | " +
+                cell(key.meaning) + (kinds.empty() ? "" : " Only " + kinds + ".") + " |\n";
+    }
+    return text;
+}
+
+}  // namespace dmp

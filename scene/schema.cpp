@@ -1,0 +1,216 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/schema.hpp"
+
+#include <algorithm>
+
+namespace dmp {
+
+namespace {
+
+using Geometry = decltype(Scene::geometry);
+using Particles = decltype(Scene::particles);
+using Flow = decltype(Scene::flow);
+using Contact = decltype(Scene::contact);
+using Accuracy = decltype(Scene::accuracy);
+using Run = decltype(Scene::run);
+using Output = decltype(Scene::output);
+
+// One key a row. Columns: key, the kinds it is for (parts and measures), member, type with unit and range, default,
+// meaning.
+// clang-format off
+
+std::vector<Key<Scene>> top_keys() {
+    return {
+        {"schema", &Scene::schema, integer(exactly(1, "this dmp reads schema = 1")), required,
+         "Version of the scene's keys."},
+        {"title", &Scene::title, text(), not_given, "What the scene shows; stands on the report and the pictures."},
+        {"dimension", &Scene::dimension, integer(exactly(2, "3-D is not there yet: write dimension = 2")), "2",
+         "Dimensions of space; a 2-D scene is 1 m deep."},
+    };
+}
+
+std::vector<Key<Geometry>> geometry_keys() {
+    return {
+        {"file", &Geometry::file, text_not_empty(), required,
+         "The drawing, beside the scene file or with its full path."},
+        {"unit", &Geometry::unit, quantity("1 mm", positive), "1 m", "Length of one unit of the drawing."},
+        {"parameters", {}, &Geometry::parameters, [](const Geometry& geometry) { return parameters(geometry.unit); },
+         parameters(1).description, "{}",
+         "Values for the drawing's DefineConstant names; lengths are turned into the drawing's unit, angles into radians."},
+    };
+}
+
+std::vector<Key<Particles>> particles_keys() {
+    return {
+        {"spacing", &Particles::spacing, quantity("0.1 mm", positive), required,
+         "Distance between neighbouring particles."},
+        {"arrangement", &Particles::arrangement, word_of<Arrangement>(), "square",
+         "Lattice on which the fluid starts."},
+    };
+}
+
+std::vector<Key<Part>> part_keys() {
+    const Kinds all, fluid = {"fluid"}, rigid = {"rigid"}, springs = {"springs"};
+    return {
+        {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the drawing."},
+        {"kind", all, &Part::kind, word_of<PartKind>(), required,
+         "What the part is made of: a fluid, a rigid wall, or a flexible solid of masses and springs."},
+        {"enabled", all, &Part::enabled, boolean(), "true", "false leaves the part out; its name stays known."},
+        {"density", fluid, &Part::density, quantity("1000 kg/m^3", positive), required, "Density at rest."},
+        {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
+        {"layers", rigid, &Part::layers, integer(at_least(1)), "3",
+         "Rows of wall particles; the wall must be as thick as the kernel's support."},
+        {"layers", springs, &Part::layers,
+         integer(exactly(2, "springs parts have two rows of particles for now: write layers = 2")), "2",
+         "Rows of particles across the solid's thickness."},
+        {"bending_stiffness", springs, &Part::bending_stiffness, quantity("3e-6 N*m^2", positive), required,
+         "EI of a strip 1 m deep."},
+        {"axial_stiffness", springs, &Part::axial_stiffness, quantity("100 N", positive), required,
+         "EA of a strip 1 m deep."},
+        {"lower_axial_stiffness", springs, &Part::lower_axial_stiffness, boolean(), "true",
+         "Lower EA where the lattice cannot hold both EI and EA at this spacing; false makes that an error."},
+        {"mass_per_length", springs, &Part::mass_per_length, quantity("0.4 kg/m", positive), required,
+         "Mass of a strip 1 m deep along its length."},
+        {"anchor", springs, &Part::anchor, text_not_empty(), not_given,
+         "Named points of the drawing where the part is clamped; without it the part is free."},
+        {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
+         "Dashpot along each bond, as a fraction of critical damping."},
+        {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
+         "Drag of the resting room on each particle, force = -drag * velocity."},
+    };
+}
+
+std::vector<Key<Flow>> flow_keys() {
+    return {
+        {"acceleration", &Flow::acceleration, formulas("0.1 m/s^2"), "[0, 0]",
+         "Body acceleration of the fluid along x and y, as formulas of t, x, y."},
+        {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
+        {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
+         "Largest speed expected; needed where accuracy.sound_speed is \"auto\"."},
+    };
+}
+
+std::vector<Key<Contact>> contact_keys() {
+    return {
+        {"range", &Contact::range, number(not_negative), "1.0",
+         "Cut-off of the short-range repulsion in spacings; 0 switches it off."},
+        {"strength", &Contact::strength, quantity_or_auto("1e-6 J"), "auto",
+         "Strength K of the short-range repulsion."},
+    };
+}
+
+std::vector<Key<Accuracy>> accuracy_keys() {
+    return {
+        {"kernel", &Accuracy::kernel, word_of<KernelKind>(), "wendland_c2", "Smoothing kernel."},
+        {"support", &Accuracy::support, number(between(2, 6)), "3.0", "Radius of the kernel's support in spacings."},
+        {"sound_speed", &Accuracy::sound_speed, quantity_or_auto("2 m/s"), "auto",
+         "Speed of sound of the fluid; \"auto\" is 10 times flow.largest_speed."},
+        {"walls", &Accuracy::walls, word_of<WallModel>(), "extrapolated",
+         "What wall particles carry: pressure and velocity extrapolated from the fluid, or plain resting fluid."},
+        {"density_diffusion", &Accuracy::density_diffusion, number(between(0, 1)), "0.1",
+         "Strength delta of the density diffusion; 0 switches it off."},
+        {"shifting", &Accuracy::shifting, number(not_negative), "4.0",
+         "Strength of the particle shifting; 0 switches it off."},
+        {"step_factor", &Accuracy::step_factor, number(fraction), "0.3",
+         "Fluid step: speed of sound * step / support radius."},
+        {"spring_stepping", &Accuracy::spring_stepping, word_of<SpringStepping>(), "implicit",
+         "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},
+        {"spring_step_factor", &Accuracy::spring_step_factor, number(fraction), "0.5",
+         "Explicit spring step as a fraction of the largest stable one."},
+    };
+}
+
+std::vector<Key<Run>> run_keys() {
+    return {
+        {"duration", &Run::duration, quantity("4 s", positive), required, "Simulated time."},
+        {"threads", &Run::threads, integer(not_negative), "0", "Threads to run on; 0 takes all the machine has."},
+    };
+}
+
+std::vector<Key<Output>> output_keys() {
+    return {
+        {"every", &Output::every, quantity("20 ms", positive), required, "Time between frames."},
+        {"fields", &Output::fields, list_of_words<FluidField>(), "['velocity', 'pressure', 'shear_stress']",
+         "Fields of each particle in the frames."},
+        {"measure_every", &Output::measure_every, quantity_or_auto("5 ms"), "auto",
+         "Time between rows of measures.csv; \"auto\" is a quarter of output.every."},
+        {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are drawn."},
+        {"picture_field", &Output::picture_field, word_of<FluidField>(), "velocity", "Field the pictures show."},
+    };
+}
+
+std::vector<Key<Measure>> measure_keys() {
+    const Kinds all, flux = {"flux"}, gap = {"gap"}, probe = {"probe"};
+    return {
+        {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
+        {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
+         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, or a probe's "
+         "field."},
+        {"from", flux, &Measure::from, point(), required, "Where the line starts."},
+        {"to", flux, &Measure::to, point(), required, "Where the line ends."},
+        {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
+        {"field", probe, &Measure::field, word_of<FluidField>(), "velocity", "What the probe reads."},
+        {"part", gap, &Measure::part, name(), required,
+         "The springs part whose pieces' smallest distance is followed."},
+    };
+}
+// clang-format on
+
+/// Adds the keys of one table of the scene.
+template <class Section>
+void add_section(std::vector<Key<Scene>>& keys, const std::string& name, Section Scene::*member,
+                 std::vector<Key<Section>> rows) {
+    for (auto& row : rows) {
+        row.facts.path = name + "." + row.facts.path;
+        keys.emplace_back(
+            std::move(row.facts),
+            [member, read = std::move(row.read)](Scene& scene, const TomlNode& node, const std::string& path) {
+                read(scene.*member, node, path);
+            },
+            [member, write = std::move(row.write)](const Scene& scene) { return write(scene.*member); });
+    }
+}
+
+template <class Item>
+std::vector<Key<Item>> each_item(const std::string& name, std::vector<Key<Item>> rows) {
+    for (auto& row : rows) row.facts.path = name + ".*." + row.facts.path;
+    return rows;
+}
+
+Schema whole_schema() {
+    Schema schema;
+    schema.scene = top_keys();
+    add_section(schema.scene, "geometry", &Scene::geometry, geometry_keys());
+    add_section(schema.scene, "particles", &Scene::particles, particles_keys());
+    add_section(schema.scene, "flow", &Scene::flow, flow_keys());
+    add_section(schema.scene, "contact", &Scene::contact, contact_keys());
+    add_section(schema.scene, "accuracy", &Scene::accuracy, accuracy_keys());
+    add_section(schema.scene, "run", &Scene::run, run_keys());
+    add_section(schema.scene, "output", &Scene::output, output_keys());
+    schema.part = each_item("part", part_keys());
+    schema.measure = each_item("measure", measure_keys());
+    return schema;
+}
+
+}  // namespace
+
+const Schema& schema() {
+    static const Schema whole = whole_schema();
+    return whole;
+}
+
+std::vector<KeyFacts> Schema::facts() const {
+    std::vector<KeyFacts> facts;
+    const auto section_of = [&](const std::string& path) { return path.substr(0, path.find('.')); };
+    for (const auto& key : scene) {
+        if (section_of(key.facts.path) == "flow" && section_of(facts.back().path) == "particles") {
+            for (const auto& part_key : part)
+                facts.push_back(part_key.facts);  // after [particles], as scenes are written
+        }
+        facts.push_back(key.facts);
+    }
+    for (const auto& key : measure) facts.push_back(key.facts);
+    return facts;
+}
+
+}  // namespace dmp

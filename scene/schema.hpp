@@ -1,0 +1,130 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "scene/toml_node.hpp"
+#include "scene/value_types.hpp"
+
+namespace dmp {
+
+/// What stands in for a key that is not given: nothing may (required), nothing need (not_given), or a value, written
+/// as on the command line (texts without their quotes).
+struct Default {
+    enum class Presence { required, not_given, value };
+    Presence presence = Presence::value;
+    std::string value;
+
+    Default(Presence how) : presence(how) {}    // NOLINT(google-explicit-constructor): rows read plainly
+    Default(const char* text) : value(text) {}  // NOLINT(google-explicit-constructor)
+};
+inline constexpr auto required = Default::Presence::required;
+inline constexpr auto not_given = Default::Presence::not_given;
+
+/// The kinds of part or measure a key is for; empty: all.
+using Kinds = std::vector<std::string>;
+
+/// One key as told to the user.
+struct KeyFacts {
+    std::string path;  ///< "particles.spacing"; "part.*.density" for a key of every part
+    std::string type;  ///< with unit and range
+    Default fallback = required;
+    Kinds kinds;
+    std::string meaning;
+
+    [[nodiscard]] std::string section() const;  ///< "particles", "part.*", "" for the top of the file
+    [[nodiscard]] std::string name() const;     ///< "spacing"
+    [[nodiscard]] bool is_for(const std::string& kind) const;
+};
+
+namespace detail {
+
+template <class T>
+void assign(Value<T>& member, T value, const Place& place) {
+    member = {std::move(value), place};
+}
+template <class T>
+void assign(T& member, T value, const Place& /*a plain member keeps no place*/) {
+    member = std::move(value);
+}
+
+template <class T>
+bool is_nothing(const T& value) {
+    if constexpr (std::is_arithmetic_v<T> || std::same_as<T, std::string>) return value == T{};
+    return false;
+}
+
+}  // namespace detail
+
+/// One row of the schema: a key and the member of `Owner` that holds it.
+template <class Owner>
+struct Key {
+    KeyFacts facts;
+    /// Puts the node's value into the owner. The text is the key's path, for messages.
+    std::function<void(Owner&, const TomlNode&, const std::string&)> read;
+    /// The member as TOML; empty where nothing was given and nothing is needed.
+    std::function<std::string(const Owner&)> write;
+
+    template <class Member, class T>
+    Key(std::string name, Member Owner::*member, ValueType<T> type, const Default& fallback, std::string meaning)
+        : Key(std::move(name), {}, member, std::move(type), fallback, std::move(meaning)) {}
+
+    template <class Member, class T>
+    Key(std::string name, Kinds kinds, Member Owner::*member, ValueType<T> type, const Default& fallback,
+        std::string meaning)
+        : Key(
+              std::move(name), std::move(kinds), member, [type](const Owner&) -> const ValueType<T>& { return type; },
+              type.description, fallback, std::move(meaning)) {}
+
+    /// For a value that is read in the light of an earlier one: `type_for` makes the type from the owner so far.
+    template <class Member, class TypeFor>
+    Key(std::string name, Kinds kinds, Member Owner::*member, TypeFor type_for, std::string type,
+        const Default& fallback, std::string meaning)
+        : facts{std::move(name), std::move(type), fallback, std::move(kinds), std::move(meaning)},
+          read([member, type_for](Owner& owner, const TomlNode& node, const std::string& path) {
+              detail::assign(owner.*member, type_for(owner).read(node, path), node.place);
+          }),
+          write([member, type_for, optional = fallback.presence == not_given](const Owner& owner) {
+              const auto& type_now = type_for(owner);
+              using T = std::decay_t<decltype(type_now.read(TomlNode{}, ""))>;
+              const T& value = owner.*member;
+              return optional && detail::is_nothing(value) ? std::string{} : type_now.write(value);
+          }) {}
+
+    Key(KeyFacts f, decltype(read) r, decltype(write) w)
+        : facts(std::move(f)), read(std::move(r)), write(std::move(w)) {}
+};
+
+/// Every key of a scene file, in the order of the reference page. Reading, defaults, checks of single values, the
+/// explanations and the resolved scene all come from here.
+struct Schema {
+    std::vector<Key<Scene>> scene;
+    std::vector<Key<Part>> part;
+    std::vector<Key<Measure>> measure;
+
+    /// A key that differs between kinds appears once for each.
+    [[nodiscard]] std::vector<KeyFacts> facts() const;
+};
+
+const Schema& schema();
+
+/// "part.leaflets.density" and "part.density" -> "part.*.density"; "geometry.parameters.width" ->
+/// "geometry.parameters".
+std::string key_pattern(const std::string& path);
+
+/// The schema's key most like `pattern` (as key_pattern gives it); empty when none is near.
+std::string nearest_key(const std::string& pattern);
+
+/// "'spacing' in [particles]", "'density' in [[part]]", "'title' at the top".
+std::string shown_key(const std::string& pattern);
+
+/// "did you mean ...?", or what the section takes where nothing is near.
+std::string advice_for_unknown_key(const std::string& pattern);
+
+}  // namespace dmp

@@ -1,0 +1,217 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/toml_node.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <toml++/toml.h>
+
+namespace dmp {
+
+namespace {
+
+/// The document's bytes by line and column, to look up what the user wrote.
+class Source {
+  public:
+    Source(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
+        if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+        line_starts_.push_back(0);
+        for (std::size_t i = 0; i < text_.size(); ++i) {
+            if (text_[i] == '\n') line_starts_.push_back(i + 1);
+        }
+    }
+
+    [[nodiscard]] Place place(const toml::source_position& position) const {
+        return {file_, static_cast<int>(position.line), static_cast<int>(position.column)};
+    }
+
+    /// Everything from a position on; empty when the position is not in the text.
+    [[nodiscard]] std::string_view from(const toml::source_position& position) const {
+        if (position.line == 0 || position.line > line_starts_.size()) return {};
+        std::size_t at = line_starts_[position.line - 1];
+        for (auto column = position.column; column > 1 && at < text_.size(); --column) {
+            do {
+                ++at;
+            } while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0U) == 0x80U);
+        }
+        return text_.substr(std::min(at, text_.size()));
+    }
+
+    [[nodiscard]] std::string between(const toml::source_region& region) const {
+        const auto rest = from(region.begin);
+        const auto after = from(region.end);
+        return std::string(rest.substr(0, rest.size() - std::min(rest.size(), after.size())));
+    }
+
+  private:
+    std::string_view text_;
+    std::string file_;
+    std::vector<std::size_t> line_starts_;
+};
+
+WrittenText written_text(const std::string& value, const toml::source_position& begin, const Source& source) {
+    WrittenText text{value, source.place(begin), {}};
+    const auto raw = source.from(begin);
+    for (const std::string_view quote : {"\"\"\"", "'''", "\"", "'"}) {
+        if (!raw.starts_with(quote)) continue;
+        auto inside = raw.substr(quote.size());
+        Place first = text.place;
+        if (quote.size() == 3 && inside.starts_with("\n")) {  // TOML drops a newline after the opening quotes
+            inside.remove_prefix(1);
+            ++first.line;
+            first.column = 1;
+        } else {
+            first.column += static_cast<int>(quote.size());
+        }
+        // where an escape stands in the source the characters do not line up: only the value's place is known
+        if (inside.starts_with(value)) text.first_character = first;
+        break;
+    }
+    return text;
+}
+
+TomlNode convert(const toml::node& value, const Source& source) {
+    TomlNode node;
+    node.place = source.place(value.source().begin);
+    if (const auto* table = value.as_table()) {
+        node.kind = TomlNode::Kind::table;
+        for (const auto& [key, entry] : *table) {
+            TomlNode child = convert(entry, source);
+            child.key = std::string(key.str());
+            child.key_place = source.place(key.source().begin);
+            node.children.push_back(std::move(child));
+        }
+        std::stable_sort(node.children.begin(), node.children.end(), [](const TomlNode& a, const TomlNode& b) {
+            return std::pair(a.key_place.line, a.key_place.column) < std::pair(b.key_place.line, b.key_place.column);
+        });
+        return node;
+    }
+    if (const auto* array = value.as_array()) {
+        node.kind = TomlNode::Kind::array;
+        for (const auto& entry : *array) node.children.push_back(convert(entry, source));
+        return node;
+    }
+    if (const auto* text = value.as_string()) {
+        node.kind = TomlNode::Kind::text;
+        node.text = written_text(text->get(), value.source().begin, source);
+        return node;
+    }
+    node.written = source.between(value.source());
+    if (const auto* integer = value.as_integer()) {
+        node.kind = TomlNode::Kind::integer;
+        node.integer = integer->get();
+        node.number = static_cast<double>(integer->get());
+    } else if (const auto* number = value.as_floating_point()) {
+        node.kind = TomlNode::Kind::number;
+        node.number = number->get();
+    } else if (const auto* boolean = value.as_boolean()) {
+        node.kind = TomlNode::Kind::boolean;
+        node.boolean = boolean->get();
+    } else {
+        node.kind = TomlNode::Kind::date;
+    }
+    return node;
+}
+
+void put_everywhere(TomlNode& node, const Place& place) {
+    node.place = node.key_place = place;
+    node.text.place = place;
+    node.text.first_character = {};
+    for (auto& child : node.children) put_everywhere(child, place);
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::child(std::string_view name) const {
+    if (!is_table()) return nullptr;
+    const auto found = std::find_if(children.begin(), children.end(), [&](const auto& c) { return c.key == name; });
+    return found == children.end() ? nullptr : &*found;
+}
+
+TomlNode* TomlNode::child(std::string_view name) {
+    return const_cast<TomlNode*>(std::as_const(*this).child(name));  // NOLINT: the object itself is not const here
+}
+
+const TomlNode* TomlNode::find(std::string_view path) const {
+    const TomlNode* node = this;
+    while (node != nullptr && !path.empty()) {
+        const auto dot = path.find('.');
+        node = node->child(path.substr(0, dot));
+        path = dot == std::string_view::npos ? std::string_view{} : path.substr(dot + 1);
+    }
+    return node;
+}
+
+std::string TomlNode::shown() const {
+    switch (kind) {
+        case Kind::table:
+            return "a table";
+        case Kind::array:
+            return "a list";
+        case Kind::text:
+            return toml_quoted(text.text);
+        default:
+            return written;
+    }
+}
+
+TomlNode parse_toml(std::string_view text, const std::string& file) {
+    const Source source(text, file);
+    try {
+        return convert(toml::parse(text), source);
+    } catch (const toml::parse_error& error) {
+        const std::string_view fault = error.description();
+        const bool repeated = fault.find("redefine") != std::string_view::npos;
+        throw InputError(source.place(error.source().begin), "this is not valid TOML: " + std::string(fault),
+                         repeated
+                             ? "write each key and table once; only [[part]] and [[measure]], in double brackets, "
+                               "may stand several times"
+                             : "correct the line; quantities and names stand in quotes, such as spacing = \"0.1 mm\"");
+    }
+}
+
+TomlNode parse_toml_value(std::string_view text, const Place& place) {
+    std::optional<TomlNode> value;
+    try {
+        const std::string document = "value = " + std::string(text);
+        const Source source(document, place.file);
+        TomlNode root = convert(toml::parse(document), source);
+        if (root.children.size() == 1 && root.children[0].key == "value") value = std::move(root.children[0]);
+    } catch (const toml::parse_error&) {
+        value.reset();  // no TOML value: text
+    }
+    if (!value) {
+        value.emplace();
+        value->kind = TomlNode::Kind::text;
+        value->text.text = text;
+    }
+    value->key.clear();
+    put_everywhere(*value, place);
+    return std::move(*value);
+}
+
+std::string toml_quoted(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            quoted += '\\';
+            quoted += c;
+        } else if (c == '\n') {
+            quoted += "\\n";
+        } else if (c == '\t') {
+            quoted += "\\t";
+        } else if (byte < 0x20 || byte == 0x7F) {
+            constexpr std::string_view hex = "0123456789ABCDEF";
+            quoted += "\\u00";
+            quoted += hex[byte / 16];
+            quoted += hex[byte % 16];
+        } else {
+            quoted += c;
+        }
+    }
+    return quoted + "\"";
+}
+
+}  // namespace dmp

@@ -1,0 +1,127 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/nearest_name.hpp"
+#include "base/vec.hpp"
+#include "scene/expression.hpp"
+#include "scene/quantity.hpp"
+#include "scene/toml_node.hpp"
+#include "scene/words.hpp"
+
+namespace dmp {
+
+/// A kind of value a key may hold: how it is told to the user, read from TOML and written as TOML in SI units.
+template <class T>
+struct ValueType {
+    std::string description;  ///< `a length such as "0.1 mm", more than 0`
+    /// Reads a value; the text is the key's full path, for messages. Throws InputError with the value's place.
+    std::function<T(const TomlNode&, const std::string&)> read;
+    std::function<std::string(const T&)> write;
+};
+
+/// The numbers a key accepts, in SI units.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool above_low = false;   ///< `low` itself is refused
+    std::string_view advice;  ///< what to do about a number outside, where there is more to say
+
+    [[nodiscard]] bool contains(double value) const {
+        return value <= high && (above_low ? value > low : value >= low);
+    }
+    /// "more than 0", "between 2 and 6"; empty when every number will do.
+    [[nodiscard]] std::string text() const;
+};
+
+inline constexpr Range any_number{};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, {}};
+inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false, {}};
+constexpr Range at_least(double low) { return {low, std::numeric_limits<double>::infinity(), false, {}}; }
+inline constexpr Range fraction{0, 1, true, {}};
+constexpr Range between(double low, double high) { return {low, high, false, {}}; }
+constexpr Range exactly(double value, std::string_view advice) { return {value, value, false, advice}; }
+
+/// A number with a unit in quotes. The example says which dimension.
+ValueType<double> quantity(const std::string& example, const Range& range = any_number);
+/// The same or "auto", which is stored as 0; a given quantity is more than 0.
+ValueType<double> quantity_or_auto(const std::string& example);
+ValueType<double> number(const Range& range = any_number);
+ValueType<int> integer(const Range& range = any_number);
+ValueType<bool> boolean();
+/// Any text, "" too.
+ValueType<std::string> text();
+/// Text that says something.
+ValueType<std::string> text_not_empty();
+/// Letters, digits and '_', starting with a letter.
+ValueType<std::string> name();
+/// A point of two or three lengths; a bare 0 needs no unit.
+ValueType<Vec> point();
+/// One to three formulas of t, x, y, z; a bare 0 needs no unit.
+ValueType<std::array<Expression, 3>> formulas(const std::string& example);
+/// A list of "x", "y".
+ValueType<std::array<Value<bool>, 3>> axes();
+/// A table of numbers by name: bare numbers, angles (in radians) and lengths (divided by `unit` [m]).
+ValueType<std::map<std::string, Value<double>>> parameters(double unit);
+
+/// The error for a value of the wrong kind.
+InputError wrong_kind(const TomlNode& node, const std::string& path, const std::string& expected,
+                      const std::string& advice = {});
+
+namespace detail {
+
+/// The position in `words` of the word in `node`.
+std::size_t index_of_word(const TomlNode& node, const std::string& path, const std::vector<std::string>& words);
+const std::vector<TomlNode>& list_items(const TomlNode& node, const std::string& path, const std::string& expected);
+void refuse_repeated_words(const TomlNode& list, const std::string& path);
+std::string toml_list(const std::vector<std::string>& items);
+
+template <class Enumeration>
+std::vector<std::string> word_list() {
+    std::vector<std::string> words;
+    for (const auto& [value, text] : words_of<Enumeration>()) words.push_back(text);
+    return words;
+}
+
+}  // namespace detail
+
+/// One word of an enumeration's words.
+template <class Enumeration>
+ValueType<Enumeration> word_of() {
+    return {"one of " + quoted_list(detail::word_list<Enumeration>()),
+            [](const TomlNode& node, const std::string& path) {
+                const auto index = detail::index_of_word(node, path, detail::word_list<Enumeration>());
+                return words_of<Enumeration>()[index].first;
+            },
+            [](const Enumeration& value) { return toml_quoted(word(value)); }};
+}
+
+/// A list of different words of an enumeration.
+template <class Enumeration>
+ValueType<std::vector<Enumeration>> list_of_words() {
+    const std::string description = "a list out of " + quoted_list(detail::word_list<Enumeration>());
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                std::vector<Enumeration> values;
+                for (const auto& item : detail::list_items(node, path, description)) {
+                    values.push_back(word_of<Enumeration>().read(item, path));
+                }
+                detail::refuse_repeated_words(node, path);
+                return values;
+            },
+            [](const std::vector<Enumeration>& values) {
+                std::vector<std::string> words;
+                words.reserve(values.size());
+                for (const auto value : values) words.push_back(toml_quoted(word(value)));
+                return detail::toml_list(words);
+            }};
+}
+
+}  // namespace dmp

@@ -1,0 +1,35 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace dmp {
+
+/// The words a scene uses for the values of an enumeration, in the order they are listed to the user.
+template <class Enumeration>
+using Words = std::vector<std::pair<Enumeration, std::string>>;
+
+/// Specialised for each enumeration of scene.hpp.
+template <class Enumeration>
+const Words<Enumeration>& words_of();
+
+template <>
+const Words<PartKind>& words_of();
+template <>
+const Words<Arrangement>& words_of();
+template <>
+const Words<KernelKind>& words_of();
+template <>
+const Words<WallModel>& words_of();
+template <>
+const Words<SpringStepping>& words_of();
+template <>
+const Words<MeasureKind>& words_of();
+template <>
+const Words<FluidField>& words_of();
+
+}  // namespace dmp

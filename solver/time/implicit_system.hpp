@@ -1,0 +1,43 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <array>
+#include <vector>
+
+#include "solver/time/spring_bodies.hpp"
+
+namespace dmp {
+
+/// The matrix of one implicit midpoint step of a spring body, for the velocities of its free nodes at mid-step:
+///   A = M + dt/2 (C + k_v) + dt^2/4 K
+/// with K and C in Gauss-Newton form (every bond and hinge along its own direction of stretch or turning, without the
+/// terms of its present tension), which is symmetric and positive definite in any state. It is factorised again only
+/// when corrections no longer converge fast.
+class SpringBody::ImplicitSystem {
+  public:
+    explicit ImplicitSystem(const SpringBody& body);
+
+    [[nodiscard]] bool made_for(double dt) const { return dt == dt_; }
+    void factorise(const Vectors& position, double dt);
+
+    /// Solves A dv = residual, adds dv to the velocities and dt/2 dv to the positions of free nodes; returns the
+    /// largest displacement [m].
+    double correct(const Vectors& residual, Vectors& position, Vectors& velocity);
+
+  private:
+    using Matrix = Eigen::SparseMatrix<double>;
+    using Gradient = std::array<Vector<double, 2>, 3>;
+
+    /// A += weight g g^T for the gradient g of a length or an angle with respect to `count` nodes.
+    void add(const std::array<int, 3>& nodes, int count, const Gradient& gradient, double weight);
+    [[nodiscard]] double& entry(int row, int column);
+
+    const SpringBody& body_;
+    std::vector<int> unknown_;  ///< node -> its first unknown, -1 when fixed
+    Matrix matrix_;             ///< lower triangle
+    Eigen::SimplicialLLT<Matrix> solver_;
+    double dt_ = -1;
+};
+
+}  // namespace dmp

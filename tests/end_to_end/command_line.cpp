@@ -1,0 +1,75 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace {
+
+using namespace dmp::end_to_end;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Outcome run_here(const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) {
+    const TemporaryFolder folder;
+    return run_dmp(folder.path(), arguments, surroundings);
+}
+
+TEST(CommandLine, HelpGoesToStdout) {
+    const auto outcome = run_here({"--help"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.output, HasSubstr("dmp run cases/vein_valve"));
+    EXPECT_EQ(outcome.errors, "");
+}
+
+TEST(CommandLine, VersionIsTheProjects) {
+    const auto outcome = run_here({"--version"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.output, StartsWith("dmp " DMP_PROJECT_VERSION "\n"));
+}
+
+TEST(CommandLine, UnknownCommandNamesTheNearest) {
+    const auto outcome = run_here({"explian"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(outcome.errors,
+              "error: there is no command 'explian'\n  Did you mean 'explain'? 'dmp --help' tells more.\n");
+}
+
+TEST(CommandLine, UnknownOptionNamesTheNearest) {
+    const auto outcome = run_here({"run", "scene.toml", "--dryrun"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("Did you mean '--dry-run'?"));
+}
+
+TEST(CommandLine, NoColoursInAFile) {
+    EXPECT_THAT(run_here({"run", "nowhere"}).errors, testing::Not(HasSubstr("\033")));
+    EXPECT_THAT(run_here({"doctor"}).output, testing::Not(HasSubstr("\033")));
+}
+
+TEST(CommandLine, OutputThatIsLostIsAnError) {
+    // The output's own file is limited, so that the help does not fit.
+    const auto outcome = run_here({"--help"}, {.largest_file = 10});
+    EXPECT_EQ(outcome.code, 4);
+}
+
+TEST(CommandLine, DoctorLooksAtThisMachine) {
+    const auto outcome = run_here({"doctor"});
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    for (const char* what : {"build", "processors", "memory", "disk", "writing", "pictures", "VTK 9", "gmsh 4"}) {
+        EXPECT_THAT(outcome.output, HasSubstr(what));
+    }
+}
+
+TEST(CommandLine, ExplainsAKey) {
+    const auto outcome = run_here({"explain", "particles.spacing"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("particles.spacing"), HasSubstr("length")));
+}
+
+TEST(CommandLine, SeveralRanksAreRefused) {
+    const auto outcome = run_here({"run", "scene.toml"}, {.environment = {"OMPI_COMM_WORLD_SIZE=4"}});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("4 MPI ranks"), HasSubstr("--threads")));
+}
+
+}  // namespace

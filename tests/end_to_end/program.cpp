@@ -1,0 +1,106 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/end_to_end/program.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace dmp::end_to_end {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// In the child: becomes dmp, or ends with code 127.
+[[noreturn]] void become_dmp(const fs::path& folder, const std::vector<std::string>& arguments,
+                             const Surroundings& with, const fs::path& output, const fs::path& errors) {
+    std::vector<std::string> words{DMP_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (auto& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+
+    // Tests run beside each other on few processors: waiting threads must not spin.
+    setenv("OMP_WAIT_POLICY", "passive", 1);
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) unsetenv(name);
+    for (const auto& setting : with.environment) {
+        const auto equals = setting.find('=');
+        setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
+    }
+    const int in = open("/dev/null", O_RDONLY);
+    const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int err = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const bool ready = dup2(in, 0) == 0 && dup2(out, 1) == 1 && dup2(err, 2) == 2 && chdir(folder.c_str()) == 0;
+    if (with.largest_file > 0) {
+        const rlimit limit{static_cast<rlim_t>(with.largest_file), static_cast<rlim_t>(with.largest_file)};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    if (ready) execv(DMP_PROGRAM, argv.data());
+    _exit(127);
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "dmp_test_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;  // a leftover in /tmp must not end the tests
+    fs::remove_all(path_, ignored);
+}
+
+void TemporaryFolder::copy_case(const std::string& name) const {
+    fs::copy(fs::path(DMP_SOURCE_DIR) / "cases" / name, path_, fs::copy_options::recursive);
+}
+
+std::string TemporaryFolder::read(const std::string& file) const { return text_of(path_ / file); }
+
+void TemporaryFolder::write(const std::string& file, const std::string& text) const {
+    fs::create_directories((path_ / file).parent_path());
+    std::ofstream(path_ / file, std::ios::binary) << text;
+}
+
+void TemporaryFolder::replace(const std::string& file, const std::string& from, const std::string& to) const {
+    std::string text = read(file);
+    const auto at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error(file + " has no '" + from + "'");
+    write(file, text.replace(at, from.size(), to));
+}
+
+Outcome run_dmp(const fs::path& folder, const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+    const TemporaryFolder streams;
+    const fs::path output = streams.path() / "output";
+    const fs::path errors = streams.path() / "errors";
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("no process can be started");
+    if (child == 0) become_dmp(folder, arguments, surroundings, output, errors);
+    if (surroundings.interrupt_after_ms > 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(surroundings.interrupt_after_ms));
+        kill(child, SIGINT);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return {code, text_of(output), text_of(errors)};
+}
+
+}  // namespace dmp::end_to_end

@@ -1,0 +1,47 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dmp::end_to_end {
+
+/// What a program left when it ended.
+struct Outcome {
+    int code = -1;  ///< exit code; 128 + the signal's number when a signal ended it
+    std::string output, errors;
+};
+
+/// A folder of its own for a test, gone with this object.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// Copies the files of cases/NAME here.
+    void copy_case(const std::string& name) const;
+    [[nodiscard]] std::string read(const std::string& file) const;
+    void write(const std::string& file, const std::string& text) const;
+    /// Replaces the first `from` in a file; throws std::logic_error when the file has none.
+    void replace(const std::string& file, const std::string& from, const std::string& to) const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// How to start dmp, besides its arguments.
+struct Surroundings {
+    std::vector<std::string> environment{};  ///< "NAME=VALUE", on top of this process'
+    long largest_file = 0;                   ///< limit of a file's size [bytes]; 0: none
+    int interrupt_after_ms = 0;              ///< send SIGINT after this time; 0: never
+};
+
+/// Runs the dmp that was built, in `folder`, with stdin closed, and waits for its end.
+Outcome run_dmp(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                const Surroundings& surroundings = {});
+
+}  // namespace dmp::end_to_end

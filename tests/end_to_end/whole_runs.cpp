@@ -1,0 +1,153 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// From a scene to files, through the command a user types.
+#include <filesystem>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace {
+
+using namespace dmp::end_to_end;
+using testing::HasSubstr;
+
+class Poiseuille : public testing::Test {
+  protected:
+    Poiseuille() { folder_.copy_case("verification/poiseuille"); }
+
+    [[nodiscard]] Outcome dmp(std::vector<std::string> arguments, const Surroundings& surroundings = {}) const {
+        return run_dmp(folder_.path(), arguments, surroundings);
+    }
+    [[nodiscard]] bool has(const std::string& file) const { return std::filesystem::exists(folder_.path() / file); }
+    [[nodiscard]] nlohmann::json summary(const std::string& folder) const {
+        return nlohmann::json::parse(folder_.read(folder + "/summary.json"));
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Poiseuille, RunLeavesFramesMeasuresSummaryAndPictures) {
+    const auto outcome = dmp({"run", ".", "--out", "out", "--threads", "1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << "a run off a terminal is quiet";
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("sound speed"), HasSubstr("time step"), HasSubstr("ruled by"),
+                                               HasSubstr("Done: 1 s simulated"), HasSubstr("Results in out")));
+    for (const char* file : {"fluid.pvd", "walls.vtp", "measures.csv", "summary.json", "scene.resolved.toml",
+                             "last_frame.png", "cycle.png", "measures.png", "frames/fluid_000010.vtp"}) {
+        EXPECT_TRUE(has(std::string("out/") + file)) << file;
+    }
+}
+
+TEST_F(Poiseuille, SummaryHoldsWhatScriptsWant) {
+    ASSERT_EQ(
+        dmp({"run", ".", "--out", "out", "--threads", "1", "--until", "0.1 s", "--set", "output.pictures=false"}).code,
+        0);
+    const auto summary = this->summary("out");
+    for (const char* key : {"particles", "steps", "simulated_s", "wall_s", "particle_steps_per_s", "threads", "ranks",
+                            "dt_limits", "ruling_limit", "conserved", "lost", "measures", "state_hash"}) {
+        EXPECT_TRUE(summary.contains(key)) << key;
+    }
+    EXPECT_NEAR(summary["simulated_s"].get<double>(), 0.1, 1e-9);
+    EXPECT_EQ(summary["lost"], 0);
+    EXPECT_EQ(summary["threads"], 1);
+}
+
+TEST_F(Poiseuille, TheVelocityIsThatOfTheStartUpSeries) {
+    ASSERT_EQ(dmp({"run", ".", "--out", "out", "--threads", "1", "--set", "output.pictures=false"}).code, 0);
+    // Centre velocity after 1 s, steady to 4 digits: g h^2 / (8 nu) with h = 1 mm, g = 1e-4 m/s^2, nu = 1e-6 m^2/s.
+    std::istringstream lines(folder_.read("out/measures.csv"));
+    std::string line;
+    std::string last;
+    while (std::getline(lines, line)) last = line;
+    const double velocity = std::stod(last.substr(last.find(',') + 1));
+    EXPECT_NEAR(velocity, 1.25e-5, 0.03 * 1.25e-5);
+}
+
+TEST_F(Poiseuille, TheSameRunAgainGivesTheSameStateAndReplacesTheFirst) {
+    const std::vector<std::string> run{"run", ".",       "--out",  "out",   "--threads",
+                                       "1",   "--until", "0.05 s", "--set", "output.pictures=false"};
+    ASSERT_EQ(dmp(run).code, 0);
+    const auto first = summary("out")["state_hash"];
+    const auto again = dmp(run);
+    ASSERT_EQ(again.code, 0);
+    EXPECT_THAT(again.output, HasSubstr("of an earlier run"));
+    EXPECT_EQ(summary("out")["state_hash"], first);
+}
+
+TEST_F(Poiseuille, TwoThreadsGiveTheSameBitsAsOne) {
+    const std::vector<std::string> rest{"--until", "0.05 s", "--set", "output.pictures=false"};
+    for (const char* threads : {"1", "2"}) {
+        std::vector<std::string> run{"run", ".", "--out", std::string("out") + threads, "--threads", threads};
+        run.insert(run.end(), rest.begin(), rest.end());
+        ASSERT_EQ(dmp(run).code, 0);
+    }
+    EXPECT_EQ(summary("out1")["state_hash"], summary("out2")["state_hash"]);
+}
+
+TEST_F(Poiseuille, TheResolvedSceneRunsToTheSameState) {
+    const std::vector<std::string> rest{"--threads", "1", "--until", "0.02 s", "--set", "output.pictures=false"};
+    std::vector<std::string> run{"run", ".", "--out", "out"};
+    run.insert(run.end(), rest.begin(), rest.end());
+    ASSERT_EQ(dmp(run).code, 0);
+    folder_.write("again.toml", folder_.read("out/scene.resolved.toml"));
+    run = {"run", "again.toml", "--out", "out2"};
+    run.insert(run.end(), rest.begin(), rest.end());
+    const auto outcome = dmp(run);
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(summary("out")["state_hash"], summary("out2")["state_hash"]);
+}
+
+TEST_F(Poiseuille, WithoutOutTheFolderCarriesTheScenesName) {
+    folder_.write("my_channel.toml", folder_.read("scene.toml"));
+    const auto outcome =
+        dmp({"run", "my_channel.toml", "--threads", "1", "--until", "0.01 s", "--set", "output.pictures=false"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_TRUE(has("out/my_channel/summary.json"));
+}
+
+TEST_F(Poiseuille, AnInterruptedRunWritesWhatThereIs) {
+    const auto outcome = dmp({"run", ".", "--out", "out", "--threads", "1", "--set", "run.duration=\"10000 s\""},
+                             {.interrupt_after_ms = 1500});
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_THAT(outcome.output, HasSubstr("Interrupted: "));
+    EXPECT_TRUE(has("out/fluid.pvd"));
+    EXPECT_TRUE(has("out/measures.csv"));
+    EXPECT_LT(summary("out")["simulated_s"].get<double>(), 10000);
+}
+
+TEST_F(Poiseuille, DryRunWritesNothing) {
+    const auto outcome = dmp({"run", ".", "--dry-run", "--threads", "1"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output,
+                testing::AllOf(HasSubstr("160 particles"), HasSubstr("memory"), HasSubstr("viscosity"),
+                               HasSubstr("<- rules"), HasSubstr("of computing"), HasSubstr("Nothing was written")));
+    EXPECT_FALSE(has("out"));
+}
+
+TEST_F(Poiseuille, MeshLeavesParticlesToLookAt) {
+    const auto outcome = dmp({"mesh", ".", "--out", "particles"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("water"), HasSubstr("wall"), HasSubstr("160")));
+    EXPECT_TRUE(has("particles/fluid.pvd"));
+    EXPECT_TRUE(has("particles/walls.vtp"));
+}
+
+TEST_F(Poiseuille, ExplainNamesModelsSourcesFieldsAndLimits) {
+    const auto outcome = dmp({"explain", "."});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("Models"), HasSubstr("Morris"), HasSubstr("why"),
+                                               HasSubstr("source"), HasSubstr("Largest time steps"),
+                                               HasSubstr("Fields of a particle"), HasSubstr(" B a particle")));
+}
+
+TEST(BentChannel, ADifferentDrawingNeedsNoNewCode) {
+    const TemporaryFolder folder;
+    folder.copy_case("bent_channel");
+    const auto outcome = run_dmp(folder.path(), {"mesh", ".", "--out", "particles"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "particles/solid.pvd"));
+}
+
+}  // namespace

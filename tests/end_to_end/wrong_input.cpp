@@ -1,0 +1,269 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Every kind of wrong input ends with the right exit code, says where and what is wrong, and what to do.
+#include <ostream>
+
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace {
+
+using namespace dmp::end_to_end;
+
+struct Edit {
+    std::string file, from, to;
+};
+
+struct WrongInput {
+    std::string name;
+    std::string base;  ///< case to start from
+    std::vector<Edit> edits;
+    std::vector<std::string> arguments;  ///< after "run . --dry-run"
+    std::vector<std::string> says;       ///< all of these stand in the message
+};
+
+const std::string poiseuille = "verification/poiseuille";
+const std::string valve = "vein_valve";
+const std::string scene = "scene.toml";
+const std::string drawing = "channel.geo";
+const std::string spacing = R"("0.05 mm")";
+const std::string drive = R"("1e-4 m/s^2")";
+
+std::vector<std::string> set(const std::string& text) { return {"--set", text}; }
+
+std::vector<WrongInput> wrong_inputs() {
+    return {
+        {"Syntax", poiseuille, {{scene, "schema = 1", "schema = = 1"}}, {}, {"scene.toml:2:10:", "TOML"}},
+        {"KeyTwice",
+         poiseuille,
+         {{scene, "spacing =", "spacing = \"1 mm\"\nspacing ="}},
+         {},
+         {"scene.toml:12:", "spacing"}},
+        {"UnknownKey",
+         poiseuille,
+         {{scene, "viscosity", "viscosty"}},
+         {},
+         {"scene.toml:17:1:", "'viscosty'", "did you mean 'viscosity'"}},
+        {"UnknownTable",
+         poiseuille,
+         {{scene, "[particles]", "[partikles]"}},
+         {},
+         {"scene.toml:10:2:", "did you mean [particles]"}},
+        {"MissingKey",
+         poiseuille,
+         {{scene, "viscosity = \"1 mPa*s\"", ""}},
+         {},
+         {"scene.toml:13:1:", "missing key", "viscosity"}},
+        {"MissingUnit",
+         poiseuille,
+         {{scene, spacing, "0.05"}},
+         {},
+         {"scene.toml:11:11:", "missing unit", "\"0.05 mm\""}},
+        {"UnknownUnit",
+         poiseuille,
+         {{scene, spacing, R"("0.05 furlong")"}},
+         {},
+         {"scene.toml:11:17:", "unknown unit 'furlong'"}},
+        {"WrongDimension",
+         poiseuille,
+         {{scene, spacing, R"("0.05 kg")"}},
+         {},
+         {"scene.toml:11:11:", "(mass)", "expected a length"}},
+        {"NegativeSpacing", poiseuille, {{scene, spacing, R"("-0.05 mm")"}}, {}, {"scene.toml:11:11:", "more than 0"}},
+        {"NegativeDensity", poiseuille, {{scene, "1000 kg", "-1000 kg"}}, {}, {"scene.toml:16:11:", "more than 0"}},
+        {"ZeroDuration",
+         poiseuille,
+         {{scene, "duration = \"1 s\"", "duration = \"0 s\""}},
+         {},
+         {"scene.toml:30:12:", "run.duration"}},
+        {"WrongType",
+         poiseuille,
+         {{scene, "layers = 3", "layers = \"three\""}},
+         {},
+         {"scene.toml:22:10:", "whole number"}},
+        {"UnknownKind",
+         poiseuille,
+         {{scene, "\"rigid\"", "\"rigit\""}},
+         {},
+         {"scene.toml:21:8:", "did you mean \"rigid\""}},
+        {"UnknownKernel",
+         poiseuille,
+         {},
+         set("accuracy.kernel=wendland"),
+         {"--set accuracy.kernel=wendland:", "wendland_c2"}},
+        {"OtherSchema", poiseuille, {{scene, "schema = 1", "schema = 7"}}, {}, {"scene.toml:2:10:", "schema = 1"}},
+        {"ThreeDimensions", poiseuille, {{scene, "dimension = 2", "dimension = 3"}}, {}, {"scene.toml:4:13:", "3-D"}},
+        {"PartTwice",
+         poiseuille,
+         {{scene, "name = \"wall\"", "name = \"water\""}},
+         {},
+         {"scene.toml:20:8:", "already a part called 'water'"}},
+        {"FormulaUnknownName",
+         poiseuille,
+         {{scene, drive, "\"1e-4 m/s^2 * sin(q)\""}},
+         {},
+         {"scene.toml:25:35:", "unknown name 'q'"}},
+        {"FormulaSyntax",
+         poiseuille,
+         {{scene, drive, "\"1e-4 m/s^2 * (2\""}},
+         {},
+         {"scene.toml:25:33:", "expected ')'"}},
+        {"FormulaDimension",
+         poiseuille,
+         {{scene, drive, R"("1e-4 m/s")"}},
+         {},
+         {"scene.toml:25:18:", "(speed)", "acceleration"}},
+        {"NoDrawing",
+         poiseuille,
+         {{scene, drawing, "chanel.geo"}},
+         {},
+         {"scene.toml:7:8:", "chanel.geo", "does not exist"}},
+        {"DrawingSyntax",
+         poiseuille,
+         {{drawing, "Line(1) = {1, 2};", "Line(1) = {1, 2;"}},
+         {},
+         {"channel.geo:18:", "syntax error"}},
+        {"DrawingWithoutNames",
+         poiseuille,
+         {{drawing, "Physical Surface(\"water\") = {1};", ""}, {drawing, "Physical Curve(\"wall\") = {1, 3};", ""}},
+         {},
+         {"channel.geo:", "no named groups", "Physical Surface"}},
+        {"UnknownParameter",
+         poiseuille,
+         {},
+         set("geometry.parameters.widht=\"1 mm\""),
+         {"--set geometry.parameters.widht", "'width'"}},
+        {"PartNotInTheDrawing",
+         poiseuille,
+         {{scene, "name = \"water\"", "name = \"watre\""}},
+         {},
+         {"scene.toml:14:8:", "nothing named 'watre'", "'water'"}},
+        {"NameNoPartUses",
+         poiseuille,
+         {{drawing, "Physical Curve(\"wall\") = {1, 3};",
+           "Physical Curve(\"wall\") = {1, 3};\nPhysical Curve(\"outlet\") = {2};"}},
+         {},
+         {"channel.geo", "'outlet'"}},
+        {"OpenFluidBoundary",
+         poiseuille,
+         {{drawing, "(\"wall\") = {1, 3}", "(\"wall\") = {1}"}},
+         {},
+         {"scene.toml:14:8:", "open between"}},
+        {"OpenEnds",
+         poiseuille,
+         {{scene, "periodic = [\"x\"]", "periodic = []"}},
+         {},
+         {"scene.toml:14:8:", "flow.periodic"}},
+        {"PeriodTooShort",
+         poiseuille,
+         {},
+         set("geometry.parameters.length=\"0.1 mm\""),
+         {"scene.toml:26:13:", "shorter than the kernel's support"}},
+        {"WallThinnerThanTheKernel",
+         poiseuille,
+         {{scene, "layers = 3", "layers = 1"}},
+         {},
+         {"scene.toml:22:10:", "thinner than the kernel"}},
+        {"NothingMoves", poiseuille, {}, set("part.water.enabled=false"), {"nothing would move"}},
+        {"LeafletShorterThanTheDrawingAllows",
+         valve,
+         {},
+         set("geometry.parameters.leaflet_length=\"2 mm\""),
+         {"vein_valve.geo:", "leaflet_length is too short"}},
+        {"LeafletThinnerThanItsLayers", valve, {}, set("part.leaflets.layers=1"), {"--set part.leaflets.layers=1:"}},
+        {"NegativeSpringConstants",
+         valve,
+         {},
+         {"--set", "part.leaflets.lower_axial_stiffness=false", "--set",
+          "part.leaflets.bending_stiffness=\"1e-9 N*m^2\""},
+         {"scene.toml:", "negative stiffness", "axial_stiffness"}},
+        {"UnknownAnchor",
+         valve,
+         {},
+         set("part.leaflets.anchor=\"roots\""),
+         {"nothing named 'roots'", "'leaflet_roots'"}},
+        {"MeasureOfNoPart",
+         valve,
+         {{scene, "part = \"leaflets\"", "part = \"leaves\""}},
+         {},
+         {"scene.toml:62:8:", "no part 'leaves'"}},
+        {"SetUnknownKey",
+         poiseuille,
+         {},
+         set("particles.spacin=1"),
+         {"--set particles.spacin=1:", "did you mean 'spacing'"}},
+        {"SetUnknownPart", valve, {}, set("part.leaflet.layers=2"), {"no part 'leaflet'", "did you mean 'leaflets'"}},
+        {"SetWithoutValue", poiseuille, {}, set("particles.spacing"), {"--set particles.spacing:", "KEY=VALUE"}},
+        {"UntilWithoutUnit", poiseuille, {}, {"--until", "5"}, {"--until:", "missing unit", "\"5 s\""}},
+        {"UntilOfWrongDimension", poiseuille, {}, {"--until", "0.2 m"}, {"--until:", "expected a time"}},
+        {"UntilBeforeTheStart", poiseuille, {}, {"--until", "-1 s"}, {"--until:", "after 0"}},
+        {"NoThreads", poiseuille, {}, {"--threads", "0"}, {"--threads"}},
+        {"AWordTooMany", poiseuille, {}, {"s"}, {"'s'", "--help"}},
+    };
+}
+
+/// GoogleTest's name for it in messages.
+void PrintTo(const WrongInput& wrong, std::ostream* stream) { *stream << wrong.name; }
+
+class Wrong : public testing::TestWithParam<WrongInput> {};
+
+TEST_P(Wrong, EndsWithTwoAndSaysWhatWhereAndWhatToDo) {
+    const auto& wrong = GetParam();
+    const TemporaryFolder folder;
+    folder.copy_case(wrong.base);
+    for (const auto& edit : wrong.edits) folder.replace(edit.file, edit.from, edit.to);
+    std::vector<std::string> arguments{"run", ".", "--dry-run"};
+    arguments.insert(arguments.end(), wrong.arguments.begin(), wrong.arguments.end());
+
+    const auto outcome = run_dmp(folder.path(), arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_THAT(outcome.errors, testing::StartsWith("error: "));
+    for (const auto& words : wrong.says) EXPECT_THAT(outcome.errors, testing::HasSubstr(words));
+    EXPECT_THAT(outcome.errors, testing::ContainsRegex("\n  [^ ]")) << "there is no line that says what to do";
+}
+
+INSTANTIATE_TEST_SUITE_P(Input, Wrong, testing::ValuesIn(wrong_inputs()),
+                         [](const auto& wrong) { return wrong.param.name; });
+
+TEST(WrongPlace, NoSceneThere) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_dmp(folder.path(), {"run", "nowhere.toml"}).code, 2);
+    EXPECT_THAT(run_dmp(folder.path(), {"run", "."}).errors, testing::HasSubstr("no scene.toml"));
+}
+
+TEST(WrongPlace, OutputFolderBelowAFile) {
+    const TemporaryFolder folder;
+    folder.copy_case(poiseuille);
+    const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "scene.toml/below"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("'scene.toml' is a file"));
+}
+
+TEST(WrongPlace, OutputFolderWithFilesOfOthersIsLeftAlone) {
+    const TemporaryFolder folder;
+    folder.copy_case(poiseuille);
+    folder.write("letters/to_mother.txt", "Dear mother");
+    const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "letters"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("--out"));
+    EXPECT_EQ(folder.read("letters/to_mother.txt"), "Dear mother");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "letters"), {}), 1);
+}
+
+TEST(WrongPlace, UnknownKeyToExplain) {
+    const TemporaryFolder folder;
+    const auto outcome = run_dmp(folder.path(), {"explain", "run.duraton"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("did you mean 'run.duration'"));
+}
+
+TEST(FullDisk, EndsWithFourAndNamesTheFile) {
+    const TemporaryFolder folder;
+    folder.copy_case(poiseuille);
+    const auto outcome = run_dmp(folder.path(), {"run", ".", "--threads", "1", "--out", "out"}, {.largest_file = 4096});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.errors, testing::AllOf(testing::StartsWith("error: "), testing::HasSubstr("out/")));
+}
+
+}  // namespace

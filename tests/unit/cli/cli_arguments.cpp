@@ -1,0 +1,134 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <initializer_list>
+
+#include <gmock/gmock.h>
+
+#include "base/errors.hpp"
+#include "cli/arguments.hpp"
+
+namespace {
+
+using namespace dmp::cli;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Command read(std::initializer_list<const char*> words) {
+    std::vector<const char*> argv{"dmp"};
+    argv.insert(argv.end(), words);
+    return read_arguments(argv);
+}
+
+/// What is thrown for these words, or an error that says nothing was.
+dmp::InputError error_of(std::initializer_list<const char*> words) {
+    try {
+        read(words);
+    } catch (const dmp::InputError& error) {
+        return error;
+    }
+    return {"nothing was thrown", ""};
+}
+
+std::string text_of(std::initializer_list<const char*> words) { return std::get<PrintCommand>(read(words)).text; }
+
+TEST(Arguments, RunTakesAllItsOptions) {
+    const auto run = std::get<RunCommand>(read({"run", "cases/a", "--out", "there", "--until", "0.2 s", "--set",
+                                                "a.b=1 m", "--set", "c=d=e", "--threads", "3", "--dry-run"}));
+    EXPECT_EQ(run.scene.path, "cases/a");
+    EXPECT_THAT(run.scene.overrides, ElementsAre("a.b=1 m", "c=d=e"));
+    EXPECT_EQ(run.out, "there");
+    EXPECT_EQ(run.until, "0.2 s");
+    EXPECT_EQ(run.threads, 3);
+    EXPECT_TRUE(run.dry_run);
+}
+
+TEST(Arguments, RunNeedsOnlyAScene) {
+    const auto run = std::get<RunCommand>(read({"run", "x.toml"}));
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.until, "");
+    EXPECT_EQ(run.threads, 0);
+    EXPECT_FALSE(run.dry_run);
+}
+
+TEST(Arguments, SetBeforeTheSceneLeavesTheSceneAlone) {
+    const auto run = std::get<RunCommand>(read({"run", "--set", "a=1", "x.toml"}));
+    EXPECT_EQ(run.scene.path, "x.toml");
+    EXPECT_THAT(run.scene.overrides, ElementsAre("a=1"));
+}
+
+TEST(Arguments, SetKeepsBracketsBracesQuotesAndCommas) {
+    const auto run = std::get<RunCommand>(read({"run", "x", "--set", R"(flow.acceleration=["1 m/s^2, 2", 0])",
+                                                R"(--set=geometry.parameters={ l = "1 mm" })"}));
+    EXPECT_THAT(run.scene.overrides,
+                ElementsAre(R"(flow.acceleration=["1 m/s^2, 2", 0])", R"(geometry.parameters={ l = "1 mm" })"));
+}
+
+TEST(Arguments, ANegativeTimeReachesTheCommand) {
+    EXPECT_EQ(std::get<RunCommand>(read({"run", "x", "--until", "-1 s"})).until, "-1 s");
+}
+
+TEST(Arguments, MeshExplainAndDoctor) {
+    EXPECT_EQ(std::get<MeshCommand>(read({"mesh", "x", "--out", "y"})).out, "y");
+    EXPECT_EQ(std::get<ExplainCommand>(read({"explain", "particles.spacing"})).subject.path, "particles.spacing");
+    EXPECT_TRUE(std::holds_alternative<DoctorCommand>(read({"doctor"})));
+}
+
+TEST(Arguments, UnknownCommandNamesTheNearest) {
+    const auto error = error_of({"explian", "x"});
+    EXPECT_EQ(error.problem(), "there is no command 'explian'");
+    EXPECT_THAT(error.what_to_do(), HasSubstr("Did you mean 'explain'?"));
+    EXPECT_THAT(error_of({"runn"}).what_to_do(), HasSubstr("Did you mean 'run'?"));
+}
+
+TEST(Arguments, UnknownCommandFarFromAllListsThem) {
+    const auto error = error_of({"xyzzy"});
+    EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
+    EXPECT_THAT(error.what_to_do(), HasSubstr("'run', 'mesh', 'explain' and 'doctor'"));
+}
+
+TEST(Arguments, UnknownOptionNamesTheNearest) {
+    const auto error = error_of({"run", "x", "--thread=2"});
+    EXPECT_EQ(error.problem(), "'dmp run' has no option '--thread'");
+    EXPECT_THAT(error.what_to_do(), HasSubstr("Did you mean '--threads'?"));
+    EXPECT_EQ(error_of({"--versoin"}).problem(), "'dmp' has no option '--versoin'");
+}
+
+TEST(Arguments, AWordTooManyIsAnError) {
+    const auto error = error_of({"run", "x", "--until", "0.2", "s"});
+    EXPECT_EQ(error.problem(), "'dmp run' does not know what to do with 's'");
+    EXPECT_THAT(error.what_to_do(), HasSubstr("quotes"));
+}
+
+TEST(Arguments, MissingSceneValueAndBadNumberAreErrors) {
+    EXPECT_EQ(error_of({"run"}).problem(), "a scene is missing");
+    EXPECT_EQ(error_of({"explain"}).problem(), "a scene or a key is missing");
+    EXPECT_THAT(error_of({"run", "x", "--out"}).problem(), HasSubstr("--out"));
+    EXPECT_THAT(error_of({"run", "x", "--threads", "0"}).problem(), HasSubstr("--threads"));
+    EXPECT_THAT(error_of({"run", "x", "--threads", "two"}).problem(), HasSubstr("two"));
+}
+
+TEST(Arguments, HelpShowsCommandsExamplesAndExitCodes) {
+    const std::string help = text_of({"--help"});
+    for (const char* word :
+         {"run", "mesh", "explain", "doctor", "Examples:", "dmp run cases/vein_valve", "Exit codes:"}) {
+        EXPECT_THAT(help, HasSubstr(word));
+    }
+    EXPECT_EQ(text_of({}), help);
+}
+
+TEST(Arguments, HelpOfACommandShowsItsOptions) {
+    const std::string help = text_of({"run", "--help"});
+    for (const char* word : {"dmp run", "--out DIR", "--until TIME", "--set KEY=VALUE", "--threads N", "--dry-run"}) {
+        EXPECT_THAT(help, HasSubstr(word));
+    }
+}
+
+TEST(Arguments, HelpUsesTheNameDmpWasCalledBy) {
+    const std::array<const char*, 2> argv{"./dmp", "--help"};
+    EXPECT_THAT(std::get<PrintCommand>(read_arguments(argv)).text, HasSubstr("./dmp run cases/vein_valve"));
+}
+
+TEST(Arguments, VersionNamesVersionAndLicence) {
+    EXPECT_THAT(text_of({"--version"}), testing::AllOf(testing::StartsWith("dmp "), HasSubstr("GPL-3.0-or-later")));
+}
+
+}  // namespace

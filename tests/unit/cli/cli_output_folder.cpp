@@ -1,0 +1,79 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "base/errors.hpp"
+#include "cli/output_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace dmp::cli;
+
+class OutputFolder : public testing::Test {
+  protected:
+    OutputFolder() {
+        std::string name = (fs::temp_directory_path() / "dmp_output_XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+    }
+    ~OutputFolder() override { fs::remove_all(folder_); }
+
+    void put(const std::string& name) const {
+        fs::create_directories((folder_ / name).parent_path());
+        std::ofstream(folder_ / name) << "text";
+    }
+    [[nodiscard]] bool has(const std::string& name) const { return fs::exists(folder_ / name); }
+
+    fs::path folder_;
+};
+
+TEST_F(OutputFolder, DefaultsToOutAndTheName) {
+    EXPECT_EQ(output_folder("", "valve"), fs::path("out/valve"));
+    EXPECT_EQ(output_folder("there", "valve"), fs::path("there"));
+}
+
+TEST_F(OutputFolder, IsMadeWithThoseAboveIt) {
+    EXPECT_EQ(prepare_folder(folder_ / "a/b"), "");
+    EXPECT_TRUE(fs::is_directory(folder_ / "a/b"));
+}
+
+TEST_F(OutputFolder, WithFilesOfOthersIsRefusedAndLeftAlone) {
+    put("thesis.tex");
+    try {
+        prepare_folder(folder_);
+        FAIL() << "a folder with other people's files was taken";
+    } catch (const dmp::InputError& error) {
+        EXPECT_EQ(error.where().file, folder_.string());
+        EXPECT_THAT(error.what_to_do(), testing::HasSubstr("--out"));
+    }
+    EXPECT_TRUE(has("thesis.tex"));
+}
+
+TEST_F(OutputFolder, OfAnEarlierRunLosesThatRunsFilesOnly) {
+    for (const char* name : {"fluid.pvd", "summary.json", "measures.csv", "cycle.png", "frames/fluid_000001.vtp",
+                             "frames/solid_000001.vtp", "notes.txt", "my_plot.png", "frames/other.vtp"}) {
+        put(name);
+    }
+    EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 6 files of an earlier run"));
+    for (const char* name : {"fluid.pvd", "summary.json", "measures.csv", "cycle.png", "frames/fluid_000001.vtp",
+                             "frames/solid_000001.vtp"}) {
+        EXPECT_FALSE(has(name)) << name;
+    }
+    for (const char* name : {"notes.txt", "my_plot.png", "frames/other.vtp"}) EXPECT_TRUE(has(name)) << name;
+}
+
+TEST_F(OutputFolder, OfAnEarlierRunLosesItsEmptyFramesFolder) {
+    put("fluid.pvd");
+    put("frames/fluid_000001.vtp");
+    prepare_folder(folder_);
+    EXPECT_FALSE(has("frames"));
+}
+
+TEST_F(OutputFolder, BelowAFileIsAnInputError) {
+    put("file");
+    EXPECT_THROW(prepare_folder(folder_ / "file/below"), dmp::InputError);
+    EXPECT_THROW(prepare_folder(folder_ / "file"), dmp::InputError);
+}
+
+}  // namespace

@@ -1,0 +1,235 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include "temporary_drawing.hpp"
+
+namespace dmp {
+namespace {
+
+using ::testing::HasSubstr;
+
+class DrawingErrors : public testing::DrawingTest {
+  protected:
+    /// The whole message of the error that reading ends in, with the test's folder cut out of it.
+    [[nodiscard]] std::string error_of(const DrawingOptions& options) const {
+        try {
+            (void)read_drawing(options);
+        } catch (const InputError& error) {
+            std::string message = error.what();
+            const std::string folder = path("");
+            for (std::size_t at = 0; (at = message.find(folder)) != std::string::npos;)
+                message.erase(at, folder.size());
+            return message;
+        }
+        return "no error";
+    }
+    [[nodiscard]] std::string error_of_file(const std::string& name) const { return error_of(options_for(path(name))); }
+    [[nodiscard]] std::string error_of_text(const std::string& text) const {
+        return error_of(options_for(write("d.geo", text)));
+    }
+};
+
+const std::string named = "Physical Surface(\"water\") = {1};\n";
+
+TEST_F(DrawingErrors, Files) {
+    EXPECT_EQ(error_of_file("none.geo"), "scene.toml:6:8: the drawing 'none.geo' does not exist\n  Check the path.");
+    EXPECT_EQ(error_of(options_for("")), "scene.toml:6:8: the drawing '' does not exist\n  Check the path.");
+    std::filesystem::create_directories(path("folder.geo"));
+    EXPECT_EQ(error_of_file("folder.geo"),
+              "scene.toml:6:8: the drawing 'folder.geo' is a folder\n  Name a file in it.");
+}
+
+TEST_F(DrawingErrors, UnreadableFile) {
+    if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+    const auto file = write("locked.geo", testing::unit_square + named);
+    std::filesystem::permissions(file, std::filesystem::perms::none);
+    EXPECT_EQ(error_of_file("locked.geo"),
+              "scene.toml:6:8: the drawing 'locked.geo' cannot be read\n  Check its permissions.");
+}
+
+TEST_F(DrawingErrors, APipeIsNoDrawing) {
+    ASSERT_EQ(mkfifo(path("pipe.geo").c_str(), 0600), 0);
+    EXPECT_THAT(error_of_file("pipe.geo"), HasSubstr("scene.toml:6:8: the drawing 'pipe.geo' cannot be read"));
+}
+
+TEST_F(DrawingErrors, Formats) {
+    for (const std::string extension :
+         {".step", ".stp", ".iges", ".igs", ".brep", ".stl", ".obj", ".ply", ".off", ".STEP"}) {
+        (void)write("part" + extension, "solid");
+        EXPECT_THAT(error_of_file("part" + extension), HasSubstr("files are not read yet")) << extension;
+    }
+    EXPECT_EQ(error_of_file("part.STEP"),
+              "scene.toml:6:8: the drawing 'part.STEP': .step files are not read yet\n"
+              "  dmp reads .geo, .geo_unrolled and .msh drawings.");
+    (void)write("part.txt", "");
+    (void)write("part", "");
+    EXPECT_EQ(error_of_file("part.txt"),
+              "scene.toml:6:8: the drawing 'part.txt': unknown extension .txt\n"
+              "  dmp reads .geo, .geo_unrolled and .msh drawings.");
+    EXPECT_EQ(
+        error_of_file("part"),
+        "scene.toml:6:8: the drawing 'part' has no extension\n  dmp reads .geo, .geo_unrolled and .msh drawings.");
+}
+
+TEST_F(DrawingErrors, Options) {
+    auto options = options_for(write("d.geo", testing::unit_square + named));
+    options.unit = 0;
+    EXPECT_THAT(error_of(options), HasSubstr("scene.toml:6:8: the drawing's unit must be a positive length"));
+    options.unit = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(error_of(options), HasSubstr("the drawing's unit must be a positive length"));
+    options.unit = 1;
+    options.chord_error = -1;
+    EXPECT_THAT(error_of(options), HasSubstr("the chord error must be a positive length"));
+}
+
+TEST_F(DrawingErrors, SyntaxErrorsHaveTheirLine) {
+    EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0}\nLine(1) = {1, 2};\n"),
+              "d.geo:3: gmsh cannot read the drawing: syntax error near 'Line'\n"
+              "  Look for a missing ';' or bracket on this line or the one before.");
+    EXPECT_THAT(error_of_text(testing::unit_square + named + "Point(9) = {0, 0, 0}"),
+                HasSubstr("syntax error at the end"));
+    // What comes before the mistake is a whole drawing: it must not pass for it.
+    EXPECT_THAT(error_of_text(testing::unit_square + named + "Pysical Curve(\"wall\") = {1};\n"),
+                HasSubstr("d.geo:12: gmsh cannot read the drawing: syntax error near"));
+}
+
+TEST_F(DrawingErrors, OtherErrorsOfGmshAllAppear) {
+    EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {a, 0, 0};\nLine(1) = {1, 7};\n"),
+              "d.geo:2: gmsh cannot read the drawing: Unknown variable 'a'; Unknown control point 7 in GEO curve 1; "
+              "line 3: Could not add line\n  Correct the drawing; 'gmsh d.geo' shows it.");
+    EXPECT_EQ(error_of_text("Error(\"too long\");\n" + testing::unit_square + named),
+              "d.geo: gmsh cannot read the drawing: too long\n  Correct the drawing; 'gmsh d.geo' shows it.");
+    EXPECT_THAT(error_of_text("Include \"none.geo\";\n" + testing::unit_square + named), HasSubstr("none.geo"));
+}
+
+TEST_F(DrawingErrors, WhatGmshPassesOver) {
+    EXPECT_EQ(error_of_text(testing::unit_square + named + "// For\nFor i In {1:3}\n  a = i;\n"),
+              "d.geo:13: 'For' without its 'EndFor'\n  Add 'EndFor'; gmsh itself does not notice.");
+    EXPECT_EQ(error_of_text("/* If\n */ If (1)\n  If (1)\n  EndIf\n" + testing::unit_square + named),
+              "d.geo:2: 'If' without its 'EndIf'\n  Add 'EndIf'; gmsh itself does not notice.");
+    EXPECT_EQ(error_of_text("If (1)\nEndFor\nEndIf\n"),
+              "d.geo:2: 'EndFor' without its 'For'\n  Add 'For'; gmsh itself does not notice.");
+    EXPECT_EQ(error_of_text(testing::unit_square + "a = 1; b = 2;"),
+              "d.geo:11: several statements on a last line without line break\n"
+              "  End the file with a line break; gmsh drops all but the first of them.");
+    EXPECT_EQ(error_of_text(testing::unit_square + "text = \"If For\"; // EndIf\n" + named), "no error");
+}
+
+TEST_F(DrawingErrors, UnknownParameter) {
+    auto options = options_for(write("d.geo",
+                                     "DefineConstant[ leaflet_length = {1, Name \"leaflet_length\"},\n"
+                                     "  tip_gap = {2, Name \"tip_gap\"}, plain = 3 ];\nfixed = 4;\n" +
+                                         testing::unit_square + named));
+    options.parameters = {{"leaflet_lenght", 2}};
+    options.parameter_places["leaflet_lenght"] = {.file = "scene.toml", .line = 7, .column = 16};
+    EXPECT_EQ(error_of(options),
+              "scene.toml:7:16: the drawing 'd.geo' offers no constant 'leaflet_lenght' for setting\n"
+              "  Did you mean 'leaflet_length'? It offers 'leaflet_length' and 'tip_gap'.");
+    options.parameters = {{"radius", 2}};
+    EXPECT_EQ(error_of(options),
+              "scene.toml:6:8: the drawing 'd.geo' offers no constant 'radius' for setting\n"
+              "  It offers 'leaflet_length' and 'tip_gap'.");
+    options.parameters = {{"plain", 2}};
+    EXPECT_EQ(error_of(options),
+              "scene.toml:6:8: the drawing 'd.geo' offers no constant 'plain' for setting\n"
+              "  Line 2 of the drawing sets it, but not in the one form that can be set from outside: "
+              "DefineConstant[ plain = {value, Name \"plain\"} ];");
+    options.parameters = {{"fixed", 2}};
+    EXPECT_THAT(error_of(options), HasSubstr("Line 3 of the drawing sets it"));
+    options.parameters = {{"Gmsh/Model dimension", 2}};
+    EXPECT_THAT(error_of(options), HasSubstr("offers no constant 'Gmsh/Model dimension'"));
+}
+
+TEST_F(DrawingErrors, ParameterOfADrawingThatOffersNone) {
+    auto options = options_for(write("d.geo", testing::unit_square + named));
+    options.parameters = {{"a", 1}};
+    EXPECT_EQ(error_of(options),
+              "scene.toml:6:8: the drawing 'd.geo' offers no constant 'a' for setting\n"
+              "  It offers nothing. A constant is offered by DefineConstant[ a = {value, Name \"a\"} ];");
+    options.file = write("d.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+    EXPECT_EQ(error_of(options),
+              "scene.toml:6:8: the drawing 'd.msh' offers no constant 'a' for setting\n"
+              "  A mesh has no parameters; give its .geo script.");
+}
+
+TEST_F(DrawingErrors, ParameterThatTheDrawingFixes) {
+    const std::string advice =
+        "\n  Remove ReadOnly or SetNumber for it from the drawing, or the parameter from the scene.";
+    auto options =
+        options_for(write("d.geo", "DefineConstant[ a = {1, ReadOnly 1, Name \"a\"} ];\nSetNumber(\"b\", 3);\n" +
+                                       testing::unit_square + named));
+    options.parameters = {{"a", 2}};
+    EXPECT_EQ(error_of(options), "scene.toml:6:8: the drawing 'd.geo' sets 'a' itself" + advice);
+    options.parameters = {{"b", 2}};
+    EXPECT_EQ(error_of(options), "scene.toml:6:8: the drawing 'd.geo' sets 'b' itself" + advice);
+    options.parameters = {{"a", 1}};
+    EXPECT_EQ(error_of(options), "no error");
+}
+
+TEST_F(DrawingErrors, Groups) {
+    const std::string no_names =
+        "d.geo: the drawing has no named groups\n"
+        "  Name its parts, as in Physical Surface(\"blood\") = {1}; or Physical Curve(\"wall\") = {2, 3};";
+    EXPECT_EQ(error_of_text(testing::unit_square), no_names);
+    EXPECT_EQ(error_of_text(""), no_names);
+    EXPECT_EQ(error_of_text("\n"), no_names);
+    EXPECT_EQ(error_of_text(testing::unit_square + named + "Physical Curve(7) = {1};\n"),
+              "d.geo: Physical Curve 7 has no name\n  Name it, as in Physical Curve(\"wall\") = {...};, or remove it.");
+}
+
+TEST_F(DrawingErrors, ThreeDimensions) {
+    EXPECT_EQ(
+        error_of_text("SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nPhysical Volume(\"v\") = {1};\n"),
+        "d.geo: the drawing has volumes\n  dmp reads drawings in the x-y plane only, for now.");
+    EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, -0.5};\nLine(1) = {1, 2};\n"
+                            "Physical Curve(\"line\") = {1};\n"),
+              "d.geo: the drawing leaves the plane z = 0: it reaches z = -0.5 m\n"
+              "  dmp reads drawings in the x-y plane only, for now.");
+}
+
+TEST_F(DrawingErrors, RegionsThatAreNone) {
+    EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {2, 0, 0};\nPoint(3) = {1, 0, 0};\n"
+                            "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 1};\n"
+                            "Curve Loop(1) = {1, 2, 3};\nPlane Surface(1) = {1};\n" +
+                            named),
+              "d.geo: region 'water' has no area\n  Check the drawing, or the parameters it was given.");
+    EXPECT_EQ(
+        error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {2, 2, 0};\nPoint(3) = {2, 0, 0};\nPoint(4) = {0, 2, 0};\n"
+                      "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\n"
+                      "Curve Loop(1) = {1, 2, 3, 4};\nPlane Surface(1) = {1};\n" +
+                      named),
+        "d.geo: region 'water' crosses itself near (1 m, 1 m)\n"
+        "  Check the drawing, or the parameters it was given.");
+    EXPECT_THAT(
+        error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0};\nPoint(3) = {1, 1, 0};\n"
+                      "Line(1) = {1, 2};\nLine(2) = {2, 3};\nCurve Loop(1) = {1, 2};\nPlane Surface(1) = {1};\n" +
+                      named),
+        HasSubstr("d.geo"));
+}
+
+TEST_F(DrawingErrors, CurveWithoutLength) {
+    EXPECT_EQ(error_of_text("Point(1) = {1, 1, 0};\nPoint(2) = {1, 1, 0};\nLine(3) = {1, 2};\n"
+                            "Physical Curve(\"line\") = {3};\n"),
+              "d.geo: curve 3 has no length\n  Remove it, or move one of its ends.");
+}
+
+TEST_F(DrawingErrors, DrawingsThatAreNotFinite) {
+    EXPECT_NE(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1 / 0, 0, 0};\nLine(1) = {1, 2};\n"
+                            "Physical Curve(\"line\") = {1};\n"),
+              "no error");
+}
+
+TEST_F(DrawingErrors, BrokenMeshes) {
+    (void)write("d.msh", "nothing of the kind\n");
+    EXPECT_THAT(error_of_file("d.msh"), HasSubstr("d.msh"));
+    (void)write("d.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n");
+    EXPECT_THAT(error_of_file("d.msh"), HasSubstr("d.msh: gmsh cannot read the drawing: Could not read nodes"));
+    (void)write("d.msh", "");
+    EXPECT_THAT(error_of_file("d.msh"), HasSubstr("d.msh: the drawing has no named groups"));
+}
+
+}  // namespace
+}  // namespace dmp

@@ -1,0 +1,362 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Every kind of bad input: the exact place, what was found and what to do.
+#include <ostream>
+
+#include "tests/unit/scene/scene_text.hpp"
+
+namespace dmp {
+namespace {
+
+using namespace testing_scene;
+
+/// good_scene with `found` replaced, or the override `found`, and the message it must give.
+struct Fault {
+    const char* name;
+    const char* found;
+    const char* replacement;
+    const char* message;
+};
+
+void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.name; }
+std::string name_of(const testing::TestParamInfo<Fault>& info) { return info.param.name; }
+
+class BadScene : public testing::TestWithParam<Fault> {};
+
+TEST_P(BadScene, says_where_what_and_what_to_do) {
+    EXPECT_EQ(fault_of(scene_with(GetParam().found, GetParam().replacement)), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scene, BadScene,
+    testing::ValuesIn(std::vector<Fault>{
+        Fault{"misspelt_key", "spacing = \"0.1 mm\"", "spcing = \"0.1 mm\"",
+              "scene.toml:8:1: unknown key 'spcing' in [particles]\n"
+              "  did you mean 'spacing' in [particles]?"},
+        Fault{"number_without_unit", "spacing = \"0.1 mm\"", "spacing = 0.1",
+              "scene.toml:8:11: missing unit: spacing = 0.1, expected a length such as \"0.1 mm\"\n"
+              "  write spacing = \"0.1 mm\", with the unit you mean"},
+        Fault{"unquoted_quantity", "spacing = \"0.1 mm\"", "spacing = 0.1 mm",
+              "scene.toml:8:15: this is not valid TOML: Error while parsing key-value pair: expected a comment or "
+              "whitespace, saw 'm'\n"
+              "  correct the line; quantities and names stand in quotes, such as spacing = \"0.1 mm\""},
+        Fault{"wrong_dimension", "spacing = \"0.1 mm\"", "spacing = \"3 s\"",
+              "scene.toml:8:11: particles.spacing: found \"3 s\" (time), expected a length such as \"0.1 mm\"\n"
+              "  give a length for spacing"},
+        Fault{"unknown_unit", "spacing = \"0.1 mm\"", "spacing = \"0.1  mn\"",
+              "scene.toml:8:17: unknown unit 'mn' in \"0.1  mn\"\n"
+              "  did you mean 'mm'?"},
+        Fault{"zero_spacing", "spacing = \"0.1 mm\"", "spacing = \"0 mm\"",
+              "scene.toml:8:11: particles.spacing: found \"0 mm\", expected more than 0\n"
+              "  give a value that is more than 0"},
+        Fault{"negative_spacing", "spacing = \"0.1 mm\"", "spacing = \"-1 mm\"",
+              "scene.toml:8:11: particles.spacing: found \"-1 mm\", expected more than 0\n"
+              "  give a value that is more than 0"},
+        Fault{"boolean_for_quantity", "spacing = \"0.1 mm\"", "spacing = true",
+              "scene.toml:8:11: particles.spacing: found true (true or false), expected a length such as \"0.1 mm\"\n"
+              "  give spacing a length such as \"0.1 mm\""},
+        Fault{"list_for_quantity", "spacing = \"0.1 mm\"", "spacing = [1]",
+              "scene.toml:8:11: particles.spacing: found a list, expected a length such as \"0.1 mm\"\n"
+              "  give spacing a length such as \"0.1 mm\""},
+        Fault{"missing_key", "spacing = \"0.1 mm\"", "",
+              "scene.toml:7:1: missing key: particles.spacing\n"
+              "  add 'spacing' in [particles]: a length such as \"0.1 mm\", more than 0"},
+        Fault{"missing_table", "[particles]\nspacing = \"0.1 mm\"", "",
+              "scene.toml: missing key: particles.spacing\n"
+              "  add 'spacing' in [particles]: a length such as \"0.1 mm\", more than 0"},
+        Fault{"misspelt_table", "[particles]", "[partcles]",
+              "scene.toml:7:2: unknown key 'partcles'\n"
+              "  did you mean [particles]?"},
+        Fault{"list_of_tables_for_table", "[particles]", "[[particles]]",
+              "scene.toml:7:1: 'particles' is a list, expected a table\n"
+              "  write [particles] and its keys below"},
+        Fault{"table_for_list_of_tables", "[[part]]", "[part]",
+              "scene.toml:16:1: this is not valid TOML: Error while parsing table header: cannot redefine existing "
+              "table 'part' as array-of-tables\n"
+              "  write each key and table once; only [[part]] and [[measure]], in double brackets, may stand several "
+              "times"},
+        Fault{"misspelt_list_of_tables", "[[part]]", "[[parts]]",
+              "scene.toml:10:3: unknown key 'parts'\n"
+              "  did you mean [[part]]?"},
+        Fault{"missing_schema", "schema = 1\n", "",
+              "scene.toml: missing key: schema\n"
+              "  add 'schema' at the top of the file: a whole number, only 1"},
+        Fault{"other_schema", "schema = 1", "schema = 2",
+              "scene.toml:1:10: schema: found 2, expected 1\n"
+              "  this dmp reads schema = 1"},
+        Fault{"third_dimension", "schema = 1", "schema = 1\ndimension = 3",
+              "scene.toml:2:13: dimension: found 3, expected 2\n"
+              "  3-D is not there yet: write dimension = 2"},
+        Fault{"text_for_whole_number", "schema = 1", "schema = \"1\"",
+              "scene.toml:1:10: schema: found \"1\" (text), expected a whole number, only 1\n"
+              "  give schema a whole number, only 1"},
+        Fault{"number_for_text", "title = \"Test\"", "title = 7",
+              "scene.toml:2:9: title: found 7 (a whole number), expected text\n"
+              "  write it in quotes: title = \"7\""},
+        Fault{"unlike_key", "title = \"Test\"", "titel = \"T\"",
+              "scene.toml:2:1: unknown key 'titel'\n"
+              "  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], [[part]], "
+              "[flow], [contact], [accuracy], [run], [output], [[measure]]"},
+        Fault{"key_of_another_table", "title = \"Test\"", "spacing = \"1 mm\"",
+              "scene.toml:2:1: unknown key 'spacing'\n"
+              "  did you mean 'spacing' in [particles]?"},
+        Fault{"misspelt_word", "kind = \"fluid\"", "kind = \"fluids\"",
+              "scene.toml:12:8: part.blood.kind: found \"fluids\", expected one of 'fluid', 'rigid' and 'springs'\n"
+              "  did you mean \"fluid\"?"},
+        Fault{"unknown_word", "kind = \"fluid\"", "kind = \"gas\"",
+              "scene.toml:12:8: part.blood.kind: found \"gas\", expected one of 'fluid', 'rigid' and 'springs'\n"
+              "  write one of these words"},
+        Fault{"key_of_another_kind", "kind = \"rigid\"", "kind = \"rigid\"\nviscosity = \"1 Pa*s\"",
+              "scene.toml:19:1: 'viscosity' does not apply to the part 'wall' of kind 'rigid', only to kind 'fluid'\n"
+              "  remove it, or correct the part's kind"},
+        Fault{"too_few_layers", "kind = \"rigid\"", "kind = \"rigid\"\nlayers = 0",
+              "scene.toml:19:10: part.wall.layers: found 0, expected at least 1\n"
+              "  give a value that is at least 1"},
+        Fault{"broken_number_of_layers", "kind = \"rigid\"", "kind = \"rigid\"\nlayers = 2.5",
+              "scene.toml:19:10: part.wall.layers: found 2.5 (a number), expected a whole number, at least 1\n"
+              "  give layers a whole number, at least 1"},
+        Fault{"wall_thinner_than_kernel", "kind = \"rigid\"", "kind = \"rigid\"\nlayers = 2",
+              "scene.toml:19:10: the wall 'wall' is thinner than the kernel: layers = 2, accuracy.support = 3\n"
+              "  give the part at least as many layers as the support has spacings"},
+        Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
+              "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
+              "  springs parts have two rows of particles for now: write layers = 2"},
+        Fault{"missing_key_of_kind", "viscosity = \"3.5 mPa*s\"", "",
+              "scene.toml:10:1: missing key: part.blood.viscosity\n"
+              "  add 'viscosity' in [[part]]: a dynamic viscosity such as \"1 mPa*s\", at least 0"},
+        Fault{"repeated_part_name", "name = \"wall\"", "name = \"blood\"",
+              "scene.toml:17:8: there is already a part called 'blood', at scene.toml:11:8\n"
+              "  give each part its own name"},
+        Fault{"name_with_a_space", "name = \"wall\"", "name = \"the wall\"",
+              "scene.toml:17:8: part.name: found \"the wall\", expected a name of letters, digits and '_' that starts "
+              "with a letter\n"
+              "  write a name such as \"inner_wall\""},
+        Fault{"missing_name", "name = \"wall\"\n", "",
+              "scene.toml:16:1: missing key: part.name\n"
+              "  add 'name' in [[part]]: a name of letters, digits and '_'"},
+        Fault{"misspelt_reference", "part = \"leaflets\"", "part = \"leaflet\"",
+              "scene.toml:45:8: the scene has no part 'leaflet'\n"
+              "  did you mean 'leaflets'?"},
+        Fault{"reference_to_another_kind", "part = \"leaflets\"", "part = \"wall\"",
+              "scene.toml:45:8: part 'wall' is of kind 'rigid', expected 'springs'\n"
+              "  a gap is measured between the pieces of a springs part; the scene has 'leaflets'"},
+        Fault{"missing_reference", "part = \"leaflets\"", "",
+              "scene.toml:42:1: missing key: measure.tip_gap.part\n"
+              "  add 'part' in [[measure]]: a name of letters, digits and '_'"},
+        Fault{"repeated_measure_name", "name = \"tip_gap\"", "name = \"flux_in\"",
+              "scene.toml:43:8: there is already a measure called 'flux_in', at scene.toml:37:8\n"
+              "  give each measure its own name"},
+        Fault{"missing_largest_speed", "largest_speed = \"0.2 m/s\"", "",
+              "scene.toml:27:1: flow.largest_speed is missing: accuracy.sound_speed = \"auto\" is 10 times that speed\n"
+              "  add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed"},
+        Fault{"formula_without_brackets", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nacceleration = \"1 m/s^2\"",
+              "scene.toml:29:16: flow.acceleration: found \"1 m/s^2\" (text), expected a list of one to three "
+              "formulas, each an acceleration such as \"0.1 m/s^2\" or 0\n"
+              "  put it in brackets: acceleration = [ ... ]"},
+        Fault{"formula_without_unit", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nacceleration = [0.5]",
+              "scene.toml:29:17: missing unit: acceleration = 0.5, expected an acceleration such as \"0.1 m/s^2\"\n"
+              "  write acceleration = \"0.5 m/s^2\", with the unit you mean"},
+        Fault{"fault_inside_a_formula", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nacceleration = [0, \"1 m/s^2 * sin(t)\"]",
+              "scene.toml:29:35: sin is given a time, expected a plain number in \"1 m/s^2 * sin(t)\"\n"
+              "  divide it by a quantity of the same dimension, such as 1 s"},
+        Fault{"third_component", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nacceleration = [0, 0, \"1 m/s^2\"]",
+              "scene.toml:29:23: flow.acceleration has a third component in a 2-D scene\n"
+              "  leave it out, or write 0"},
+        Fault{"no_component", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nacceleration = []",
+              "scene.toml:29:16: flow.acceleration: found a list of 0, expected one to three formulas\n"
+              "  write acceleration = [x, y], such as [\"0.1 m/s^2\", 0]"},
+        Fault{"third_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"z\"]",
+              "scene.toml:29:13: flow.periodic: found \"z\", expected one of 'x' and 'y'\n"
+              "  did you mean \"x\"?"},
+        Fault{"repeated_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\", \"x\"]",
+              "scene.toml:29:18: flow.periodic: \"x\" stands twice\n"
+              "  remove one of them"},
+        Fault{"misspelt_auto", "[run]", "[accuracy]\nsound_speed = \"atuo\"\n[run]",
+              "scene.toml:31:15: accuracy.sound_speed: found \"atuo\" (text), expected \"auto\" or a speed such as \"2 "
+              "m/s\", more than 0\n"
+              "  give sound_speed \"auto\" or a speed such as \"2 m/s\", more than 0"},
+        Fault{"auto_or_quantity_without_unit", "[run]", "[accuracy]\nsound_speed = 20\n[run]",
+              "scene.toml:31:15: missing unit: sound_speed = 20, expected a speed such as \"2 m/s\"\n"
+              "  write sound_speed = \"20 m/s\", with the unit you mean"},
+        Fault{"zero_for_auto", "[run]", "[accuracy]\nsound_speed = 0\n[run]",
+              "scene.toml:31:15: accuracy.sound_speed: found 0, expected more than 0\n"
+              "  write \"auto\" or a value that is more than 0"},
+        Fault{"support_too_small", "[run]", "[accuracy]\nsupport = 1.5\n[run]",
+              "scene.toml:31:11: accuracy.support: found 1.5, expected between 2 and 6\n"
+              "  give a value that is between 2 and 6"},
+        Fault{"text_for_number", "[run]", "[accuracy]\nsupport = \"3\"\n[run]",
+              "scene.toml:31:11: accuracy.support: found \"3\" (text), expected a number, between 2 and 6\n"
+              "  write the number without quotes and unit"},
+        Fault{"not_a_number", "[run]", "[accuracy]\nsupport = nan\n[run]",
+              "scene.toml:31:11: accuracy.support: found nan (a number), expected a finite number\n"
+              "  give support a finite number"},
+        Fault{"support_beyond_the_default_wall", "[run]", "[accuracy]\nsupport = 3.5\n[run]",
+              "scene.toml:31:11: the wall 'wall' is thinner than the kernel: layers = 3, accuracy.support = 3.5\n"
+              "  give the part at least as many layers as the support has spacings"},
+        Fault{"more_than_a_fraction", "[run]", "[accuracy]\nstep_factor = 2\n[run]",
+              "scene.toml:31:15: accuracy.step_factor: found 2, expected more than 0 and at most 1\n"
+              "  give a value that is more than 0 and at most 1"},
+        Fault{"negative_threads", "[run]", "[run]\nthreads = -1",
+              "scene.toml:31:11: run.threads: found -1, expected at least 0\n"
+              "  give a value that is at least 0"},
+        Fault{"negative_duration", "duration = \"4 s\"", "duration = \"-4 s\"",
+              "scene.toml:31:12: run.duration: found \"-4 s\", expected more than 0\n"
+              "  give a value that is more than 0"},
+        Fault{"date_for_duration", "duration = \"4 s\"", "duration = 2020-01-01",
+              "scene.toml:31:12: run.duration: found 2020-01-01 (a date), expected a time such as \"4 s\"\n"
+              "  give duration a time such as \"4 s\""},
+        Fault{"no_time_between_frames", "every = \"20 ms\"", "every = 0",
+              "scene.toml:34:9: output.every: found 0, expected more than 0\n"
+              "  give a value that is more than 0"},
+        Fault{"misspelt_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"presure\"]",
+              "scene.toml:35:11: output.fields: found \"presure\", expected one of 'velocity', 'pressure', 'density' "
+              "and 'shear_stress'\n"
+              "  did you mean \"pressure\"?"},
+        Fault{"item_without_brackets", "every = \"20 ms\"", "every = \"20 ms\"\nfields = \"pressure\"",
+              "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list out of 'velocity', "
+              "'pressure', 'density' and 'shear_stress'\n"
+              "  put it in brackets: fields = [ ... ]"},
+        Fault{"repeated_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"pressure\", \"pressure\"]",
+              "scene.toml:35:23: output.fields: \"pressure\" stands twice\n"
+              "  remove one of them"},
+        Fault{"text_for_boolean", "every = \"20 ms\"", "every = \"20 ms\"\npictures = \"yes\"",
+              "scene.toml:35:12: output.pictures: found \"yes\" (text), expected true or false\n"
+              "  write true or false, without quotes"},
+        Fault{"point_of_one_length", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\"]",
+              "scene.toml:39:8: measure.flux_in.from: found a list of 1, expected two or three lengths\n"
+              "  write from = [x, y], such as [\"1 mm\", 0]"},
+        Fault{"point_without_unit", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", 4]",
+              "scene.toml:39:17: missing unit: from = 4, expected a length such as \"1 mm\"\n"
+              "  write from = \"4 mm\", with the unit you mean"},
+        Fault{"line_without_length", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", \"4 mm\"]",
+              "scene.toml:40:6: the line of measure 'flux_in' starts and ends at the same point\n"
+              "  give two different points"},
+        Fault{"third_coordinate", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", \"4 mm\", \"1 mm\"]",
+              "scene.toml:39:8: the third coordinate of a point in a 2-D scene is not 0\n"
+              "  leave it out, or write 0"},
+        Fault{"empty_file", "file = \"channel.geo\"", "file = \"\"",
+              "scene.toml:5:8: geometry.file: found \"\", expected text\n"
+              "  name it, or remove the key"},
+        Fault{"parameter_of_another_dimension", "file = \"channel.geo\"",
+              "file = \"channel.geo\"\nparameters = { a = \"3 s\" }",
+              "scene.toml:6:20: geometry.parameters.a: found \"3 s\" (time), expected a length, an angle or a plain "
+              "number\n"
+              "  a drawing knows no other units: give a length such as \"2 mm\""},
+        Fault{"boolean_parameter", "file = \"channel.geo\"", "file = \"channel.geo\"\nparameters = { a = true }",
+              "scene.toml:6:20: geometry.parameters.a: found true (true or false), expected a length, an angle or a "
+              "plain number\n"
+              "  give a a length, an angle or a plain number"},
+        Fault{"number_for_parameters", "file = \"channel.geo\"", "file = \"channel.geo\"\nparameters = 3",
+              "scene.toml:6:14: geometry.parameters: found 3 (a whole number), expected a table such as { width = \"2 "
+              "mm\", angle = \"30 deg\", count = 3 }\n"
+              "  give parameters a table such as { width = \"2 mm\", angle = \"30 deg\", count = 3 }"},
+        Fault{"escaped_text", "file = \"channel.geo\"", "file = \"channel.geo\"\nunit = \"\\u0031 s\"",
+              "scene.toml:6:8: geometry.unit: found \"1 s\" (time), expected a length such as \"1 mm\"\n"
+              "  give a length for unit"},
+        Fault{"unknown_table", "[run]", "[foo]\n[run]",
+              "scene.toml:30:2: unknown key 'foo'\n"
+              "  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], [[part]], "
+              "[flow], [contact], [accuracy], [run], [output], [[measure]]"}}),
+    name_of);
+
+class BadOverride : public testing::TestWithParam<Fault> {};
+
+TEST_P(BadOverride, says_where_what_and_what_to_do) {
+    EXPECT_EQ(fault_of(good_scene, {GetParam().found}), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scene, BadOverride,
+    testing::ValuesIn(std::vector<Fault>{
+        Fault{"nearest_in_another_table", "spcing=1", "",
+              "--set spcing=1: unknown key 'spcing'\n"
+              "  did you mean 'spacing' in [particles]?"},
+        Fault{"nearest_in_its_table", "particles.spcing=1", "",
+              "--set particles.spcing=1: unknown key 'particles.spcing'\n"
+              "  did you mean 'spacing' in [particles]?"},
+        Fault{"value_without_unit", "particles.spacing=0.1", "",
+              "--set particles.spacing=0.1: missing unit: spacing = 0.1, expected a length such as \"0.1 mm\"\n"
+              "  write spacing = \"0.1 mm\", with the unit you mean"},
+        Fault{"no_equals_sign", "particles.spacing", "",
+              "--set particles.spacing: expected KEY=VALUE\n"
+              "  write for example --set particles.spacing=\"0.1 mm\""},
+        Fault{"unknown_part", "part.leaf.enabled=false", "",
+              "--set part.leaf.enabled=false: the scene has no part 'leaf'\n"
+              "  its parts are 'blood', 'wall' and 'leaflets'"},
+        Fault{"misspelt_part", "part.leaflet.enabled=false", "",
+              "--set part.leaflet.enabled=false: the scene has no part 'leaflet'\n"
+              "  did you mean 'leaflets'?"},
+        Fault{"part_without_name", "part.enabled=false", "",
+              "--set part.enabled=false: 'part.enabled' does not say which part and which of its keys\n"
+              "  write part.NAME.KEY=VALUE"},
+        Fault{"misspelt_measure_key", "measure.tip_gap.prt=x", "",
+              "--set measure.tip_gap.prt=x: unknown key 'measure.tip_gap.prt'\n"
+              "  did you mean 'part' in [[measure]]?"},
+        Fault{"path_into_a_value", "particles.spacing.x=1", "",
+              "--set particles.spacing.x=1: unknown key 'particles.spacing.x'\n"
+              "  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], [[part]], "
+              "[flow], [contact], [accuracy], [run], [output], [[measure]]"},
+        Fault{"fault_inside_a_formula", "flow.acceleration=[\"1 m/s^2 * sin(t)\"]", "",
+              "--set flow.acceleration=[\"1 m/s^2 * sin(t)\"]: sin is given a time, expected a plain number in \"1 "
+              "m/s^2 * sin(t)\"\n"
+              "  divide it by a quantity of the same dimension, such as 1 s"},
+        Fault{"key_of_another_kind", "part.wall.viscosity=\"1 Pa*s\"", "",
+              "--set part.wall.viscosity=\"1 Pa*s\": 'viscosity' does not apply to the part 'wall' of kind 'rigid', "
+              "only to kind 'fluid'\n"
+              "  remove it, or correct the part's kind"},
+        Fault{"no_key", "=3", "",
+              "--set =3: expected KEY=VALUE\n"
+              "  write for example --set particles.spacing=\"0.1 mm\""}}),
+    name_of);
+
+TEST(GoodScene, has_no_fault) { EXPECT_EQ(fault_of(good_scene), "no error"); }
+
+TEST(BadScene, without_anything_that_moves) {
+    EXPECT_EQ(fault_of(good_scene, {"part.blood.enabled=false", "part.leaflets.enabled=false"}),
+              "scene.toml:12:8: no enabled part is of kind 'fluid' or 'springs': nothing would move\n"
+              "  add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+}
+
+TEST(BadScene, a_part_that_is_no_table) {
+    EXPECT_EQ(fault_of("part = 3\n" + good_scene.substr(0, good_scene.find("[[part]]"))),
+              "scene.toml:1:8: 'part' is 3, expected a list of tables\n"
+              "  write [[part]] with double brackets, once for each part");
+    EXPECT_EQ(fault_of("measure = [3]\n" + good_scene.substr(0, good_scene.find("[[part]]"))),
+              "scene.toml:1:12: 'measure' holds 3, expected tables\n  write [[measure]], once for each measure");
+}
+
+TEST(BadScene, springs_alone_need_no_largest_speed) {
+    EXPECT_EQ(fault_of(scene_with("largest_speed = \"0.2 m/s\"", ""), {"part.blood.enabled=false"}), "no error");
+}
+
+TEST(BadScene, a_fault_in_a_text_of_several_lines) {
+    EXPECT_EQ(
+        fault_of(scene_with("largest_speed", "acceleration = [\"\"\"\n1 m/s^2 *\n sinn(1)\"\"\"]\nlargest_speed")),
+        "scene.toml:30:2: unknown function 'sinn' in \"1 m/s^2 *\n sinn(1)\"\n  did you mean 'sin'?");
+}
+
+TEST(BadPath, says_what_is_missing) {
+    const Folder folder;
+    const auto fault = [](const std::string& path) {
+        try {
+            read_scene(path);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    EXPECT_EQ(fault("nowhere.toml"),
+              "nowhere.toml: there is no such file or folder\n  give a scene file or a folder with a scene.toml");
+    EXPECT_EQ(fault("."), ".: this folder has no scene.toml\n  give the folder of a case, or a scene file");
+    Folder::write("", "empty.toml");
+    EXPECT_EQ(fault("empty.toml"),
+              "empty.toml: missing key: schema\n  add 'schema' at the top of the file: a whole number, only 1");
+    std::filesystem::create_directory("scene.toml");
+    EXPECT_EQ(fault("."), "./scene.toml: the file cannot be read\n  check that it is a file and its permissions");
+}
+
+}  // namespace
+}  // namespace dmp

@@ -1,0 +1,440 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/scene/scene_text.hpp"
+
+namespace dmp {
+namespace {
+
+using testing::ElementsAre;
+using namespace testing_scene;
+
+const std::string cases = std::string(DMP_SOURCE_DIR) + "/cases";
+
+TEST(ReadScene, vein_valve_whole) {
+    const Scene scene = read_scene(cases + "/vein_valve/scene.toml");
+    EXPECT_EQ(scene.file, cases + "/vein_valve/scene.toml");
+    EXPECT_EQ(scene.directory, cases + "/vein_valve");
+    EXPECT_EQ(*scene.schema, 1);
+    EXPECT_EQ(*scene.title, "Deep vein valve, oscillating flow");
+    EXPECT_EQ(*scene.dimension, 2);
+    EXPECT_EQ(*scene.geometry.file, "vein_valve.geo");
+    EXPECT_EQ(*scene.geometry.unit, 1);
+    ASSERT_EQ(scene.geometry.parameters.size(), 1U);
+    EXPECT_EQ(*scene.geometry.parameters.at("leaflet_length"), 0.0175);
+    EXPECT_EQ(*scene.particles.spacing, 0.0002);
+
+    ASSERT_EQ(scene.parts.size(), 3U);
+    EXPECT_EQ(*scene.parts[0].name, "blood");
+    EXPECT_EQ(*scene.parts[0].kind, PartKind::fluid);
+    EXPECT_EQ(*scene.parts[0].density, 1056);
+    EXPECT_EQ(*scene.parts[0].viscosity, 0.0035);
+    EXPECT_EQ(*scene.parts[1].name, "wall");
+    EXPECT_EQ(*scene.parts[1].kind, PartKind::rigid);
+    EXPECT_EQ(*scene.parts[1].layers, 3);
+    EXPECT_EQ(*scene.parts[2].name, "leaflets");
+    EXPECT_EQ(*scene.parts[2].kind, PartKind::springs);
+    EXPECT_EQ(*scene.parts[2].layers, 2);
+    EXPECT_EQ(*scene.parts[2].bending_stiffness, 3e-6);
+    EXPECT_EQ(*scene.parts[2].axial_stiffness, 100);
+    EXPECT_EQ(*scene.parts[2].mass_per_length, 0.42);
+    EXPECT_EQ(*scene.parts[2].anchor, "leaflet_roots");
+
+    EXPECT_DOUBLE_EQ(scene.flow.acceleration[0](0.7), 0.15 * std::sin(2 * std::numbers::pi * 0.7 / 4));
+    EXPECT_EQ(scene.flow.acceleration[1](0.7), 0);
+    EXPECT_EQ(scene.flow.acceleration[2](0.7), 0);
+    EXPECT_TRUE(scene.flow.periodic[0]);
+    EXPECT_FALSE(scene.flow.periodic[1]);
+    EXPECT_FALSE(scene.flow.periodic[2]);
+    EXPECT_EQ(*scene.flow.largest_speed, 0.22);
+    EXPECT_EQ(*scene.run.duration, 4);
+    EXPECT_EQ(*scene.output.every, 0.04);
+    EXPECT_EQ(*scene.output.measure_every, 0.01);
+    EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::velocity, FluidField::pressure, FluidField::shear_stress));
+
+    ASSERT_EQ(scene.measures.size(), 5U);
+    EXPECT_EQ(*scene.measures[0].name, "inlet_flux");
+    EXPECT_EQ(*scene.measures[0].kind, MeasureKind::flux);
+    EXPECT_EQ(*scene.measures[0].from, Vec(-0.04, -0.004, 0));
+    EXPECT_EQ(*scene.measures[0].to, Vec(-0.04, 0.004, 0));
+    EXPECT_EQ(*scene.measures[1].name, "inlet_velocity");
+    EXPECT_EQ(*scene.measures[1].kind, MeasureKind::probe);
+    EXPECT_EQ(*scene.measures[1].point, Vec(-0.04, 0, 0));
+    EXPECT_EQ(*scene.measures[1].field, FluidField::velocity);
+    EXPECT_EQ(*scene.measures[2].name, "tip_gap");
+    EXPECT_EQ(*scene.measures[2].kind, MeasureKind::gap);
+    EXPECT_EQ(*scene.measures[2].part, "leaflets");
+    EXPECT_EQ(*scene.measures[3].kind, MeasureKind::largest_speed);
+    EXPECT_EQ(*scene.measures[4].kind, MeasureKind::density);
+}
+
+TEST(ReadScene, poiseuille_whole) {
+    const Scene scene = read_scene(cases + "/verification/poiseuille");
+    EXPECT_EQ(scene.file, cases + "/verification/poiseuille/scene.toml");
+    EXPECT_EQ(*scene.title, "Plane Poiseuille flow from rest");
+    EXPECT_EQ(*scene.geometry.file, "channel.geo");
+    EXPECT_EQ(*scene.geometry.parameters.at("width"), 0.001);
+    EXPECT_EQ(*scene.geometry.parameters.at("length"), 0.0004);
+    EXPECT_EQ(*scene.particles.spacing, 0.00005);
+    ASSERT_EQ(scene.parts.size(), 2U);
+    EXPECT_EQ(*scene.parts[0].name, "water");
+    EXPECT_EQ(*scene.parts[0].density, 1000);
+    EXPECT_EQ(*scene.parts[0].viscosity, 0.001);
+    EXPECT_EQ(*scene.parts[1].layers, 3);
+    EXPECT_EQ(scene.flow.acceleration[0](3), 1e-4);
+    EXPECT_FALSE(scene.flow.acceleration[0].depends_on_time());
+    EXPECT_TRUE(scene.flow.periodic[0]);
+    EXPECT_EQ(*scene.flow.largest_speed, 1.25e-5);
+    EXPECT_EQ(*scene.run.duration, 1);
+    EXPECT_EQ(*scene.output.every, 0.1);
+    ASSERT_EQ(scene.measures.size(), 1U);
+    EXPECT_EQ(*scene.measures[0].point, Vec(0.0002, 0.0005, 0));
+}
+
+TEST(ReadScene, every_default) {
+    const Scene scene = read_text(good_scene);
+    const Scene fresh;  // what the structs say: table and structs must agree
+    EXPECT_EQ(*scene.dimension, 2);
+    EXPECT_EQ(*scene.dimension, *fresh.dimension);
+    EXPECT_EQ(*scene.geometry.unit, 1);
+    EXPECT_EQ(*scene.geometry.unit, *fresh.geometry.unit);
+    EXPECT_TRUE(scene.geometry.parameters.empty());
+    EXPECT_EQ(*scene.particles.arrangement, Arrangement::square);
+    EXPECT_EQ(*scene.particles.arrangement, *fresh.particles.arrangement);
+
+    const Part fresh_part;
+    for (const auto& part : scene.parts) EXPECT_EQ(*part.enabled, true);
+    EXPECT_EQ(*scene.parts[1].layers, 3);
+    const Part& leaflets = scene.parts[2];
+    EXPECT_EQ(*leaflets.layers, 2);
+    EXPECT_EQ(*leaflets.lower_axial_stiffness, true);
+    EXPECT_EQ(*leaflets.lower_axial_stiffness, *fresh_part.lower_axial_stiffness);
+    EXPECT_EQ(*leaflets.anchor, "");
+    EXPECT_EQ(*leaflets.bond_damping, 0.01);
+    EXPECT_EQ(*leaflets.bond_damping, *fresh_part.bond_damping);
+    EXPECT_EQ(*leaflets.drag, 0);
+    EXPECT_EQ(*leaflets.drag, *fresh_part.drag);
+
+    for (const auto& component : scene.flow.acceleration) EXPECT_EQ(component(1, 2, 3, 4), 0);
+    for (const auto& axis : scene.flow.periodic) EXPECT_FALSE(axis);
+    EXPECT_EQ(*scene.contact.range, 1);
+    EXPECT_EQ(*scene.contact.range, *fresh.contact.range);
+    EXPECT_EQ(*scene.contact.strength, 0) << "auto";
+    EXPECT_EQ(*scene.contact.strength, *fresh.contact.strength);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::wendland_c2);
+    EXPECT_EQ(*scene.accuracy.kernel, *fresh.accuracy.kernel);
+    EXPECT_EQ(*scene.accuracy.support, 3);
+    EXPECT_EQ(*scene.accuracy.support, *fresh.accuracy.support);
+    EXPECT_EQ(*scene.accuracy.sound_speed, 0) << "auto";
+    EXPECT_EQ(*scene.accuracy.sound_speed, *fresh.accuracy.sound_speed);
+    EXPECT_EQ(*scene.accuracy.walls, WallModel::extrapolated);
+    EXPECT_EQ(*scene.accuracy.walls, *fresh.accuracy.walls);
+    EXPECT_EQ(*scene.accuracy.density_diffusion, 0.1);
+    EXPECT_EQ(*scene.accuracy.density_diffusion, *fresh.accuracy.density_diffusion);
+    EXPECT_EQ(*scene.accuracy.shifting, 4);
+    EXPECT_EQ(*scene.accuracy.shifting, *fresh.accuracy.shifting);
+    EXPECT_EQ(*scene.accuracy.step_factor, 0.3);
+    EXPECT_EQ(*scene.accuracy.step_factor, *fresh.accuracy.step_factor);
+    EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::implicit);
+    EXPECT_EQ(*scene.accuracy.spring_stepping, *fresh.accuracy.spring_stepping);
+    EXPECT_EQ(*scene.accuracy.spring_step_factor, 0.5);
+    EXPECT_EQ(*scene.accuracy.spring_step_factor, *fresh.accuracy.spring_step_factor);
+    EXPECT_EQ(*scene.run.threads, 0);
+    EXPECT_EQ(*scene.run.threads, *fresh.run.threads);
+    EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::velocity, FluidField::pressure, FluidField::shear_stress));
+    EXPECT_EQ(*scene.output.measure_every, 0) << "auto";
+    EXPECT_EQ(*scene.output.measure_every, *fresh.output.measure_every);
+    EXPECT_EQ(*scene.output.pictures, true);
+    EXPECT_EQ(*scene.output.pictures, *fresh.output.pictures);
+    EXPECT_EQ(*scene.output.picture_field, FluidField::velocity);
+    EXPECT_EQ(*scene.output.picture_field, *fresh.output.picture_field);
+    EXPECT_FALSE(scene.accuracy.support.given()) << "a default has no place";
+}
+
+TEST(ReadScene, every_key_given_another_value) {
+    const Scene scene = read_text(R"(schema = 1
+dimension = 2
+geometry.file = "a.step"
+geometry.unit = "1 mm"
+[geometry.parameters]
+width = "2 mm"
+slope = "180 deg"
+count = 3
+ratio = 0.25
+quoted = "0.5"
+[particles]
+spacing = "100 um"
+arrangement = "hexagonal"
+[[part]]
+name = "blood"
+kind = "fluid"
+density = "1.056 g/cm^3"
+viscosity = 0
+[[part]]
+name = "wall"
+kind = "rigid"
+enabled = false
+layers = 5
+[[part]]
+name = "Leaf_2"
+kind = "springs"
+bending_stiffness = "3e-6 N*m^2"
+axial_stiffness = "100 N"
+mass_per_length = "0.42 kg/m"
+lower_axial_stiffness = false
+bond_damping = 0.5
+drag = "1 mg/s"
+[flow]
+acceleration = ["1 m/s^2"]
+periodic = ["y", "x"]
+[contact]
+range = 1.5
+strength = "2 uJ"
+[accuracy]
+kernel = "lucy"
+support = 2
+sound_speed = "2 m/s"
+walls = "plain"
+density_diffusion = 0
+shifting = 0
+step_factor = 0.25
+spring_stepping = "subcycled"
+spring_step_factor = 1
+[run]
+duration = "1 min"
+threads = 4
+[output]
+every = "1 s"
+fields = ["density"]
+measure_every = "1 ms"
+pictures = false
+picture_field = "pressure"
+[[measure]]
+name = "p"
+kind = "probe"
+point = [0, "1 mm", 0]
+field = "pressure"
+)");
+    EXPECT_EQ(*scene.geometry.unit, 0.001);
+    EXPECT_DOUBLE_EQ(scene.geometry.parameters.at("width"), 2);
+    EXPECT_DOUBLE_EQ(scene.geometry.parameters.at("slope"), std::numbers::pi);
+    EXPECT_EQ(*scene.geometry.parameters.at("count"), 3);
+    EXPECT_EQ(*scene.geometry.parameters.at("ratio"), 0.25);
+    EXPECT_EQ(*scene.geometry.parameters.at("quoted"), 0.5);
+    EXPECT_EQ(scene.geometry.parameters.at("count").place.text(), "scene.toml:8:9");
+    EXPECT_EQ(*scene.particles.arrangement, Arrangement::hexagonal);
+    EXPECT_EQ(*scene.parts[0].density, 1056);
+    EXPECT_EQ(*scene.parts[0].viscosity, 0);
+    EXPECT_FALSE(*scene.parts[1].enabled);
+    EXPECT_EQ(*scene.parts[1].layers, 5);
+    EXPECT_FALSE(*scene.parts[2].lower_axial_stiffness);
+    EXPECT_EQ(*scene.parts[2].bond_damping, 0.5);
+    EXPECT_EQ(*scene.parts[2].drag, 1e-6);
+    EXPECT_EQ(scene.flow.acceleration[0](0), 1);
+    EXPECT_TRUE(scene.flow.periodic[0]);
+    EXPECT_TRUE(scene.flow.periodic[1]);
+    EXPECT_EQ(*scene.contact.range, 1.5);
+    EXPECT_EQ(*scene.contact.strength, 2e-6);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::lucy);
+    EXPECT_EQ(*scene.accuracy.support, 2);
+    EXPECT_EQ(*scene.accuracy.sound_speed, 2);
+    EXPECT_EQ(*scene.accuracy.walls, WallModel::plain);
+    EXPECT_EQ(*scene.accuracy.density_diffusion, 0);
+    EXPECT_EQ(*scene.accuracy.shifting, 0);
+    EXPECT_EQ(*scene.accuracy.step_factor, 0.25);
+    EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::subcycled);
+    EXPECT_EQ(*scene.accuracy.spring_step_factor, 1);
+    EXPECT_EQ(*scene.run.duration, 60);
+    EXPECT_EQ(*scene.run.threads, 4);
+    EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::density));
+    EXPECT_EQ(*scene.output.measure_every, 0.001);
+    EXPECT_FALSE(*scene.output.pictures);
+    EXPECT_EQ(*scene.output.picture_field, FluidField::pressure);
+    EXPECT_EQ(*scene.measures[0].field, FluidField::pressure);
+    EXPECT_EQ(*scene.measures[0].point, Vec(0, 0.001, 0));
+}
+
+TEST(ReadScene, values_keep_their_places) {
+    const Scene scene = read_text(good_scene);
+    EXPECT_EQ(scene.particles.spacing.place.text(), "scene.toml:8:11");
+    EXPECT_EQ(scene.parts[0].density.place.text(), "scene.toml:13:11");
+    EXPECT_EQ(scene.measures[0].from.place.text(), "scene.toml:39:8");
+    EXPECT_EQ(scene.directory, ".");
+    const Scene periodic = read_text(scene_with("[run]", "periodic = [\"x\", \"y\"]\n[run]"));
+    EXPECT_EQ(periodic.flow.periodic[1].place.text(), "scene.toml:30:18");
+}
+
+TEST(ReadScene, a_byte_order_mark_and_windows_lines_do_no_harm) {
+    std::string text = "\xEF\xBB\xBF";
+    for (const char c : good_scene) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    EXPECT_EQ(read_text(text).hash, read_text(good_scene).hash);
+    EXPECT_EQ(read_text(text).particles.spacing.place.text(), "scene.toml:8:11");
+}
+
+TEST(PartsOf, enabled_parts_of_one_kind_in_order) {
+    const Scene scene = read_text(good_scene +
+                                  "[[part]]\nname = \"plate\"\nkind = \"rigid\"\nenabled = false\n"
+                                  "[[part]]\nname = \"floor\"\nkind = \"rigid\"\n");
+    const auto rigid = scene.parts_of(PartKind::rigid);
+    ASSERT_EQ(rigid.size(), 2U);
+    EXPECT_EQ(*rigid[0]->name, "wall");
+    EXPECT_EQ(*rigid[1]->name, "floor");
+    EXPECT_EQ(scene.parts.size(), 5U);
+}
+
+TEST(Words, are_those_of_a_scene) {
+    EXPECT_EQ(word(PartKind::springs), "springs");
+    EXPECT_EQ(word(FluidField::shear_stress), "shear_stress");
+    EXPECT_EQ(word(KernelKind::wendland_c2), "wendland_c2");
+    EXPECT_EQ(word(MeasureKind::largest_speed), "largest_speed");
+    EXPECT_EQ(word(Arrangement::hexagonal), "hexagonal");
+    EXPECT_EQ(word(WallModel::plain), "plain");
+    EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
+}
+
+TEST(Override, reaches_every_kind_of_key) {
+    const Scene scene = read_text(
+        good_scene, {"particles.spacing=\"0.2 mm\"", "geometry.parameters.leaflet_length=\"25.6 mm\"",
+                     "geometry.parameters.count = 3", "part.leaflets.enabled=false", "measure.tip_gap.part=leaflets",
+                     "measure.flux_in.to=[\"0 mm\", \"5 mm\"]", "accuracy.support=2.5", "title=A = B",
+                     "flow.acceleration=[\"0.15 m/s^2 * cos(2*pi*t/4 s)\", 0]"});
+    EXPECT_EQ(*scene.particles.spacing, 0.0002);
+    EXPECT_EQ(*scene.geometry.parameters.at("leaflet_length"), 0.0256);
+    EXPECT_EQ(*scene.geometry.parameters.at("count"), 3);
+    EXPECT_FALSE(*scene.parts[2].enabled);
+    EXPECT_EQ(*scene.measures[1].part, "leaflets");
+    EXPECT_EQ(*scene.measures[0].to, Vec(0, 0.005, 0));
+    EXPECT_EQ(*scene.accuracy.support, 2.5) << "a table the file does not have";
+    EXPECT_EQ(*scene.title, "A = B");
+    EXPECT_EQ(scene.flow.acceleration[0](0), 0.15);
+    EXPECT_EQ(scene.particles.spacing.place.file, "--set particles.spacing=\"0.2 mm\"");
+    EXPECT_EQ(scene.particles.spacing.place.line, 0);
+}
+
+TEST(Override, needs_no_quotes_and_the_last_one_wins) {
+    const Scene scene =
+        read_text(good_scene, {"particles.spacing=0.3 mm", "particles.spacing= 0.4 mm ", "accuracy.kernel=lucy"});
+    EXPECT_EQ(*scene.particles.spacing, 0.0004);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::lucy);
+}
+
+TEST(ResolvedScene, reads_back_as_the_same_scene) {
+    for (const std::string file : {"/vein_valve", "/verification/poiseuille"}) {
+        const Scene scene = read_scene(cases + file);
+        const std::string resolved = resolved_scene(scene);
+        const Scene again = read_text(resolved);
+        EXPECT_EQ(resolved_scene(again), resolved);
+        EXPECT_EQ(again.hash, scene.hash);
+        EXPECT_EQ(*again.particles.spacing, *scene.particles.spacing);
+        EXPECT_EQ(again.flow.acceleration[0](0.7), scene.flow.acceleration[0](0.7)) << "bit for bit";
+    }
+}
+
+TEST(ResolvedScene, writes_defaults_in_si_units) {
+    const std::string resolved =
+        resolved_scene(read_text(good_scene, {"geometry.unit=1 mm", "geometry.parameters={w=\"2 mm\", \"odd name\"=1}",
+                                              "title=a \"quoted\" \\ title"}));
+    EXPECT_EQ(resolved, R"(schema = 1
+title = "a \"quoted\" \\ title"
+dimension = 2
+
+[geometry]
+file = "channel.geo"
+unit = "0.001 m"
+parameters = { "odd name" = 1, w = 2 }
+
+[particles]
+spacing = "1e-04 m"
+arrangement = "square"
+
+[flow]
+acceleration = ["0", "0", "0"]
+periodic = []
+largest_speed = "0.2 m/s"
+
+[contact]
+range = 1
+strength = "auto"
+
+[accuracy]
+kernel = "wendland_c2"
+support = 3
+sound_speed = "auto"
+walls = "extrapolated"
+density_diffusion = 0.1
+shifting = 4
+step_factor = 0.3
+spring_stepping = "implicit"
+spring_step_factor = 0.5
+
+[run]
+duration = "4 s"
+threads = 0
+
+[output]
+every = "0.02 s"
+fields = ["velocity", "pressure", "shear_stress"]
+measure_every = "auto"
+pictures = true
+picture_field = "velocity"
+
+[[part]]
+name = "blood"
+kind = "fluid"
+enabled = true
+density = "1056 kg/m^3"
+viscosity = "0.0035 kg/m/s"
+
+[[part]]
+name = "wall"
+kind = "rigid"
+enabled = true
+layers = 3
+
+[[part]]
+name = "leaflets"
+kind = "springs"
+enabled = true
+layers = 2
+bending_stiffness = "3e-06 m^3*kg/s^2"
+axial_stiffness = "100 m*kg/s^2"
+lower_axial_stiffness = true
+mass_per_length = "0.42 kg/m"
+bond_damping = 0.01
+drag = "0 kg/s"
+
+[[measure]]
+name = "flux_in"
+kind = "flux"
+from = ["0 m", "-0.004 m", "0 m"]
+to = ["0 m", "0.004 m", "0 m"]
+
+[[measure]]
+name = "tip_gap"
+kind = "gap"
+part = "leaflets"
+)");
+    EXPECT_EQ(resolved_scene(read_text(resolved)), resolved);
+}
+
+TEST(SceneHash, is_fnv1a_of_the_resolved_scene) {
+    const Scene scene = read_text(good_scene);
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : resolved_scene(scene)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+    EXPECT_EQ(scene.hash, digits.data());
+}
+
+TEST(SceneHash, sees_values_and_not_how_they_are_written) {
+    const std::string hash = read_text(good_scene).hash;
+    EXPECT_EQ(read_text(scene_with("\"0.1 mm\"", "'100 um'  # the same")).hash, hash);
+    EXPECT_EQ(read_text(scene_with("[run]", "[accuracy]\nsupport = 3\n[run]")).hash, hash);
+    EXPECT_NE(read_text(scene_with("\"0.1 mm\"", "\"0.11 mm\"")).hash, hash);
+}
+
+}  // namespace
+}  // namespace dmp

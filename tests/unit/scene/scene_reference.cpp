@@ -1,0 +1,106 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "base/errors.hpp"
+#include "scene/read_scene.hpp"
+#include "scene/schema.hpp"
+
+namespace dmp {
+namespace {
+
+using testing::HasSubstr;
+
+std::string fault_of(const std::string& key) {
+    try {
+        explain_key(key);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(ExplainKey, a_required_quantity) {
+    EXPECT_EQ(explain_key("particles.spacing"),
+              "particles.spacing\n"
+              "    Distance between neighbouring particles.\n"
+              "    type:    a length such as \"0.1 mm\", more than 0\n"
+              "    default: none, it must be given\n");
+}
+
+TEST(ExplainKey, a_word_with_a_default) {
+    EXPECT_EQ(explain_key("accuracy.kernel"),
+              "accuracy.kernel\n"
+              "    Smoothing kernel.\n"
+              "    type:    one of 'wendland_c2' and 'lucy'\n"
+              "    default: \"wendland_c2\"\n");
+}
+
+TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
+    const std::string text =
+        "part.*.density\n"
+        "    Density at rest.\n"
+        "    type:    a density such as \"1000 kg/m^3\", more than 0\n"
+        "    default: none, it must be given\n"
+        "    only for fluid parts\n";
+    EXPECT_EQ(explain_key("part.*.density"), text);
+    EXPECT_EQ(explain_key("part.blood.density"), text);
+    EXPECT_EQ(explain_key("part.density"), text);
+}
+
+TEST(ExplainKey, a_key_that_differs_between_kinds) {
+    EXPECT_EQ(explain_key("part.layers"),
+              "part.*.layers\n"
+              "    Rows of wall particles; the wall must be as thick as the kernel's support.\n"
+              "    type:    a whole number, at least 1\n"
+              "    default: 3\n"
+              "    only for rigid parts\n"
+              "\n"
+              "part.*.layers\n"
+              "    Rows of particles across the solid's thickness.\n"
+              "    type:    a whole number, only 2\n"
+              "    default: 2\n"
+              "    only for springs parts\n");
+}
+
+TEST(ExplainKey, a_whole_table) {
+    EXPECT_THAT(explain_key("run"), HasSubstr("run.duration\n"));
+    EXPECT_THAT(explain_key("run"), HasSubstr("run.threads\n"));
+    EXPECT_THAT(explain_key("part"), HasSubstr("part.*.anchor\n"));
+    EXPECT_EQ(explain_key("geometry.parameters.width"), explain_key("geometry.parameters"));
+}
+
+TEST(ExplainKey, near_misses) {
+    EXPECT_EQ(fault_of("particle.spacing"), "unknown key 'particle.spacing'\n  did you mean 'particles.spacing'?");
+    EXPECT_EQ(fault_of("spacing"), "unknown key 'spacing'\n  did you mean 'particles.spacing'?");
+    EXPECT_EQ(fault_of("part.blood.densty"), "unknown key 'part.blood.densty'\n  did you mean 'part.*.density'?");
+    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration' and 'threads'");
+    EXPECT_EQ(
+        fault_of("zzz"),
+        "unknown key 'zzz'\n  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], "
+        "[[part]], [flow], [contact], [accuracy], [run], [output], [[measure]]");
+}
+
+TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
+    const std::string text = scene_reference();
+    const auto facts = schema().facts();
+    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), facts.size() + 2);
+    std::size_t at = 0;
+    for (const auto& key : facts) {
+        at = text.find("\n| `" + key.path + "` | ", at);
+        ASSERT_NE(at, std::string::npos) << key.path;
+        ++at;
+        EXPECT_FALSE(key.meaning.empty()) << key.path;
+    }
+    EXPECT_THAT(text,
+                HasSubstr("| `part.*.viscosity` | a dynamic viscosity such as \"1 mPa*s\", at least 0 | required | "
+                          "Dynamic viscosity. Only for fluid parts. |\n"));
+    EXPECT_THAT(
+        text, HasSubstr("| `output.fields` | a list out of 'velocity', 'pressure', 'density' and 'shear_stress' | "
+                        "[\"velocity\", \"pressure\", \"shear_stress\"] | Fields of each particle in the frames. |\n"));
+}
+
+}  // namespace
+}  // namespace dmp
