@@ -18,9 +18,11 @@ void check_periods(const Scene& scene, const Box& box) {
     for (int axis = 0; axis < 2; ++axis) {
         if (!scene.flow.periodic[axis] || box.extent()[axis] >= needed) continue;
         std::ostringstream problem;
-        problem << "the period along " << "xyz"[axis] << " is " << box.extent()[axis] << " m, shorter than the kernel's support plus a spacing, "
-                << needed << " m";
-        throw InputError(scene.flow.periodic[axis].place, problem.str(), "draw a longer period or refine particles.spacing");
+        problem << "the period along "
+                << "xyz"[axis] << " is " << box.extent()[axis]
+                << " m, shorter than the kernel's support plus a spacing, " << needed << " m";
+        throw InputError(scene.flow.periodic[axis].place, problem.str(),
+                         "draw a longer period or refine particles.spacing");
     }
 }
 

@@ -16,28 +16,29 @@ struct MeshReport {
         std::string name;
         std::string kind;
         std::size_t particles = 0;
-        double target = 0;        ///< what the drawing asks for: area [m^2] of a fluid, length [m] of walls and springs
-        double reached = 0;       ///< what the particles stand for, same unit
-        std::string unit;         ///< "m^2" or "m"
-        double nearest = 0;       ///< smallest distance to any other particle [spacings]
-        double kernel_sum_mean = 0;   ///< SUM V W over the part's particles (fluid only, else 0) [-]
-        double kernel_sum_spread = 0; ///< standard deviation of it [-]
+        double target = 0;   ///< what the drawing asks for: area [m^2] of a fluid, length [m] of walls and springs
+        double reached = 0;  ///< what the particles stand for, same unit
+        std::string unit;    ///< "m^2" or "m"
+        double nearest = 0;  ///< smallest distance to any other particle [spacings]
+        double kernel_sum_mean = 0;    ///< SUM V W over the part's particles (fluid only, else 0) [-]
+        double kernel_sum_spread = 0;  ///< standard deviation of it [-]
     };
     struct SpringLine {
         std::string part;
         int bodies = 0;
         std::size_t bonds = 0, hinges = 0, anchored = 0;
-        double bond_stiffness = 0;    ///< k_b [N/m]
-        double hinge_stiffness = 0;   ///< k_a [J]
-        double bending_stiffness = 0; ///< EI the lattice gives [N m^2]
-        double axial_stiffness = 0;   ///< EA the lattice gives [N]
+        double bond_stiffness = 0;         ///< k_b [N/m]
+        double hinge_stiffness = 0;        ///< k_a [J]
+        double bending_stiffness = 0;      ///< EI the lattice gives [N m^2]
+        double axial_stiffness = 0;        ///< EA the lattice gives [N]
         double axial_stiffness_asked = 0;  ///< EA the scene asks for [N]
-        double shear_stiffness = 0;   ///< GA_s the lattice gives [N]
-        double particle_mass = 0;     ///< [kg]
+        double shear_stiffness = 0;        ///< GA_s the lattice gives [N]
+        double particle_mass = 0;          ///< [kg]
     };
     std::vector<PartLine> parts;
     std::vector<SpringLine> springs;
-    std::vector<std::string> notes;   ///< what was adapted: lattice snapped to the period, fluid left out near solids, ...
+    std::vector<std::string>
+        notes;  ///< what was adapted: lattice snapped to the period, fluid left out near solids, ...
 
     /// The table a person reads.
     [[nodiscard]] std::string text() const;

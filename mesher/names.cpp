@@ -31,11 +31,12 @@ std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
     const std::string found = kind_in_drawing(geometry, name);
     const auto names = geometry.names();
     const std::string near = nearest_name(name.value, names);
-    const std::string problem = found.empty() ? "the drawing has nothing named '" + name.value + "'"
-                                              : "'" + name.value + "' is " + found + " in the drawing, but " + wanted +
-                                                    " is needed here";
+    const std::string problem =
+        found.empty() ? "the drawing has nothing named '" + name.value + "'"
+                      : "'" + name.value + "' is " + found + " in the drawing, but " + wanted + " is needed here";
     throw InputError(name.place, problem + " (" + geometry.file + ")",
-                     "it names " + quoted_list(names) + (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
+                     "it names " + quoted_list(names) +
+                         (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
 }
 
 bool on_periodic_side(const Vec& a, const Vec& b, const Scene& scene, const Box& box, double tolerance) {
@@ -60,8 +61,9 @@ void check_sides_match(const Region& region, const Part& part, int axis, const B
         if ((inside.side_of(low) == Side::inside) == (inside.side_of(high) == Side::inside)) continue;
         const bool low_is_in = inside.side_of(low) == Side::inside;
         throw InputError(part.name.place,
-                         "the periodic sides of '" + part.name.value + "' do not match: " + point_text(low_is_in ? low : high) +
-                             " is fluid, " + point_text(low_is_in ? high : low) + " is not",
+                         "the periodic sides of '" + part.name.value +
+                             "' do not match: " + point_text(low_is_in ? low : high) + " is fluid, " +
+                             point_text(low_is_in ? high : low) + " is not",
                          "draw both ends of the period alike, or take the axis out of flow.periodic");
     }
 }
@@ -85,11 +87,12 @@ void check_names(const Geometry& geometry, const Scene& scene) {
         if (used.count(name) > 0) continue;
         const std::vector<std::string> parts(used.begin(), used.end());
         const std::string near = nearest_name(name, parts);
-        throw InputError(scene.geometry.file.place,
-                         "the drawing names " + kind_in_drawing(geometry, name) + " '" + name + "' that no part of the scene uses (" +
-                             geometry.file + ")",
-                         "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the drawing" +
-                             (near.empty() ? "" : "; the scene has '" + near + "'"));
+        throw InputError(
+            scene.geometry.file.place,
+            "the drawing names " + kind_in_drawing(geometry, name) + " '" + name +
+                "' that no part of the scene uses (" + geometry.file + ")",
+            "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the drawing" +
+                (near.empty() ? "" : "; the scene has '" + near + "'"));
     }
 }
 
@@ -103,12 +106,12 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
     for (const Part* part : scene.parts_of(PartKind::fluid)) regions.push_back(geometry.region(part->name));
 
     const auto at_wall = [&](const Vec& p) {
-        return std::any_of(walls.begin(), walls.end(), [&](const NearestCurve& wall) { return wall.nearest(p).has_value(); });
+        return std::any_of(walls.begin(), walls.end(),
+                           [&](const NearestCurve& wall) { return wall.nearest(p).has_value(); });
     };
     const auto at_another_fluid = [&](const Vec& p, const Region* own) {
-        return std::any_of(regions.begin(), regions.end(), [&](const Region* region) {
-            return region != own && region->side_of(p) != Side::outside;
-        });
+        return std::any_of(regions.begin(), regions.end(),
+                           [&](const Region* region) { return region != own && region->side_of(p) != Side::outside; });
     };
     for (const Part* part : scene.parts_of(PartKind::fluid)) {
         const Region& region = *geometry.region(part->name);
@@ -117,10 +120,12 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                 const Vec& a = loop.points[k];
                 const Vec& b = loop.points[(k + 1) % loop.points.size()];
                 const Vec middle = 0.5 * (a + b);
-                if (on_periodic_side(a, b, scene, box, tolerance) || at_wall(middle) || at_another_fluid(middle, &region)) continue;
+                if (on_periodic_side(a, b, scene, box, tolerance) || at_wall(middle) ||
+                    at_another_fluid(middle, &region))
+                    continue;
                 throw InputError(part->name.place,
-                                 "the boundary of '" + part->name.value + "' is open between " + point_text(a) + " and " + point_text(b) +
-                                     ": no rigid part and no periodic side closes it",
+                                 "the boundary of '" + part->name.value + "' is open between " + point_text(a) +
+                                     " and " + point_text(b) + ": no rigid part and no periodic side closes it",
                                  "name this curve in the drawing as part of a rigid part, or make the axis periodic "
                                  "(flow.periodic)");
             }

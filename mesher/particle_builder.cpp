@@ -19,9 +19,7 @@ namespace {
 /// A wall particle nearer than this to a body's node would stand in its place [spacings].
 constexpr double wall_clearance = 0.75;
 
-double distance_to(const Polyline& line, const Vec& point) {
-    return CurveSet{"", {line}}.nearest(point).distance;
-}
+double distance_to(const Polyline& line, const Vec& point) { return CurveSet{"", {line}}.nearest(point).distance; }
 
 /// Signed angle from arm a to arm b.
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
@@ -122,10 +120,12 @@ void ParticleBuilder::add_springs(const Part& part) {
     result_.report.springs.push_back(line);
 }
 
-void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line) {
+void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyline& curve,
+                                 MeshReport::SpringLine& line) {
     constexpr int fewest_columns = 5;
     if (curve.closed)
-        throw InputError(part.name.place, "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
+        throw InputError(part.name.place,
+                         "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
                          "leave a gap in the curve in the drawing");
     const Ladder ladder = ladder_along(curve, spacing_);
     if (ladder.columns() < fewest_columns) {
@@ -146,14 +146,16 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     const int first = static_cast<int>(set.size());
     const double mass = part.mass_per_length * ladder.along / 2;
     for (std::size_t n = 0; n < ladder.nodes.size(); ++n)
-        add_particle(part_number, {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
+        add_particle(part_number,
+                     {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
 
     const auto bond = [&](int a, int b) {
         set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), constants.bond_stiffness});
         ++line.bonds;
     };
     const auto hinge = [&](int a, int centre, int b) {
-        const double rest = angle_between(set.position[a] - set.position[centre], set.position[b] - set.position[centre]);
+        const double rest =
+            angle_between(set.position[a] - set.position[centre], set.position[b] - set.position[centre]);
         set.hinges.push_back({a, centre, b, rest, constants.hinge_stiffness});
         ++line.hinges;
     };
@@ -179,7 +181,8 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     line.particle_mass = mass;
 }
 
-std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const std::vector<Vec>& middles, double along) const {
+std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const std::vector<Vec>& middles,
+                                                    double along) const {
     std::vector<bool> anchored(middles.size(), false);
     if (part.anchor->empty()) return anchored;
     for (const Vec& anchor : geometry_.points.at(part.anchor))
@@ -248,8 +251,9 @@ void ParticleBuilder::add_walls(const Part& part) {
     for (const Part* fluid : scene_.parts_of(PartKind::fluid)) density = std::max(density, fluid->density.value);
     std::size_t count = 0;
     for (const Vec& point : lattice_.points(thickness + spacing_)) {
-        const bool in_fluid = std::any_of(fluids.begin(), fluids.end(),
-                                          [&](const InsideTest& fluid) { return fluid.side_of(point) == Side::inside; });
+        const bool in_fluid = std::any_of(fluids.begin(), fluids.end(), [&](const InsideTest& fluid) {
+            return fluid.side_of(point) == Side::inside;
+        });
         if (in_fluid) continue;
         const auto nearest = nearest_surface(surface, point, box, scene_.flow.periodic);
         if (!nearest || nearest->distance >= thickness) continue;
@@ -275,7 +279,8 @@ void ParticleBuilder::mark_seated(double contact_range) {
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.kind(i) != ParticleKind::springs) continue;
         for (std::size_t j = 0; j < set.size(); ++j)
-            if (set.kind(j) == ParticleKind::rigid && (set.position[i] - set.position[j]).norm() < contact_range) set.seated[i] = 1;
+            if (set.kind(j) == ParticleKind::rigid && (set.position[i] - set.position[j]).norm() < contact_range)
+                set.seated[i] = 1;
     }
 }
 
@@ -289,7 +294,8 @@ MeshResult ParticleBuilder::finish() {
                                       : spacing_;
             if (std::abs(step / wanted - 1) > 1e-9) {
                 std::ostringstream note;
-                note << "lattice stretched along " << "xyz"[axis] << " by " << 100 * (step / wanted - 1)
+                note << "lattice stretched along "
+                     << "xyz"[axis] << " by " << 100 * (step / wanted - 1)
                      << " % so that a whole number of cells makes one period";
                 result_.report.notes.push_back(note.str());
             }

@@ -42,7 +42,8 @@ class ParticleBuilder {
     int add_part(const Part& part, ParticleKind kind);
     int add_particle(int part, const NewParticle& particle);
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
-    [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const std::vector<Vec>& middles, double along) const;
+    [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const std::vector<Vec>& middles,
+                                                     double along) const;
     [[nodiscard]] double distance_to_bodies(const Vec& point) const;
     [[nodiscard]] double distance_to_spring_nodes(const Vec& point) const;
 

@@ -32,11 +32,13 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Kernel& kernel,
             const double r = separation.norm();
             nearest = std::min(nearest, r);
             kernel_sum += set.volume[j] * kernel.value(r);
-            const bool overlap = r < too_near * set.spacing && set.part[i] != set.part[j] && !set.seated[i] && !set.seated[j];
+            const bool overlap =
+                r < too_near * set.spacing && set.part[i] != set.part[j] && !set.seated[i] && !set.seated[j];
             const bool bodies_overlap = r < too_near * set.spacing && set.body[i] != set.body[j];
             if (overlap || bodies_overlap)
-                throw InputError("particles of '" + set.parts[set.part[i]].name + "' and '" + set.parts[set.part[j]].name +
-                                     "' stand on top of each other at (" + std::to_string(1e3 * set.position[i][0]) + ", " +
+                throw InputError("particles of '" + set.parts[set.part[i]].name + "' and '" +
+                                     set.parts[set.part[j]].name + "' stand on top of each other at (" +
+                                     std::to_string(1e3 * set.position[i][0]) + ", " +
                                      std::to_string(1e3 * set.position[i][1]) + ") mm",
                                  "draw them at least a particle spacing apart");
         });
@@ -53,8 +55,9 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Kernel& kernel,
 void measure_quality(MeshResult& result, const Scene& scene) {
     const ParticleSet& set = result.particles;
     const double support = scene.accuracy.support * scene.particles.spacing;
-    const auto sums = scene.accuracy.kernel.value == KernelKind::lucy ? sums_by_part(set, Lucy<2>(support), support)
-                                                                      : sums_by_part(set, WendlandC2<2>(support), support);
+    const auto sums = scene.accuracy.kernel.value == KernelKind::lucy
+                          ? sums_by_part(set, Lucy<2>(support), support)
+                          : sums_by_part(set, WendlandC2<2>(support), support);
     for (const MeshReport::SpringLine& springs : result.report.springs) {
         MeshReport::PartLine line;
         line.name = springs.part;
@@ -70,8 +73,8 @@ void measure_quality(MeshResult& result, const Scene& scene) {
         if (set.parts[p].kind != ParticleKind::fluid) continue;
         const auto count = static_cast<double>(sums[p].count);
         line->kernel_sum_mean = sums[p].kernel_sum / count;
-        line->kernel_sum_spread = std::sqrt(
-            std::max(0.0, sums[p].kernel_sum_square / count - line->kernel_sum_mean * line->kernel_sum_mean));
+        line->kernel_sum_spread =
+            std::sqrt(std::max(0.0, sums[p].kernel_sum_square / count - line->kernel_sum_mean * line->kernel_sum_mean));
     }
 }
 

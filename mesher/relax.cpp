@@ -23,7 +23,8 @@ std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distan
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.kind(i) != ParticleKind::fluid) continue;
         bool found = false;
-        search.for_each_neighbour(i, [&](std::size_t j, const Vec&) { found = found || set.kind(j) == ParticleKind::springs; });
+        search.for_each_neighbour(
+            i, [&](std::size_t j, const Vec&) { found = found || set.kind(j) == ParticleKind::springs; });
         if (found) near.push_back(i);
     }
     return near;

@@ -11,14 +11,14 @@ std::string MeshReport::text() const {
     for (const PartLine& part : parts) {
         const bool is_area = part.unit == "m^2";
         const double scale = is_area ? 1e6 : 1e3;
-        const std::string size = part.target > 0 ? fmt::format("{:.2f} / {:.2f} {}", scale * part.target, scale * part.reached,
-                                                               is_area ? "mm^2" : "mm")
+        const std::string size = part.target > 0 ? fmt::format("{:.2f} / {:.2f} {}", scale * part.target,
+                                                               scale * part.reached, is_area ? "mm^2" : "mm")
                                                  : "-";
         const std::string sum = part.kernel_sum_mean > 0
                                     ? fmt::format("{:.4f} +- {:.4f}", part.kernel_sum_mean, part.kernel_sum_spread)
                                     : "-";
-        text += fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13.3f}  {:>16}\n", part.name, part.kind, part.particles, size,
-                            part.nearest, sum);
+        text += fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13.3f}  {:>16}\n", part.name, part.kind, part.particles,
+                            size, part.nearest, sum);
     }
     for (const SpringLine& line : springs)
         text += fmt::format(

@@ -33,7 +33,8 @@ class SearchableParticles {
         grid_.for_each_near(here, reach_, [&](int k) {
             if (static_cast<std::size_t>(k) == i) return;
             Vec separation = Vec::Zero();
-            for (int axis = 0; axis < (dimension_ == 3 ? 3 : 2); ++axis) separation[axis] = here[axis] - points_[axis][k];
+            for (int axis = 0; axis < (dimension_ == 3 ? 3 : 2); ++axis)
+                separation[axis] = here[axis] - points_[axis][k];
             if (separation.squaredNorm() >= reach_ * reach_) return;
             const auto index = static_cast<std::size_t>(k);
             visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), separation);

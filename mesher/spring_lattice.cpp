@@ -18,8 +18,7 @@ LadderConstants ladder_constants(const Part& part, double along, double across) 
     const double bending = part.bending_stiffness;
     double axial = part.axial_stiffness;
     const double axial_share = axial * across * across / 4 / bending;
-    if (axial_share > largest_axial_share && part.lower_axial_stiffness)
-        axial *= largest_axial_share / axial_share;
+    if (axial_share > largest_axial_share && part.lower_axial_stiffness) axial *= largest_axial_share / axial_share;
 
     LadderConstants constants;
     constants.along = along;

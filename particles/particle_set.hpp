@@ -35,21 +35,21 @@ struct ParticleSet {
     };
 
     int dimension = 2;
-    double spacing = 0;                    ///< [m]
-    Box box;                               ///< periodic axes: one period; others: around everything
-    std::array<bool, 3> periodic{};        ///< by axis
-    std::vector<PartInfo> parts;           ///< what the part numbers mean
+    double spacing = 0;              ///< [m]
+    Box box;                         ///< periodic axes: one period; others: around everything
+    std::array<bool, 3> periodic{};  ///< by axis
+    std::vector<PartInfo> parts;     ///< what the part numbers mean
 
     // one entry a particle
-    std::vector<Vec> position;             ///< [m]
-    std::vector<double> volume;            ///< volume it stands for in the SPH sums [m^2 x 1 m]
-    std::vector<double> mass;              ///< inertial mass [kg]
-    std::vector<int> part;                 ///< index into parts
-    std::vector<int> body;                 ///< connected piece of a springs part, counted over all parts; -1: none
-    std::vector<std::uint8_t> fixed;       ///< 1: never moves (rigid walls, anchored ends)
-    std::vector<std::uint8_t> seated;      ///< 1: drawn touching a wall, so that the wall does not push it away
-    std::vector<Vec> wall_normal;          ///< rigid: unit vector from the surface into the fluid; else 0
-    std::vector<double> wall_distance;     ///< rigid: distance to the surface, > 0 behind it [m]; else 0
+    std::vector<Vec> position;          ///< [m]
+    std::vector<double> volume;         ///< volume it stands for in the SPH sums [m^2 x 1 m]
+    std::vector<double> mass;           ///< inertial mass [kg]
+    std::vector<int> part;              ///< index into parts
+    std::vector<int> body;              ///< connected piece of a springs part, counted over all parts; -1: none
+    std::vector<std::uint8_t> fixed;    ///< 1: never moves (rigid walls, anchored ends)
+    std::vector<std::uint8_t> seated;   ///< 1: drawn touching a wall, so that the wall does not push it away
+    std::vector<Vec> wall_normal;       ///< rigid: unit vector from the surface into the fluid; else 0
+    std::vector<double> wall_distance;  ///< rigid: distance to the surface, > 0 behind it [m]; else 0
 
     std::vector<Bond> bonds;
     std::vector<Hinge> hinges;

@@ -13,13 +13,14 @@ std::vector<PeriodicImage> periodic_images(const Coordinates& points, std::size_
         const double low = box.low[axis], high = box.high[axis];
         const auto mirror = [&](int source, const std::array<double, 3>& shift) {
             const double x = points[axis][source] + shift[axis];
-            for (const double period : {high - low, low - high}) {
-                const double moved = x + period;
-                if (moved < low - reach || moved >= high + reach) continue;
-                PeriodicImage image{source, shift};
-                image.shift[axis] += period;
-                images.push_back(image);
-            }
+            for (const double period : {high - low, low - high})
+                for (int periods = 1;; ++periods) {  // more than one where the reach exceeds the period
+                    const double moved = x + periods * period;
+                    if (!(moved >= low - reach && moved < high + reach)) break;
+                    PeriodicImage image{source, shift};
+                    image.shift[axis] += periods * period;
+                    images.push_back(image);
+                }
         };
         // Images made for earlier axes are mirrored too: these are the corners.
         const std::size_t earlier = images.size();
@@ -30,9 +31,10 @@ std::vector<PeriodicImage> periodic_images(const Coordinates& points, std::size_
 }
 
 double wrapped(double x, double low, double high) {
+    if (x >= low && x < high) return x;
     const double period = high - low;
-    double moved = x - period * std::floor((x - low) / period);
-    if (moved >= high) moved = low;  // x a rounding error below low
+    const double moved = x - period * std::floor((x - low) / period);
+    if (moved < low || moved >= high) return low;  // x a rounding error away from a whole number of periods
     return moved;
 }
 

@@ -18,12 +18,13 @@ struct PeriodicImage {
     std::array<double, 3> shift{};  ///< image position = source position + shift [m]
 };
 
-/// Every image (corners included) that lies within `reach` of the box; points must lie in the box along periodic axes.
+/// Every image (corners included) that lies within `reach` of the box; points must lie in the box along periodic axes,
+/// whose periods must be positive.
 /// Ordered by axis of creation and then by source, so the order depends on positions alone.
 std::vector<PeriodicImage> periodic_images(const Coordinates& points, std::size_t count, const Box& box,
                                            const std::array<bool, 3>& periodic, double reach);
 
-/// `x` moved by whole periods into [low, high).
+/// `x` moved by whole periods into [low, high), unchanged where it lies there already.
 double wrapped(double x, double low, double high);
 
 }  // namespace dmp

@@ -57,7 +57,7 @@ struct Part {
     Value<bool> lower_axial_stiffness = true;  ///< lower EA where the lattice cannot hold EI and EA at this spacing
     Value<double> mass_per_length;             ///< [kg/m]
     Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
-    Value<double> bond_damping = 0.01;         ///< dashpot along each bond, fraction of critical [-]
+    Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical [-]
     Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
 };
 

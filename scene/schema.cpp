@@ -74,7 +74,7 @@ std::vector<Key<Part>> part_keys() {
         {"anchor", springs, &Part::anchor, text_not_empty(), not_given,
          "Named points of the drawing where the part is clamped; without it the part is free."},
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
-         "Dashpot along each bond, as a fraction of critical damping."},
+         "Dashpot along each bond and at each hinge, as a fraction of critical damping."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
          "Drag of the resting room on each particle, force = -drag * velocity."},
     };

@@ -9,15 +9,15 @@ namespace dmp {
 
 /// A named array over the particles or bonds of a group, components interleaved.
 struct FrameField {
-    std::string name;  ///< snake_case, no unit in it
-    std::string unit;  ///< "m/s", "Pa"; "1" when dimensionless
+    std::string name;    ///< snake_case, no unit in it
+    std::string unit;    ///< "m/s", "Pa"; "1" when dimensionless
     int components = 1;  ///< 1, or 3 for vectors (z = 0 in 2-D)
     std::vector<float> values;
 };
 
 /// Particles that are looked at together: the fluid, the solids or the walls.
 struct FrameGroup {
-    std::string name;  ///< "fluid", "solid" or "walls"
+    std::string name;             ///< "fluid", "solid" or "walls"
     std::vector<float> position;  ///< x, y, z of each particle [m]
     std::vector<std::int64_t> id;
     std::vector<std::int32_t> part;  ///< index into Frame::parts
@@ -33,7 +33,7 @@ struct FrameGroup {
 struct Frame {
     double time = 0;  ///< [s]
     long step = 0;
-    double spacing = 0;  ///< particle spacing [m]
+    double spacing = 0;              ///< particle spacing [m]
     std::vector<std::string> parts;  ///< part names by number
     std::vector<FrameGroup> groups;  ///< "walls" only in the first frame
 };

@@ -1,9 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/setup.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
+
+#include <omp.h>
 
 #include "solver/models/contact/repulsion.hpp"
 
@@ -15,7 +15,8 @@ const Part& part_named(const Scene& scene, const std::string& name) {
     const auto part =
         std::find_if(scene.parts.begin(), scene.parts.end(), [&](const Part& p) { return p.name.value == name; });
     if (part == scene.parts.end())
-        throw InputError("the particles have a part '" + name + "' that the scene does not know", "mesh the scene again");
+        throw InputError("the particles have a part '" + name + "' that the scene does not know",
+                         "mesh the scene again");
     return *part;
 }
 
@@ -42,8 +43,8 @@ PairSettings pair_settings(const Scene& scene, int threads) {
     settings.shifting = scene.accuracy.shifting;
     if (scene.contact.range > 0) {
         const double range = scene.contact.range * scene.particles.spacing;
-        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^2. At 0.9 r* it then pushes like a pressure
-        // of 0.003 rho c0^2, which a Mach number of 0.1 does not exceed, and it never rules the step.
+        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^2. At 0.9 r* it then pushes like a
+        // pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not exceed, and it never rules the step.
         settings.repulsion_strength =
             scene.contact.strength > 0
                 ? scene.contact.strength.value
@@ -59,7 +60,8 @@ std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleS
     std::vector<TaitEquation> equations;
     for (const auto& part : set.parts) {
         const bool is_fluid = part.kind == ParticleKind::fluid;
-        equations.push_back({sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density});
+        equations.push_back(
+            {sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density});
     }
     return equations;
 }
@@ -110,7 +112,8 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
         models.push_back({"Tait equation of state", "Monaghan 1994, eq. 2.1", fluid});
         models.push_back({"continuity", "Monaghan 1994, eq. 2.3, in volume form", fluid});
         models.push_back({"pressure force", "Bonet & Lok 1999, eq. 41", fluid});
-        models.push_back({"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
+        models.push_back(
+            {"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
         if (scene.accuracy.density_diffusion > 0)
             models.push_back({"density diffusion", "Molteni & Colagrossi 2009, eq. 14",
                               because(scene.accuracy.density_diffusion, "accuracy.density_diffusion")});

@@ -18,7 +18,8 @@ PairSettings pair_settings(const Scene& scene, int threads);
 /// Equation of state by part number; solids stand in for the first fluid part.
 std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSet& set);
 
-/// Writes the fluid's density and viscosity, wall surfaces and contact ranges into the store. The fields must have been declared.
+/// Writes the fluid's density and viscosity, wall surfaces and contact ranges into the store. The fields must have been
+/// declared.
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles);
 
 /// What the fluid step depends on.

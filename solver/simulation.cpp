@@ -130,7 +130,8 @@ Plan Simulation::plan() const {
     double g = 0;  // largest over one run, sampled
     for (int k = 0; k <= 64; ++k) {
         double here = 0;
-        for (const double axis : s.fluid.body_acceleration(s.scene.run.duration * k / 64)) here = std::hypot(here, axis);
+        for (const double axis : s.fluid.body_acceleration(s.scene.run.duration * k / 64))
+            here = std::hypot(here, axis);
         g = std::max(g, here);
     }
     plan.limits = fluid_step_limits(s.scales, plan.largest_speed, g);
@@ -138,9 +139,11 @@ Plan Simulation::plan() const {
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(s.scene.run.duration / plan.dt));
-    plan.spring_substeps = 2 * s.fluid.springs().substeps(plan.dt / 2);
+    plan.spring_substeps = s.fluid.springs().substeps(plan.dt);
     for (const auto& limit : s.fluid.springs().step_limits())
-        plan.limits.push_back({"springs (" + limit.part + ")", limit.dt, "2 / omega_max of the drawn lattice, sub-cycled"});
+        plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
+                               std::string("2 / omega_max of the drawn lattice; ") +
+                                   (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     plan.models = models_in_use(s.scene);
     for (const Field field : s.particles.declared()) {
         const auto bytes = (info(field).is_vector ? static_cast<std::size_t>(s.set.dimension) : 1) * sizeof(double);

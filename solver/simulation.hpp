@@ -32,20 +32,20 @@ struct ModelUse {
 struct Plan {
     std::map<std::string, std::size_t> particles;  ///< by kind
     std::size_t bytes_per_particle = 0;
-    double sound_speed = 0;               ///< c0 [m/s]
-    double largest_speed = 0;             ///< expected [m/s]
-    double dt = 0;                        ///< fluid step [s]
-    int spring_substeps = 0;              ///< spring steps in one fluid step; 0: no springs
+    double sound_speed = 0;    ///< c0 [m/s]
+    double largest_speed = 0;  ///< expected [m/s]
+    double dt = 0;             ///< fluid step [s]
+    int spring_substeps = 0;   ///< spring steps in one fluid step; 0: no springs
     long steps = 0;
-    std::vector<StepLimit> limits;        ///< of the fluid step and the spring step
-    std::string ruling_limit;             ///< which of them sets the fluid step
+    std::vector<StepLimit> limits;  ///< of the fluid step and the spring step
+    std::string ruling_limit;       ///< which of them sets the fluid step
     std::vector<ModelUse> models;
-    std::vector<std::string> fields;      ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> fields;  ///< per-particle arrays that are allocated, with their bytes
 };
 
 /// Momentum and mass, and what came and went.
 struct Conserved {
-    double mass = 0;                ///< of all moving particles [kg]
+    double mass = 0;                   ///< of all moving particles [kg]
     std::array<double, 3> momentum{};  ///< of all moving particles [kg m/s]
 };
 
@@ -65,7 +65,7 @@ struct RunSummary {
     std::array<double, 3> impulse_of_fixed{};        ///< given to moving particles by walls and anchors [N s]
     std::array<double, 3> impulse_of_drag{};         ///< given to moving particles by lab-frame drag [N s]
     double momentum_residual = 0;  ///< |end - start - impulses| over the sum of the impulses' magnitudes [-]
-    double density_low = 0, density_high = 0;        ///< extremes over the whole run, fluid [kg/m^3]
+    double density_low = 0, density_high = 0;  ///< extremes over the whole run, fluid [kg/m^3]
     std::size_t lost = 0;
     std::string state_hash;  ///< of final positions, velocities, densities in id order, 16 hex digits
     std::map<std::string, double> seconds_by_stage;
@@ -82,7 +82,7 @@ struct RunProgress {
 };
 
 struct RunOptions {
-    double until = 0;    ///< [s]; 0 = the scene's duration
+    double until = 0;  ///< [s]; 0 = the scene's duration
     FrameSink* sink = nullptr;
     std::function<void(const RunProgress&)> progress;  ///< called a few times a second at most
     const std::atomic<bool>* stop = nullptr;           ///< set from a signal handler: finish the step, write, leave

@@ -1,10 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/neighbours/cluster_list.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <omp.h>
 
 #include "particles/cell_grid.hpp"
 
@@ -37,7 +37,8 @@ void cut_into_clusters(const ParticleStore& particles, std::span<const int> ids,
     const double strip = 2 * spacing;
     for (const int id : ids) {
         const Point p = point_of(particles, id);
-        keys.push_back({static_cast<int>(std::floor(p[2] / strip)), static_cast<int>(std::floor(p[1] / strip)), p[0], id});
+        keys.push_back(
+            {static_cast<int>(std::floor(p[2] / strip)), static_cast<int>(std::floor(p[1] / strip)), p[0], id});
     }
     std::sort(keys.begin(), keys.end());
     const double longest = spacing * static_cast<double>(Lanes::width);
@@ -89,8 +90,9 @@ class Finder {
             if (nearest_square(lanes, j) >= reach_ * reach_) return;
             const int source = particles_.source(j);
             const ParticleKind kind = particles_.kind(source);
-            const bool never_interact = kind == own_kind && (kind == ParticleKind::rigid ||
-                                        (kind == ParticleKind::springs && set_.body[source] == set_.body[self]));
+            const bool never_interact =
+                kind == own_kind && (kind == ParticleKind::rigid ||
+                                     (kind == ParticleKind::springs && set_.body[source] == set_.body[self]));
             if (never_interact) return;
             by_kind_[static_cast<std::size_t>(kind)].push_back(j);
         });

@@ -18,8 +18,9 @@ struct Cluster {
 };
 
 /// Which particles each cluster may meet: for each kind, every owned particle or image within the support radius plus
-/// a skin of any member. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the support are in the list
-/// too: kernels vanish there. The order of neighbours depends on positions alone, not on threads.
+/// a skin of any member. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the
+/// support are in the list too: kernels vanish there. The order of neighbours depends on positions alone, not on
+/// threads.
 class ClusterList {
   public:
     /// `reach` = support radius + skin [m].

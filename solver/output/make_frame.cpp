@@ -9,7 +9,8 @@ namespace dmp {
 
 namespace {
 
-FrameGroup group_of(const std::string& name, const ParticleSet& set, const ParticleStore& particles, ParticleKind kind) {
+FrameGroup group_of(const std::string& name, const ParticleSet& set, const ParticleStore& particles,
+                    ParticleKind kind) {
     FrameGroup group;
     group.name = name;
     for (const int i : particles.ids(kind)) {
@@ -27,18 +28,21 @@ FrameField stored_field(const ParticleStore& particles, ParticleKind kind, Field
     FrameField out{std::string(about.name), std::string(about.unit), about.is_vector ? 3 : 1, {}};
     for (const int i : particles.ids(kind))
         for (int axis = 0; axis < out.components; ++axis)
-            out.values.push_back(axis == 0 || axis < particles.dimension()
-                                     ? static_cast<float>(particles.data(field, axis)[i])
-                                     : 0.0F);
+            out.values.push_back(
+                axis == 0 || axis < particles.dimension() ? static_cast<float>(particles.data(field, axis)[i]) : 0.0F);
     return out;
 }
 
 FrameField fluid_field(FluidField field, const ParticleStore& particles, const FluidStep& fluid) {
     switch (field) {
-        case FluidField::velocity: return stored_field(particles, ParticleKind::fluid, Field::velocity);
-        case FluidField::pressure: return stored_field(particles, ParticleKind::fluid, Field::pressure);
-        case FluidField::density: return stored_field(particles, ParticleKind::fluid, Field::density);
-        case FluidField::shear_stress: break;
+        case FluidField::velocity:
+            return stored_field(particles, ParticleKind::fluid, Field::velocity);
+        case FluidField::pressure:
+            return stored_field(particles, ParticleKind::fluid, Field::pressure);
+        case FluidField::density:
+            return stored_field(particles, ParticleKind::fluid, Field::density);
+        case FluidField::shear_stress:
+            break;
     }
     FrameField out{"shear_stress", "Pa", 1, {}};
     for (const double stress : shear_stress(particles, fluid.list(), fluid.sweeps()))
@@ -51,7 +55,8 @@ void add_springs(FrameGroup& group, const ParticleSet& set, const ParticleStore&
     for (const SpringBody& body : fluid.springs().bodies())
         for (std::size_t n = 0; n < body.ids().size(); ++n) {
             const int i = body.ids()[n];
-            for (int axis = 0; axis < 2; ++axis) displacement[i][axis] = body.positions()[n][axis] - set.position[i][axis];
+            for (int axis = 0; axis < 2; ++axis)
+                displacement[i][axis] = body.positions()[n][axis] - set.position[i][axis];
         }
     FrameField moved{"displacement", "m", 3, {}};
     std::vector<std::int32_t> index_in_group(set.size(), -1);

@@ -13,10 +13,13 @@ namespace {
 
 const char* unit_of(FluidField field) {
     switch (field) {
-        case FluidField::velocity: return "m/s";
-        case FluidField::density: return "kg/m^3";
+        case FluidField::velocity:
+            return "m/s";
+        case FluidField::density:
+            return "kg/m^3";
         case FluidField::pressure:
-        case FluidField::shear_stress: break;
+        case FluidField::shear_stress:
+            break;
     }
     return "Pa";
 }
@@ -24,7 +27,8 @@ const char* unit_of(FluidField field) {
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (measure.kind.value != MeasureKind::gap) return true;
     const auto parts = scene.parts_of(PartKind::springs);
-    return std::any_of(parts.begin(), parts.end(), [&](const Part* part) { return part->name.value == measure.part.value; });
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const Part* part) { return part->name.value == measure.part.value; });
 }
 
 }  // namespace
@@ -40,9 +44,15 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
         measures_.push_back(&measure);
         const std::string& name = measure.name;
         switch (measure.kind.value) {
-            case MeasureKind::flux: column(name, "m^3/s"); break;
-            case MeasureKind::gap: column(name, "m"); break;
-            case MeasureKind::largest_speed: column(name, "m/s"); break;
+            case MeasureKind::flux:
+                column(name, "m^3/s");
+                break;
+            case MeasureKind::gap:
+                column(name, "m");
+                break;
+            case MeasureKind::largest_speed:
+                column(name, "m/s");
+                break;
             case MeasureKind::density:
                 column(name + "_low", "1");
                 column(name + "_high", "1");
@@ -62,9 +72,15 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
     std::vector<double> row;
     for (const Measure* measure : measures_) {
         switch (measure->kind.value) {
-            case MeasureKind::flux: row.push_back(flux(*measure, particles)); break;
-            case MeasureKind::gap: row.push_back(gap(*measure, particles)); break;
-            case MeasureKind::largest_speed: row.push_back(fluid.extremes().largest_speed); break;
+            case MeasureKind::flux:
+                row.push_back(flux(*measure, particles));
+                break;
+            case MeasureKind::gap:
+                row.push_back(gap(*measure, particles));
+                break;
+            case MeasureKind::largest_speed:
+                row.push_back(fluid.extremes().largest_speed);
+                break;
             case MeasureKind::density: {
                 const FluidExtremes extremes = fluid.extremes();
                 row.push_back(extremes.density_low);
@@ -105,7 +121,8 @@ double Measures::flux(const Measure& measure, const ParticleStore& particles) co
         const double across = std::abs(offset.dot(normal));
         if (across >= half_width || std::abs(offset.dot(tangent)) > length / 2) continue;
         double speed = 0;
-        for (int axis = 0; axis < set_.dimension; ++axis) speed += normal[axis] * particles.data(Field::velocity, axis)[i];
+        for (int axis = 0; axis < set_.dimension; ++axis)
+            speed += normal[axis] * particles.data(Field::velocity, axis)[i];
         sum += particles.data(Field::volume)[i] * speed * (1 - across / half_width) / half_width;
     }
     return sum;
@@ -126,7 +143,8 @@ double Measures::gap(const Measure& measure, const ParticleStore& particles) con
     return std::sqrt(smallest);
 }
 
-std::vector<double> Measures::probe(const Measure& measure, const ParticleStore& particles, const FluidStep& fluid) const {
+std::vector<double> Measures::probe(const Measure& measure, const ParticleStore& particles,
+                                    const FluidStep& fluid) const {
     const FluidField field = measure.field;
     const auto& ids = particles.ids(ParticleKind::fluid);
     const std::vector<double> stress = field == FluidField::shear_stress
@@ -145,9 +163,14 @@ std::vector<double> Measures::probe(const Measure& measure, const ParticleStore&
                 for (std::size_t axis = 0; axis < sum.size(); ++axis)
                     sum[axis] += weight * particles.data(Field::velocity, static_cast<int>(axis))[i];
                 break;
-            case FluidField::pressure: sum[0] += weight * particles.data(Field::pressure)[i]; break;
-            case FluidField::density: sum[0] += weight * particles.data(Field::density)[i]; break;
-            case FluidField::shear_stress: sum[0] += weight * stress[k];
+            case FluidField::pressure:
+                sum[0] += weight * particles.data(Field::pressure)[i];
+                break;
+            case FluidField::density:
+                sum[0] += weight * particles.data(Field::density)[i];
+                break;
+            case FluidField::shear_stress:
+                sum[0] += weight * stress[k];
         }
     }
     // No fluid there now: not a number, which the tables write as empty.

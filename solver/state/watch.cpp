@@ -83,7 +83,8 @@ std::size_t Watch::lost(const ParticleStore& particles, const ClusterList& list)
                 const int wall = particles.source(j);
                 double square = 0, along_normal = 0;
                 for (int axis = 0; axis < particles.dimension(); ++axis) {
-                    const double d = particles.data(Field::position, axis)[i] - particles.data(Field::position, axis)[j];
+                    const double d =
+                        particles.data(Field::position, axis)[i] - particles.data(Field::position, axis)[j];
                     square += d * d;
                     along_normal += d * set_.wall_normal[wall][axis];
                 }

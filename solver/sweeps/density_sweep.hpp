@@ -27,7 +27,8 @@ class DensitySweep {
         sweep(ParticleKind::fluid, [this](const Cluster& cluster) {
             const auto i = read_.fluid(cluster);
             Sum sum{0.0, Vector<Lanes, D>::zero()};
-            for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) add<true>(i, read_.fluid(index), sum);
+            for (const int index : list_.neighbours(cluster, ParticleKind::fluid))
+                add<true>(i, read_.fluid(index), sum);
             for (const ParticleKind kind : {ParticleKind::rigid, ParticleKind::springs})
                 for (const int index : list_.neighbours(cluster, kind))
                     add<false>(i, read_.template solid<false>(index), sum);

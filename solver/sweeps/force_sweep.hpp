@@ -42,7 +42,8 @@ class ForceSweep {
         const auto clusters = list_.clusters(kind);
         const auto count = static_cast<std::ptrdiff_t>(clusters.size());
 #pragma omp parallel for num_threads(threads_) schedule(static)
-        for (std::ptrdiff_t c = 0; c < count; ++c) store<D>(force_on(clusters[c]), particles_, Field::force, clusters[c]);
+        for (std::ptrdiff_t c = 0; c < count; ++c)
+            store<D>(force_on(clusters[c]), particles_, Field::force, clusters[c]);
     }
 
     Force force_on_fluid(const Cluster& cluster) const {

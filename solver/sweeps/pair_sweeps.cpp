@@ -45,7 +45,8 @@ class Sweeps final : public PairSweeps {
         with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 const bool plain = settings_.walls == WallModel::plain;
-                const double solid_weight = plain ? PlainSolid<D>::approach_weight : ExtrapolatedSolid<D>::approach_weight;
+                const double solid_weight =
+                    plain ? PlainSolid<D>::approach_weight : ExtrapolatedSolid<D>::approach_weight;
                 DensitySweep<D, Kernel, decltype(diffusion)::value, decltype(shifting)::value> sweep(
                     particles, list, kernel_, diffusion_, shifting_, solid_weight, settings_.threads);
                 sweep.fluid();

@@ -48,8 +48,13 @@ class PointReader {
     template <bool WithSurface, class Index>
     [[nodiscard]] auto solid(const Index& at) const {
         using T = decltype(load(volume_, at));
-        SolidPoint<T, D> point{load<D>(position_, at), load<D>(velocity_, at), load(volume_, at),         load(density_, at),
-                               load(pressure_, at),    Vector<T, D>::zero(),   T(0.0)};
+        SolidPoint<T, D> point{load<D>(position_, at),
+                               load<D>(velocity_, at),
+                               load(volume_, at),
+                               load(density_, at),
+                               load(pressure_, at),
+                               Vector<T, D>::zero(),
+                               T(0.0)};
         if constexpr (WithSurface) {
             point.normal = load<D>(normal_, at);
             point.depth = load(depth_, at);

@@ -148,7 +148,8 @@ void FluidStep::kick(double t, double dt) {
             }
         } else {
 #pragma omp parallel for num_threads(settings_.threads) schedule(static)
-            for (std::ptrdiff_t k = 0; k < fluid_count; ++k) v[fluid[k]] += dt * (force[fluid[k]] / mass[fluid[k]] + uniform);
+            for (std::ptrdiff_t k = 0; k < fluid_count; ++k)
+                v[fluid[k]] += dt * (force[fluid[k]] / mass[fluid[k]] + uniform);
             if (uniform != 0)
                 for (const int i : fluid) fluid_mass_times_g += mass[i] * uniform;
         }
@@ -194,7 +195,9 @@ FluidExtremes FluidStep::extremes() const {
     for (int axis = 0; axis < particles_.dimension(); ++axis) v[axis] = particles_.data(Field::velocity, axis);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double fastest = 0, low = infinity, high = -infinity;
-#pragma omp parallel for num_threads(settings_.threads) schedule(static) reduction(max : fastest, high) reduction(min : low)
+#pragma omp parallel for num_threads(settings_.threads) schedule(static) reduction(max                            \
+                                                                                   : fastest, high) reduction(min \
+                                                                                                              : low)
     for (std::ptrdiff_t k = 0; k < count; ++k) {
         const int i = fluid[k];
         double square = 0;

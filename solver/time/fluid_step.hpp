@@ -20,8 +20,8 @@ struct OutsideImpulses {
 
 /// The state of the fluid after a step, as the step-size controller and the watch want it.
 struct FluidExtremes {
-    double largest_speed = 0;                   ///< [m/s]; not finite when any velocity is not
-    double density_low = 0, density_high = 0;   ///< relative to each particle's rest density [-]
+    double largest_speed = 0;                  ///< [m/s]; not finite when any velocity is not
+    double density_low = 0, density_high = 0;  ///< relative to each particle's rest density [-]
 };
 
 /// One step of weakly compressible flow with spring bodies, drift-kick-drift:

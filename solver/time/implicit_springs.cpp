@@ -15,7 +15,7 @@ namespace {
 
 /// Newton ends when no node moves further than this [spacings].
 constexpr double tolerance = 1e-9;
-constexpr int patience = 8;          ///< iterations with an old matrix before a new one is made
+constexpr int patience = 8;  ///< iterations with an old matrix before a new one is made
 constexpr int most_iterations = 60;
 
 }  // namespace
@@ -39,13 +39,15 @@ SpringBody::Impulses SpringBody::advance_implicit(double dt) {
         Vectors residual(nodes, Vector<double, 2>{});
         for (std::size_t n = 0; n < nodes; ++n)
             if (!fixed_[n])
-                residual[n] = (dt / 2) * (force_[n] - drag_ * middle_velocity[n]) - mass_[n] * (middle_velocity[n] - velocity_[n]);
+                residual[n] = (dt / 2) * (force_[n] - drag_ * middle_velocity[n]) -
+                              mass_[n] * (middle_velocity[n] - velocity_[n]);
         const double largest = system_->correct(residual, middle, middle_velocity);
         if (largest < tolerance * spacing_) break;
         if (!std::isfinite(largest) || iteration >= most_iterations)
-            throw DivergenceError("a spring body near (" + std::to_string(before[0][0]) + ", " + std::to_string(before[0][1]) +
-                                      ") m is loaded so hard that its next position cannot be found",
-                                  "the fluid around it is likely diverging: lower accuracy.step_factor or check the drive");
+            throw DivergenceError(
+                "a spring body near (" + std::to_string(before[0][0]) + ", " + std::to_string(before[0][1]) +
+                    ") m is loaded so hard that its next position cannot be found",
+                "the fluid around it is likely diverging: lower accuracy.step_factor or check the drive");
         if (iteration % patience == 0 && !fresh) {
             system_->factorise(middle, dt);
             fresh = iteration > 2 * patience;

@@ -42,7 +42,8 @@ double& SpringBody::ImplicitSystem::entry(int row, int column) {
     return matrix_.valuePtr()[std::lower_bound(begin, end, row) - matrix_.innerIndexPtr()];
 }
 
-void SpringBody::ImplicitSystem::add(const std::array<int, 3>& nodes, int count, const Gradient& gradient, double weight) {
+void SpringBody::ImplicitSystem::add(const std::array<int, 3>& nodes, int count, const Gradient& gradient,
+                                     double weight) {
     for (int a = 0; a < count; ++a)
         for (int b = 0; b < count; ++b) {
             const int row = unknown_[nodes[a]], column = unknown_[nodes[b]];
@@ -62,7 +63,8 @@ void SpringBody::ImplicitSystem::factorise(const Vectors& position, double dt) {
     for (const LocalBond& bond : body_.bonds_) {
         const auto separation = position[bond.a] - position[bond.b];
         const auto direction = (1 / std::sqrt(dot(separation, separation))) * separation;
-        add({bond.a, bond.b, 0}, 2, {direction, -1.0 * direction}, dt / 2 * bond.force.dashpot + dt * dt / 4 * 2 * bond.force.stiffness);
+        add({bond.a, bond.b, 0}, 2, {direction, -1.0 * direction},
+            dt / 2 * bond.force.dashpot + dt * dt / 4 * 2 * bond.force.stiffness);
     }
     for (const LocalHinge& hinge : body_.hinges_) {
         const auto turning = [&](int end) {
@@ -75,7 +77,8 @@ void SpringBody::ImplicitSystem::factorise(const Vectors& position, double dt) {
     }
     solver_.factorize(matrix_);
     if (solver_.info() != Eigen::Success)
-        throw DivergenceError("the stiffness of a spring body is no longer finite", "lower accuracy.step_factor or check the drive");
+        throw DivergenceError("the stiffness of a spring body is no longer finite",
+                              "lower accuracy.step_factor or check the drive");
 }
 
 double SpringBody::ImplicitSystem::correct(const Vectors& residual, Vectors& position, Vectors& velocity) {

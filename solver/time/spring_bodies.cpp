@@ -1,9 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/time/implicit_system.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "solver/time/implicit_system.hpp"
 
 namespace dmp {
 
@@ -15,14 +15,16 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene)
         const auto node = std::find(set.body.begin(), set.body.end(), body) - set.body.begin();
         const std::string& name = set.parts[set.part[node]].name;
         const auto parts = scene.parts_of(PartKind::springs);
-        const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part* p) { return p->name.value == name; });
+        const auto part =
+            std::find_if(parts.begin(), parts.end(), [&](const Part* p) { return p->name.value == name; });
         if (part == parts.end())
             throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
                              "mesh the scene again");
         bodies_.emplace_back(set, **part, body);
         const double limit = bodies_.back().step_limit();
         shortest = std::min(shortest, limit);
-        const auto known = std::find_if(limits_.begin(), limits_.end(), [&](const PartLimit& l) { return l.part == name; });
+        const auto known =
+            std::find_if(limits_.begin(), limits_.end(), [&](const PartLimit& l) { return l.part == name; });
         if (known == limits_.end()) {
             limits_.push_back({name, limit});
         } else {

@@ -1,10 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/time/implicit_system.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+
+#include "solver/time/implicit_system.hpp"
 
 namespace dmp {
 
@@ -70,7 +70,8 @@ void SpringBody::kick_from_outside(const ParticleStore& particles, double dt) {
 void SpringBody::show_mean_velocity(ParticleStore& particles, double dt) const {
     for (int axis = 0; axis < 2; ++axis) {
         double* v = particles.data(Field::velocity, axis);
-        for (std::size_t n = 0; n < ids_.size(); ++n) v[ids_[n]] = (position_[n][axis] - position_before_[n][axis]) / dt;
+        for (std::size_t n = 0; n < ids_.size(); ++n)
+            v[ids_[n]] = (position_[n][axis] - position_before_[n][axis]) / dt;
     }
 }
 
@@ -158,7 +159,8 @@ double SpringBody::energy() const {
         energy += bond.force.energy(std::sqrt(dot(separation, separation)));
     }
     for (const LocalHinge& hinge : hinges_)
-        energy += hinge.force.energy(position_[hinge.a] - position_[hinge.centre], position_[hinge.b] - position_[hinge.centre]);
+        energy += hinge.force.energy(position_[hinge.a] - position_[hinge.centre],
+                                     position_[hinge.b] - position_[hinge.centre]);
     return energy;
 }
 

@@ -19,8 +19,8 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)
         // A particle may be moved by shifting no further than the sum's own scale allows.
-        limits.push_back({"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed),
-                          "s c0 dt / R <= 1.2"});
+        limits.push_back(
+            {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
     if (scales.contact_limit > 0)
         limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion at touch"});
     return limits;

@@ -117,6 +117,16 @@ TEST_F(Poiseuille, AnInterruptedRunWritesWhatThereIs) {
     EXPECT_LT(summary("out")["simulated_s"].get<double>(), 10000);
 }
 
+TEST_F(Poiseuille, ARunThatDivergesEndsWithThreeAndLeavesTheFramesUpToThere) {
+    const auto outcome =
+        dmp({"run", ".", "--out", "out", "--threads", "1", "--set", "flow.acceleration=[\"10 m/s^2\", 0]"});
+    EXPECT_EQ(outcome.code, 3) << outcome.output;
+    EXPECT_THAT(outcome.errors, testing::AllOf(testing::StartsWith("error: "), HasSubstr("diverged"),
+                                               HasSubstr("particle"), HasSubstr("The frames up to there are in out")));
+    EXPECT_TRUE(has("out/fluid.pvd"));
+    EXPECT_FALSE(has("out/summary.json"));
+}
+
 TEST_F(Poiseuille, DryRunWritesNothing) {
     const auto outcome = dmp({"run", ".", "--dry-run", "--threads", "1"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;

@@ -27,7 +27,9 @@ struct Shifting {
     }
 
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx.
-    [[nodiscard]] double step(double largest_speed, double dt) const { return -strength * largest_speed * dt * support; }
+    [[nodiscard]] double step(double largest_speed, double dt) const {
+        return -strength * largest_speed * dt * support;
+    }
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
 

@@ -11,8 +11,8 @@ namespace dmp {
 /// centre from arm a to arm b; moment M = 2 k_a (theta - theta0) + c dtheta/dt,
 ///   F_a = M n_a / |a|,  F_b = -M n_b / |b|,  F_centre = -F_a - F_b   [N]
 /// with n the arm's direction turned by +90 degrees. The forces have no resultant and no moment.
-/// c = 2 zeta sqrt(2 k_a I) is the fraction zeta of critical damping of the hinge alone, I the reduced moment of inertia
-/// of its two arms about the centre.
+/// c = 2 zeta sqrt(2 k_a I) is the fraction zeta of critical damping of the hinge alone, I the reduced moment of
+/// inertia of its two arms about the centre.
 struct HingeForce {
     double cosine, sine;  ///< of the rest angle
     double stiffness;     ///< k_a [J]

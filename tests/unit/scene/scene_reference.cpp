@@ -1,5 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -100,6 +102,12 @@ TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
     EXPECT_THAT(
         text, HasSubstr("| `output.fields` | a list out of 'velocity', 'pressure', 'density' and 'shear_stress' | "
                         "[\"velocity\", \"pressure\", \"shear_stress\"] | Fields of each particle in the frames. |\n"));
+}
+
+TEST(SceneReference, is_the_page_in_the_docs) {
+    std::ifstream page(DMP_SOURCE_DIR "/docs/scene.md");
+    const std::string text{std::istreambuf_iterator<char>(page), std::istreambuf_iterator<char>()};
+    EXPECT_THAT(text, HasSubstr(scene_reference())) << "docs/scene.md is out of date: paste scene_reference() into it";
 }
 
 }  // namespace

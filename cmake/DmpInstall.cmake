@@ -1,0 +1,30 @@
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+# `cmake --install build --prefix DIR`: the dmp command, the rooms as libraries with their headers, and what
+# find_package(dmp) needs. A project that uses them is to enable C and C++ (VTK's own packages ask for C).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dmp)
+install(TARGETS dmp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(room base scene geometry particles mesher solver postproc)
+  target_compile_features(dmp_${room} PUBLIC cxx_std_20)  # the headers ask for it
+  install(TARGETS dmp_${room} EXPORT dmpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dmp
+          FILES_MATCHING PATTERN *.hpp)
+endforeach()
+# scene keeps these two to its own build; a static library still needs them where it is linked.
+target_link_libraries(dmp_scene INTERFACE $<INSTALL_INTERFACE:tomlplusplus::tomlplusplus>
+                                          $<INSTALL_INTERFACE:muparser::muparser>)
+install(EXPORT dmpTargets NAMESPACE dmp:: DESTINATION ${config_dir})
+
+# The VTK components that postproc links with; all of VTK would ask for Qt.
+get_target_property(vtk_components dmp_postproc LINK_LIBRARIES)
+list(FILTER vtk_components INCLUDE REGEX "^VTK::")
+list(TRANSFORM vtk_components REPLACE "^VTK::" "")
+list(JOIN vtk_components " " vtk_components)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/dmpConfig.cmake.in ${PROJECT_BINARY_DIR}/dmpConfig.cmake
+                              INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/dmpConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/dmpConfig.cmake ${PROJECT_BINARY_DIR}/dmpConfigVersion.cmake
+        DESTINATION ${config_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,51 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geometry/geometry.hpp"
+#include "mesher/mesh.hpp"
+#include "scene/read_scene.hpp"
+#include "solver/simulation.hpp"
+
+namespace dmp {
+
+/// Meshes and runs a case of the repository, without writing anything.
+inline RunSummary run_case(const std::string& name, const std::vector<std::string>& overrides, double until) {
+    const Scene scene = read_scene(DMP_SOURCE_DIR "/cases/" + name, overrides);
+    DrawingOptions drawing;
+    drawing.file = scene.directory + "/" + scene.geometry.file.value;
+    drawing.unit = scene.geometry.unit;
+    drawing.chord_error = 1e-3 * scene.particles.spacing;
+    for (const auto& [parameter, value] : scene.geometry.parameters) drawing.parameters[parameter] = value;
+    Simulation simulation(scene, mesh(read_drawing(drawing), scene).particles);
+    RunOptions options;
+    options.until = until;
+    return simulation.run(options);
+}
+
+/// One measure of a run, by name.
+inline std::vector<double> column(const MeasureSeries& series, const std::string& name) {
+    const auto found = std::find(series.names.begin(), series.names.end(), name);
+    if (found == series.names.end()) throw std::invalid_argument("no measure " + name);
+    std::vector<double> values;
+    for (const auto& row : series.rows) values.push_back(row[static_cast<std::size_t>(found - series.names.begin())]);
+    return values;
+}
+
+/// The part of a column with from <= time <= to.
+inline std::vector<double> between(const MeasureSeries& series, const std::string& name, double from, double to) {
+    const auto all = column(series, name);
+    std::vector<double> values;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (series.time[k] >= from && series.time[k] <= to) values.push_back(all[k]);
+    return values;
+}
+
+inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+inline double smallest(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
+
+}  // namespace dmp
