@@ -6,10 +6,16 @@
 
 namespace dmp {
 
+std::array<double, 2> Lattice::wanted_step(double spacing, Arrangement arrangement) {
+    if (arrangement == Arrangement::square) return {spacing, spacing};
+    const double nearest = spacing * std::sqrt(2 / std::sqrt(3.0));
+    return {nearest, nearest * std::sqrt(0.75)};
+}
+
 Lattice::Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement)
     : box_(box), periodic_(periodic), arrangement_(arrangement) {
     const bool hexagonal = arrangement == Arrangement::hexagonal;
-    step_ = {spacing, hexagonal ? spacing * std::sqrt(0.75) : spacing};
+    step_ = wanted_step(spacing, arrangement);
     for (int axis = 0; axis < 2; ++axis) {
         if (!periodic[axis]) continue;
         const double period = box.extent()[axis];

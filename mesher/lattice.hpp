@@ -10,13 +10,17 @@
 namespace dmp {
 
 /// A square or hexagonal lattice of points that fits a box: along periodic axes a whole number of cells makes one
-/// period, along the others the first row lies half a cell inside the box.
+/// period, along the others the first row lies half a cell inside the box. A point stands for spacing^2 in both, so
+/// that they have equally many particles; on the hexagonal lattice the nearest are then 1.0746 spacings apart.
 class Lattice {
   public:
     Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement);
 
     /// All points in the box widened by `margin` along axes that are not periodic, row after row (y, then x).
     [[nodiscard]] std::vector<Vec> points(double margin) const;
+
+    /// Distance of columns and rows before they are fitted to a period [m].
+    static std::array<double, 2> wanted_step(double spacing, Arrangement arrangement);
 
     /// Area each point stands for [m^2].
     [[nodiscard]] double cell_area() const { return step_[0] * step_[1]; }

@@ -8,8 +8,6 @@
 #include <optional>
 #include <sstream>
 
-#include "geometry/inside_test.hpp"
-#include "geometry/nearest_curve.hpp"
 #include "mesher/spring_lattice.hpp"
 
 namespace dmp {
@@ -19,40 +17,8 @@ namespace {
 /// A wall particle nearer than this to a body's node would stand in its place [spacings].
 constexpr double wall_clearance = 0.75;
 
-double distance_to(const Polyline& line, const Vec& point) { return CurveSet{"", {line}}.nearest(point).distance; }
-
 /// Signed angle from arm a to arm b.
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
-
-/// The wall's nearest surface point, looked for across periodic sides as well.
-std::optional<Projection> nearest_surface(const NearestCurve& wall, const Vec& point, const Box& box,
-                                          const std::array<Value<bool>, 3>& periodic) {
-    std::optional<Projection> best = wall.nearest(point);
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!periodic[axis]) continue;
-        for (const double period : {box.extent()[axis], -box.extent()[axis]}) {
-            Vec moved = point;
-            moved[axis] += period;
-            auto found = wall.nearest(moved);
-            if (!found || (best && best->distance <= found->distance)) continue;
-            found->point[axis] -= period;
-            best = found;
-        }
-    }
-    return best;
-}
-
-/// From a point on the surface into the fluid: the mean direction in which fluid lies.
-Vec normal_on_surface(const std::vector<InsideTest>& fluids, const Vec& point, double reach) {
-    Vec sum = Vec::Zero();
-    for (int k = 0; k < 64; ++k) {
-        const double angle = 2 * std::numbers::pi * (k + 0.5) / 64;
-        const Vec direction(std::cos(angle), std::sin(angle), 0);
-        for (const InsideTest& fluid : fluids)
-            if (fluid.side_of(point + reach * direction) == Side::inside) sum += direction;
-    }
-    return sum.norm() > 0 ? Vec(sum.normalized()) : Vec(Vec::Zero());
-}
 
 }  // namespace
 
@@ -81,6 +47,12 @@ ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
     set.spacing = spacing_;
     set.box = fluid_box(geometry, scene);
     for (int axis = 0; axis < 3; ++axis) set.periodic[axis] = scene.flow.periodic[axis];
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        fluids_.push_back({part, InsideTest(*geometry.region(part->name))});
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        const double thickness = part->layers * spacing_;
+        walls_.push_back({part, thickness, NearestCurve(*geometry.curve_set(part->name), 1.001 * thickness)});
+    }
 }
 
 int ParticleBuilder::add_part(const Part& part, ParticleKind kind) {
@@ -136,7 +108,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     }
     const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
     const int body = bodies_++;
-    body_curves_.push_back(curve);
+    body_curves_.pieces.push_back(curve);
     ParticleSet& set = result_.particles;
 
     std::vector<Vec> middles;
@@ -185,16 +157,58 @@ std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const std:
                                                     double along) const {
     std::vector<bool> anchored(middles.size(), false);
     if (part.anchor->empty()) return anchored;
-    for (const Vec& anchor : geometry_.points.at(part.anchor))
-        for (std::size_t c = 0; c < middles.size(); ++c)
-            if ((middles[c] - anchor).norm() < 0.5 * along) anchored[c] = true;
+    for (const Vec& anchor : geometry_.points.at(part.anchor)) {
+        const auto distance = [&](const Vec& middle) { return (middle - anchor).norm(); };
+        const auto nearest = std::min_element(middles.begin(), middles.end(),
+                                              [&](const Vec& a, const Vec& b) { return distance(a) < distance(b); });
+        if (distance(*nearest) < 0.51 * along) anchored[static_cast<std::size_t>(nearest - middles.begin())] = true;
+    }
     return anchored;
 }
 
-double ParticleBuilder::distance_to_bodies(const Vec& point) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Polyline& curve : body_curves_) nearest = std::min(nearest, distance_to(curve, point));
-    return nearest;
+const Part* ParticleBuilder::fluid_at(const Vec& point) const {
+    const Part* on_edge = nullptr;
+    for (const Fluid& fluid : fluids_) {
+        const Side side = fluid.region.side_of(point);
+        if (side == Side::inside) return fluid.part;
+        if (side == Side::outside) continue;
+        if (on_edge != nullptr) return on_edge;
+        on_edge = fluid.part;
+    }
+    return nullptr;
+}
+
+ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
+    WallPoint best;
+    const auto look_from = [&](const Vec& shift) {
+        for (const Wall& wall : walls_) {
+            const auto found = wall.curve.nearest(point + shift);
+            if (!found || found->distance >= wall.thickness) continue;
+            if (best.part != nullptr && best.surface.distance <= found->distance) continue;
+            best = {wall.part, {found->point - shift, found->distance}};
+        }
+    };
+    look_from(Vec::Zero());
+    const ParticleSet& set = result_.particles;
+    for (int axis = 0; axis < set.dimension; ++axis) {
+        if (!set.periodic[axis]) continue;
+        Vec shift = Vec::Zero();
+        for (const double period : {set.box.extent()[axis], -set.box.extent()[axis]}) {
+            shift[axis] = period;
+            look_from(shift);
+        }
+    }
+    return best;
+}
+
+Vec ParticleBuilder::normal_on_surface(const Vec& point) const {
+    Vec sum = Vec::Zero();
+    for (int k = 0; k < 64; ++k) {
+        const double angle = 2 * std::numbers::pi * (k + 0.5) / 64;
+        const Vec direction(std::cos(angle), std::sin(angle), 0);
+        if (fluid_at(point + 0.1 * spacing_ * direction) != nullptr) sum += direction;
+    }
+    return sum.norm() > 0 ? Vec(sum.normalized()) : Vec(Vec::Zero());
 }
 
 double ParticleBuilder::distance_to_spring_nodes(const Vec& point) const {
@@ -207,13 +221,12 @@ double ParticleBuilder::distance_to_spring_nodes(const Vec& point) const {
 
 void ParticleBuilder::add_fluid(const Part& part) {
     const Region& region = *geometry_.region(part.name);
-    const InsideTest inside(region);
     const int number = add_part(part, ParticleKind::fluid);
     const double volume = lattice_.cell_area();
     std::size_t count = 0, left_out = 0;
     for (const Vec& point : lattice_.points(0)) {
-        if (inside.side_of(point) != Side::inside) continue;
-        if (distance_to_bodies(point) < spacing_) {
+        if (fluid_at(point) != &part) continue;
+        if (body_curves_.nearest(point).distance < spacing_) {
             ++left_out;
             continue;
         }
@@ -239,31 +252,25 @@ void ParticleBuilder::add_fluid(const Part& part) {
 
 void ParticleBuilder::add_walls(const Part& part) {
     const CurveSet& curve = *geometry_.curve_set(part.name);
-    const double thickness = part.layers * spacing_;
-    const NearestCurve surface(curve, 1.001 * thickness);
-    std::vector<InsideTest> fluids;
-    for (const Part* fluid : scene_.parts_of(PartKind::fluid)) fluids.emplace_back(*geometry_.region(fluid->name));
-
     const int number = add_part(part, ParticleKind::rigid);
-    const Box& box = result_.particles.box;
     const double volume = lattice_.cell_area();
     double density = 0;  // a wall never moves: its mass only has to be there
-    for (const Part* fluid : scene_.parts_of(PartKind::fluid)) density = std::max(density, fluid->density.value);
+    for (const Fluid& fluid : fluids_) density = std::max(density, fluid.part->density.value);
     std::size_t count = 0;
-    for (const Vec& point : lattice_.points(thickness + spacing_)) {
-        const bool in_fluid = std::any_of(fluids.begin(), fluids.end(), [&](const InsideTest& fluid) {
-            return fluid.side_of(point) == Side::inside;
-        });
-        if (in_fluid) continue;
-        const auto nearest = nearest_surface(surface, point, box, scene_.flow.periodic);
-        if (!nearest || nearest->distance >= thickness) continue;
-        if (distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
-        const Vec to_surface = nearest->point - point;
-        const Vec normal = nearest->distance > 1e-6 * spacing_ ? Vec(to_surface.normalized())
-                                                               : normal_on_surface(fluids, point, 0.1 * spacing_);
-        add_particle(number, {point, volume, volume * density, -1, true, normal, nearest->distance});
+    for (const Vec& point : lattice_.points((part.layers + 1) * spacing_)) {
+        if (fluid_at(point) != nullptr) continue;
+        const auto [owner, surface] = wall_at(point);
+        if (owner != &part || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
+        const Vec to_surface = surface.point - point;
+        const Vec normal =
+            surface.distance > 1e-6 * spacing_ ? Vec(to_surface.normalized()) : normal_on_surface(point);
+        add_particle(number, {point, volume, volume * density, -1, true, normal, surface.distance});
         ++count;
     }
+    if (count == 0)
+        throw InputError(part.name.place,
+                         "no particle of the wall '" + part.name.value + "' fits behind its curve: there is fluid on both sides",
+                         "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
     MeshReport::PartLine line;
     line.name = part.name;
     line.kind = word(PartKind::rigid);
@@ -289,9 +296,7 @@ MeshResult ParticleBuilder::finish() {
     for (int axis = 0; axis < 2; ++axis) {
         if (set.periodic[axis]) {
             const double step = lattice_.step()[axis];
-            const double wanted = axis == 1 && scene_.particles.arrangement.value == Arrangement::hexagonal
-                                      ? spacing_ * std::sqrt(0.75)
-                                      : spacing_;
+            const double wanted = Lattice::wanted_step(spacing_, scene_.particles.arrangement)[axis];
             if (std::abs(step / wanted - 1) > 1e-9) {
                 std::ostringstream note;
                 note << "lattice stretched along "

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
+#include "geometry/inside_test.hpp"
+#include "geometry/nearest_curve.hpp"
 #include "mesher/lattice.hpp"
 #include "mesher/mesh.hpp"
 
@@ -20,8 +22,10 @@ class ParticleBuilder {
     /// Two rows of nodes along each curve, with bonds along and across and four hinges a cell, clamped at the anchors.
     void add_springs(const Part& part);
     /// Lattice points inside the region, outside the bodies: a body takes up one spacing on both sides of its curve.
+    /// Points on the border of two fluids belong to the first of them.
     void add_fluid(const Part& part);
-    /// Lattice points outside all fluid, at most `layers` spacings behind the curve, that do not overlap a body.
+    /// Lattice points outside all fluid, at most `layers` spacings behind the curve, that do not overlap a body. Where
+    /// rigid parts meet, a point belongs to the nearest of them.
     void add_walls(const Part& part);
     /// Marks spring nodes drawn so near a wall that contact would push from the start.
     void mark_seated(double contact_range);
@@ -39,19 +43,41 @@ class ParticleBuilder {
         double wall_distance = 0;
     };
 
+    /// A rigid part's surface; `thickness` is how far the part reaches behind it [m].
+    struct Wall {
+        const Part* part;
+        double thickness;
+        NearestCurve curve;
+    };
+    struct Fluid {
+        const Part* part;
+        InsideTest region;
+    };
+    struct WallPoint {
+        const Part* part = nullptr;  ///< none where no wall reaches the point
+        Projection surface;
+    };
+
     int add_part(const Part& part, ParticleKind kind);
     int add_particle(int part, const NewParticle& particle);
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
     [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const std::vector<Vec>& middles,
                                                      double along) const;
-    [[nodiscard]] double distance_to_bodies(const Vec& point) const;
+    /// The fluid part that holds the point; none outside and on walls.
+    [[nodiscard]] const Part* fluid_at(const Vec& point) const;
+    /// The rigid part the point belongs to, and its surface, looked for across periodic sides as well.
+    [[nodiscard]] WallPoint wall_at(const Vec& point) const;
+    /// From a point on the surface into the fluid: the mean direction in which fluid lies.
+    [[nodiscard]] Vec normal_on_surface(const Vec& point) const;
     [[nodiscard]] double distance_to_spring_nodes(const Vec& point) const;
 
     const Geometry& geometry_;
     const Scene& scene_;
     double spacing_;
     Lattice lattice_;
-    std::vector<Polyline> body_curves_;
+    std::vector<Fluid> fluids_;
+    std::vector<Wall> walls_;
+    CurveSet body_curves_;
     int bodies_ = 0;
     MeshResult result_;
 };

@@ -32,10 +32,9 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Kernel& kernel,
             const double r = separation.norm();
             nearest = std::min(nearest, r);
             kernel_sum += set.volume[j] * kernel.value(r);
-            const bool overlap =
-                r < too_near * set.spacing && set.part[i] != set.part[j] && !set.seated[i] && !set.seated[j];
-            const bool bodies_overlap = r < too_near * set.spacing && set.body[i] != set.body[j];
-            if (overlap || bodies_overlap)
+            // A lattice keeps its own distance; a body whose curve folds back on itself does not.
+            const bool may_overlap = set.part[i] != set.part[j] || set.body[i] >= 0;
+            if (may_overlap && r < too_near * set.spacing)
                 throw InputError("particles of '" + set.parts[set.part[i]].name + "' and '" +
                                      set.parts[set.part[j]].name + "' stand on top of each other at (" +
                                      std::to_string(1e3 * set.position[i][0]) + ", " +
