@@ -17,7 +17,7 @@ class Poiseuille : public testing::Test {
   protected:
     Poiseuille() { folder_.copy_case("verification/poiseuille"); }
 
-    [[nodiscard]] Outcome dmp(std::vector<std::string> arguments, const Surroundings& surroundings = {}) const {
+    [[nodiscard]] Outcome dmp(const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) const {
         return run_dmp(folder_.path(), arguments, surroundings);
     }
     [[nodiscard]] bool has(const std::string& file) const { return std::filesystem::exists(folder_.path() / file); }

@@ -13,11 +13,11 @@ using namespace dmp::cli;
 
 class OutputFolder : public testing::Test {
   protected:
-    OutputFolder() {
+    void SetUp() override {
         std::string name = (fs::temp_directory_path() / "dmp_output_XXXXXX").string();
         folder_ = mkdtemp(name.data());
     }
-    ~OutputFolder() override { fs::remove_all(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
 
     void put(const std::string& name) const {
         fs::create_directories((folder_ / name).parent_path());

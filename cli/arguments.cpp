@@ -1,0 +1,208 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "base/errors.hpp"
+#include "base/nearest_name.hpp"
+#include "cli/version.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+/// The name to show in help: as dmp was called when that is short enough to be typed again, else "dmp".
+std::string shown_name(const std::string& called_as) {
+    const bool relative = called_as.starts_with("./") || called_as.starts_with("../");
+    return relative ? called_as : "dmp";
+}
+
+std::string version_text() {
+    const BuildFacts facts = build_facts();
+    return "dmp " + facts.version +
+           "\nDiscrete Multi-Physics, from a drawing to a simulated valve.\n"
+           "Copyright the dmp developers. Licence: GPL-3.0-or-later. There is no warranty.\n";
+}
+
+/// `line` for each example, with the program's name put in.
+std::string examples(const std::string& program, std::initializer_list<const char*> lines) {
+    std::string text = "Examples:";
+    for (const char* line : lines) text += "\n  " + program + " " + line;
+    return text;
+}
+
+/// CLI11's parser with dmp's commands, and the values it fills.
+class Parser {
+  public:
+    explicit Parser(const std::string& program) : program_(program), app_("", program) {
+        app_.description(
+            "dmp turns a drawing and one scene file into particles, runs Discrete Multi-Physics on them\n"
+            "(SPH fluid, mass-spring solids) and leaves ParaView files, tables and pictures.");
+        app_.footer(
+            examples(program, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
+                               "run cases/vein_valve --until \"0.5 s\" --set particles.spacing=\"0.4 mm\"",
+                               "explain particles.spacing"}) +
+            "\n\n'" + program + " COMMAND --help' tells more about a command.\n" +
+            "Exit codes: 0 done, 2 bad input, 3 the simulation diverged, 4 out of disk or memory, 130 interrupted.");
+        app_.set_version_flag("--version", version_text, "Print the version and end");
+        app_.set_help_flag("-h,--help", "Print this help and end");
+        app_.require_subcommand(0, 1);
+        app_.get_formatter()->label("SUBCOMMAND", "COMMAND");
+        app_.get_formatter()->label("OPTIONS", "OPTION...");
+        app_.get_formatter()->column_width(26);
+        add_run();
+        add_mesh();
+        add_explain();
+        doctor_app_ = app_.add_subcommand("doctor", "Is this machine all right? What is slow, small or missing");
+        for (CLI::App* command : app_.get_subcommands({})) command->group("Commands");
+    }
+
+    Command read(std::span<const char* const> argv) {
+        try {
+            app_.parse(static_cast<int>(argv.size()), argv.data());
+        } catch (const CLI::CallForHelp&) {
+            return PrintCommand{help_of(chosen())};
+        } catch (const CLI::CallForVersion&) {
+            return PrintCommand{version_text()};
+        } catch (const CLI::ExtrasError&) {
+            throw_unknown(chosen());
+        } catch (const CLI::ParseError& error) {
+            throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
+        }
+        if (*run_app_) return run_;
+        if (*mesh_app_) return mesh_;
+        if (*explain_app_) return explain_;
+        if (*doctor_app_) return DoctorCommand{};
+        return PrintCommand{help_of(app_)};
+    }
+
+  private:
+    void add_run() {
+        run_app_ = app_.add_subcommand("run", "Run a scene: particles, simulation, ParaView files, tables, pictures");
+        add_scene(*run_app_, run_.scene);
+        run_app_->add_option("--out", run_.out, "Folder for the results; default: out/NAME OF THE SCENE")
+            ->type_name("DIR");
+        run_app_->add_option("--until", run_.until, "Stop at this time instead of the scene's duration, e.g. \"0.2 s\"")
+            ->type_name("TIME");
+        add_threads(*run_app_, run_.threads);
+        run_app_->add_flag("--dry-run", run_.dry_run,
+                           "Only say what the run would take: particles, memory, time steps, measured time");
+        run_app_->footer(
+            examples(program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
+                                "run cases/vein_valve --out /tmp/soft --set part.leaflets.bending_stiffness="
+                                "\"1e-6 N*m^2\"",
+                                "run my_scene.toml --until \"0.2 s\" --threads 1"}));
+    }
+
+    void add_mesh() {
+        mesh_app_ = app_.add_subcommand("mesh", "Make the particles only, with a quality report and a file to look at");
+        add_scene(*mesh_app_, mesh_.scene);
+        mesh_app_->add_option("--out", mesh_.out, "Folder for the particles; default: out/NAME OF THE SCENE_mesh")
+            ->type_name("DIR");
+        mesh_app_->footer(
+            examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\""}));
+    }
+
+    void add_explain() {
+        explain_app_ = app_.add_subcommand("explain", "What a scene will run and why, or what a key of a scene means");
+        explain_app_
+            ->add_option("SCENE|KEY", explain_.subject.path, "A scene file, a folder with a scene.toml, or a key")
+            ->required()
+            ->type_name("");
+        add_set(*explain_app_, explain_.subject.overrides);
+        add_threads(*explain_app_, explain_.threads);
+        explain_app_->footer(
+            examples(program_, {"explain cases/vein_valve", "explain particles.spacing", "explain accuracy.support"}));
+    }
+
+    static void add_scene(CLI::App& app, SceneChoice& scene) {
+        app.add_option("SCENE", scene.path, "A scene file, or a folder with a scene.toml")->required()->type_name("");
+        add_set(app, scene.overrides);
+    }
+
+    static void add_set(CLI::App& app, std::vector<std::string>& overrides) {
+        app.add_option("--set", overrides, "Change a value of the scene; may be given several times")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+    }
+
+    static void add_threads(CLI::App& app, int& threads) {
+        app.add_option("--threads", threads, "Threads to run on; default: run.threads of the scene, else all there are")
+            ->type_name("N")
+            ->check(CLI::Validator(at_least_one, ""));
+    }
+
+    /// What is wrong with a number of threads; empty: nothing.
+    static std::string at_least_one(const std::string& text) {
+        const bool digits =
+            !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
+        return digits && std::stoi(text) > 0 ? ""
+                                             : "'" + text + "' is no number of threads; give a whole one from 1 on";
+    }
+
+    /// The command given, or dmp itself.
+    [[nodiscard]] const CLI::App& chosen() const {
+        const auto given = app_.get_subcommands();
+        return given.empty() ? app_ : *given.front();
+    }
+
+    [[nodiscard]] std::string name_of(const CLI::App& app) const {
+        return &app == &app_ ? program_ : program_ + " " + app.get_name();
+    }
+
+    [[nodiscard]] std::string help_of(const CLI::App& app) const { return app.help(&app == &app_ ? "" : program_); }
+
+    static std::string plain(const CLI::ParseError& error) {
+        std::string text = error.what();
+        if (text.starts_with("SCENE is required")) return "a scene is missing";
+        if (text.starts_with("SCENE|KEY is required")) return "a scene or a key is missing";
+        return text;
+    }
+
+    [[noreturn]] void throw_unknown(const CLI::App& app) const {
+        const std::string unknown = app_.remaining(true).front();
+        const bool is_option = unknown.starts_with("-");
+        const std::string word = is_option ? unknown.substr(0, unknown.find('=')) : unknown;
+        std::vector<std::string> known;
+        if (is_option) {
+            for (const CLI::Option* option : app.get_options()) {
+                for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+            }
+        } else {
+            for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+        }
+        if (known.empty()) {
+            throw InputError(
+                "'" + name_of(app) + "' does not know what to do with '" + word + "'",
+                "Does a value with a space lack its quotes? '" + name_of(app) + " --help' shows how it goes.");
+        }
+        const std::string nearest = nearest_name(word, known);
+        const std::string hint =
+            nearest.empty() ? "It knows " + quoted_list(known) + "." : "Did you mean '" + nearest + "'?";
+        throw InputError((is_option ? "'" + name_of(app) + "' has no option '" : "there is no command '") + word + "'",
+                         hint + " '" + name_of(app) + " --help' tells more.");
+    }
+
+    std::string program_;
+    CLI::App app_;
+    CLI::App* run_app_ = nullptr;
+    CLI::App* mesh_app_ = nullptr;
+    CLI::App* explain_app_ = nullptr;
+    CLI::App* doctor_app_ = nullptr;
+    RunCommand run_;
+    MeshCommand mesh_;
+    ExplainCommand explain_;
+};
+
+}  // namespace
+
+Command read_arguments(std::span<const char* const> argv) {
+    return Parser(shown_name(argv.empty() ? "dmp" : argv.front())).read(argv);
+}
+
+}  // namespace dmp::cli

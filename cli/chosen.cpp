@@ -1,0 +1,89 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/chosen.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+template <class T>
+std::string origin(const Value<T>& value, const char* key) {
+    return value.given() ? fmt::format("{}, {}", key, value.place.text()) : fmt::format("{}, default", key);
+}
+
+std::string sound_speed_text(const Scene& scene, const Plan& plan) {
+    const bool automatic = *scene.accuracy.sound_speed == 0;
+    return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
+                       automatic ? fmt::format("(10 x the largest speed expected, {}; accuracy.sound_speed = \"auto\")",
+                                               quantity_text(plan.largest_speed, "m/s"))
+                                 : "(" + origin(scene.accuracy.sound_speed, "accuracy.sound_speed") + ")");
+}
+
+std::string springs_text(const MeshReport::SpringLine& line) {
+    std::string text =
+        fmt::format("k_b {}, k_a {}, EI {}, EA {}", quantity_text(line.bond_stiffness, "N/m"),
+                    quantity_text(line.hinge_stiffness, "J"), quantity_text(line.bending_stiffness, "N m^2"),
+                    quantity_text(line.axial_stiffness, "N"));
+    if (line.axial_stiffness < 0.999 * line.axial_stiffness_asked) {
+        text += fmt::format(" (lowered from {}: the lattice cannot hold both at this spacing)",
+                            quantity_text(line.axial_stiffness_asked, "N"));
+    }
+    return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));
+}
+
+std::string contact_text(const Scene& scene) {
+    const auto& contact = scene.contact;
+    if (*contact.range == 0) return "none (" + origin(contact.range, "contact.range") + ")";
+    const std::string strength = *contact.strength == 0 ? "auto" : quantity_text(*contact.strength, "J");
+    return fmt::format("repulsion within {:.3g} x the spacing ({}), strength {} ({})", *contact.range,
+                       origin(contact.range, "contact.range"), strength, origin(contact.strength, "contact.strength"));
+}
+
+}  // namespace
+
+std::string chosen_text(const Scene& scene, const Plan& plan, const MeshReport& report) {
+    const auto& accuracy = scene.accuracy;
+    Listing list;
+    list.add("sound speed", sound_speed_text(scene, plan));
+    list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", word(*accuracy.kernel),
+                                   origin(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
+                                   origin(accuracy.support, "accuracy.support")));
+    list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin(accuracy.walls, "accuracy.walls")));
+    list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
+                                      origin(accuracy.density_diffusion, "accuracy.density_diffusion"),
+                                      *accuracy.shifting, origin(accuracy.shifting, "accuracy.shifting")));
+    list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
+                                      count_text(static_cast<std::size_t>(plan.steps))));
+    for (const auto& line : report.springs) list.add("springs " + line.part, springs_text(line));
+    for (const Part* part : scene.parts_of(PartKind::springs)) {
+        list.add("damping " + *part->name,
+                 fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({})", *part->bond_damping,
+                             origin(part->bond_damping, "bond_damping"), *part->drag, origin(part->drag, "drag")));
+    }
+    if (plan.spring_substeps > 0) {
+        list.add("spring steps",
+                 fmt::format("{} ({}), {} in each time step", word(*accuracy.spring_stepping),
+                             origin(accuracy.spring_stepping, "accuracy.spring_stepping"), plan.spring_substeps));
+    }
+    list.add("contact", contact_text(scene));
+    for (const auto& note : report.notes) list.add("note", note);
+    return Style(Stream::output).strong("What will run") + "\n" + list.text();
+}
+
+std::string limits_text(const Plan& plan) {
+    Listing list;
+    for (const auto& limit : plan.limits) {
+        const bool rules = limit.model == plan.ruling_limit;
+        list.add(limit.model, fmt::format("{:<14} {}{}", quantity_text(limit.dt, "s"), limit.formula,
+                                          rules ? "   <- rules the time step" : ""));
+    }
+    return Style(Stream::output).strong("Largest time steps") + "\n" + list.text();
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,19 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "mesher/mesh.hpp"
+#include "scene/scene.hpp"
+#include "solver/simulation.hpp"
+
+namespace dmp::cli {
+
+/// The physics-changing values in force, which of them the scene gave and which dmp chose: sound speed, kernel, walls,
+/// time step with its ruling limit, spring constants, and what the mesher adapted.
+[[nodiscard]] std::string chosen_text(const Scene& scene, const Plan& plan, const MeshReport& report);
+
+/// Every limit of the time step with its formula, the ruling one marked.
+[[nodiscard]] std::string limits_text(const Plan& plan);
+
+}  // namespace dmp::cli

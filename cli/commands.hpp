@@ -1,0 +1,54 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dmp::cli {
+
+/// The scene a command works on and what --set changes in it.
+struct SceneChoice {
+    std::string path;                    ///< a scene file, or a folder with a scene.toml
+    std::vector<std::string> overrides;  ///< "key=value", as given
+};
+
+/// `dmp run`: everything from the scene to the pictures.
+struct RunCommand {
+    SceneChoice scene;
+    std::string out;    ///< empty: out/NAME below the current folder
+    std::string until;  ///< a time with its unit; empty: the scene's duration
+    int threads = 0;    ///< 0: as the scene says
+    bool dry_run = false;
+};
+
+/// `dmp mesh`: the particles and their quality report.
+struct MeshCommand {
+    SceneChoice scene;
+    std::string out;  ///< empty: out/NAME_mesh below the current folder
+};
+
+/// `dmp explain`: what a scene will run and why, or what a key means.
+struct ExplainCommand {
+    SceneChoice subject;  ///< path: the scene or the key
+    int threads = 0;
+};
+
+/// `dmp doctor`: is this machine all right?
+struct DoctorCommand {};
+
+/// --help and --version: text for stdout.
+struct PrintCommand {
+    std::string text;
+};
+
+using Command = std::variant<RunCommand, MeshCommand, ExplainCommand, DoctorCommand, PrintCommand>;
+
+/// Each does its command and returns the exit code; what goes wrong is thrown.
+int execute(const RunCommand& command);
+int execute(const MeshCommand& command);
+int execute(const ExplainCommand& command);
+int execute(const DoctorCommand& command);
+int execute(const PrintCommand& command);
+
+}  // namespace dmp::cli

@@ -1,0 +1,105 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/diagnosis.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/text.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+constexpr double gibibyte = 1024.0 * 1024 * 1024;
+
+Finding look_at_build(const BuildFacts& build) {
+    Finding finding{Health::ok, "build", fmt::format("{}, {}", build.build_type, build.compiler)};
+    if (!build.sanitizers.empty()) {
+        finding.health = Health::warn;
+        finding.found += ", with the sanitizers " + build.sanitizers;
+        finding.to_do = "Runs are many times slower. For speed: cmake --preset release && cmake --build build";
+    } else if (build.build_type != "Release" && build.build_type != "RelWithDebInfo") {
+        finding.health = Health::warn;
+        finding.to_do = "Runs are many times slower. For speed: cmake --preset release && cmake --build build";
+    }
+    return finding;
+}
+
+Finding look_at_vector_units(const Machine& machine) {
+    const auto& has = machine.vector_units;
+    const auto& uses = machine.compiled_vector_units;
+    Finding finding{Health::ok, "vector units", fmt::format("{}", fmt::join(uses, " "))};
+    std::vector<std::string> idle;
+    std::ranges::copy_if(has, std::back_inserter(idle),
+                         [&](const auto& unit) { return std::ranges::find(uses, unit) == uses.end(); });
+    if (!idle.empty()) {
+        finding.health = Health::warn;
+        finding.found += fmt::format("; this processor also has {}", fmt::join(idle, " "));
+        finding.to_do = "Build dmp on this machine (DMP_NATIVE=ON, the default) to use them.";
+    }
+    return finding;
+}
+
+Finding look_at_processors(const Machine& machine) {
+    Finding finding{Health::ok, "processors", fmt::format("{} for threads", machine.processors)};
+    if (machine.processor_quota > 0 && machine.processor_quota < machine.processors) {
+        finding.health = Health::warn;
+        finding.found += fmt::format(", but the time of only {:.3g} of them", machine.processor_quota);
+        finding.to_do = fmt::format("Run with --threads {}.", std::max(1, static_cast<int>(machine.processor_quota)));
+    }
+    return finding;
+}
+
+Finding look_at_memory(const Machine& machine) {
+    if (machine.memory <= 0) return {Health::warn, "memory", "the system does not say how much there is"};
+    Finding finding{Health::ok, "memory",
+                    fmt::format("{}, {} free", bytes_text(machine.memory), bytes_text(machine.memory_free))};
+    if (machine.memory_free < 1 * gibibyte) {
+        finding.health = Health::warn;
+        finding.to_do =
+            "Close other programs, or use fewer particles; 'dmp run SCENE --dry-run' says what a scene needs.";
+    }
+    return finding;
+}
+
+Finding look_at_disk(const Machine& machine) {
+    Finding finding{Health::ok, "disk", bytes_text(machine.disk_free) + " free here"};
+    if (machine.disk_free < 1 * gibibyte) {
+        finding.health = Health::warn;
+        finding.to_do = "A run may fill it. Make room, or send results elsewhere with --out DIR.";
+    }
+    return finding;
+}
+
+Finding look_at_writing(const Machine& machine) {
+    if (machine.write_error.empty()) return {Health::ok, "writing", "a file was written into this folder and removed"};
+    return {Health::bad, "writing", "no file can be written into this folder: " + machine.write_error,
+            "Go to a folder of yours, make room, or use --out DIR."};
+}
+
+Finding look_at_pictures(const Machine& machine) {
+    if (!machine.xvfb.empty()) return {Health::ok, "pictures", "drawn on a screen of " + machine.xvfb};
+    if (!machine.display.empty()) return {Health::ok, "pictures", "drawn on display " + machine.display};
+    return {Health::warn, "pictures", "neither a display nor Xvfb: runs leave no pictures",
+            "apt-get install xvfb xauth"};
+}
+
+}  // namespace
+
+std::vector<Finding> diagnose(const BuildFacts& build, const Machine& machine) {
+    return {
+        {Health::ok, "dmp", build.version},
+        look_at_build(build),
+        look_at_vector_units(machine),
+        look_at_processors(machine),
+        look_at_memory(machine),
+        look_at_disk(machine),
+        look_at_writing(machine),
+        look_at_pictures(machine),
+        {Health::ok, "libraries", fmt::format("VTK {}, gmsh {}", build.vtk, build.gmsh)},
+        {Health::ok, "ParaView", "Debian's 5.11 fails on appended VTK XML; dmp writes inline binary, which it reads"}};
+}
+
+}  // namespace dmp::cli

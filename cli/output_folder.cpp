@@ -1,0 +1,70 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output_folder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+#include "cli/text.hpp"
+#include "postproc/paraview_script.hpp"
+#include "postproc/safe_file.hpp"
+#include "postproc/tables.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 5> marks{"fluid.pvd", "solid.pvd", "walls.vtp", summary_file_name,
+                                                resolved_scene_name};
+
+bool is_own(const fs::path& file) {
+    const std::string name = file.filename().string();
+    const bool in_frames = file.parent_path().filename() == "frames";
+    if (in_frames) return name.ends_with(".vtp") && (name.starts_with("fluid_") || name.starts_with("solid_"));
+    constexpr std::array<std::string_view, 5> others{measures_file_name, paraview_script_name, "last_frame.png",
+                                                     "cycle.png", "measures.png"};
+    return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
+}
+
+bool is_of_dmp(const fs::path& folder) {
+    return std::ranges::any_of(marks, [&](std::string_view name) { return fs::exists(folder / name); });
+}
+
+/// Removes dmp's own files; a folder frames/ left empty goes too.
+std::size_t remove_own(const fs::path& folder) {
+    std::size_t removed = 0;
+    for (const auto& place : {folder / "frames", folder}) {
+        if (!fs::is_directory(place)) continue;
+        for (const auto& entry : fs::directory_iterator(place)) {
+            if (entry.is_regular_file() && is_own(entry.path())) removed += fs::remove(entry.path()) ? 1 : 0;
+        }
+    }
+    if (fs::is_directory(folder / "frames") && fs::is_empty(folder / "frames")) fs::remove(folder / "frames");
+    return removed;
+}
+
+}  // namespace
+
+fs::path output_folder(const std::string& asked, const std::string& name) {
+    return asked.empty() ? fs::path("out") / name : fs::path(asked);
+}
+
+std::string prepare_folder(const fs::path& folder) {
+    make_folder(folder);
+    if (fs::is_empty(folder)) return "";
+    if (!is_of_dmp(folder)) {
+        throw InputError({folder.string()}, "the output folder holds files that are not dmp's",
+                         "Nothing was written. Choose an empty or a new folder with --out DIR.");
+    }
+    const std::size_t removed = remove_own(folder);
+    if (removed == 0) return "";
+    return fmt::format("Removed {} of an earlier run from {}; nothing else in it was touched.",
+                       count_text(removed, "file"), folder.string());
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,88 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/prepare.hpp"
+
+#include <array>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+#include "cli/version.hpp"
+#include "geometry/geometry.hpp"
+#include "scene/read_scene.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+/// Polylines follow the drawing's curves this closely [spacings].
+constexpr double chord_error_in_spacings = 1e-3;
+
+DrawingOptions drawing_of(const Scene& scene) {
+    const std::filesystem::path file = *scene.geometry.file;
+    DrawingOptions options;
+    options.file = file.is_absolute() ? file.string() : (std::filesystem::path(scene.directory) / file).string();
+    options.unit = scene.geometry.unit;
+    options.chord_error = chord_error_in_spacings * scene.particles.spacing;
+    options.place = scene.geometry.file.place;
+    for (const auto& [name, value] : scene.geometry.parameters) {
+        options.parameters[name] = value;
+        options.parameter_places[name] = value.place;
+    }
+    return options;
+}
+
+std::string particles_text(const ParticleSet& particles) {
+    constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
+    constexpr std::array names{"fluid", "rigid", "springs"};
+    std::string text;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const std::size_t count = particles.count(kinds.at(k));
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count_text(count), names.at(k));
+    }
+    return fmt::format("{} ({}), {} apart", count_text(particles.size()), text, length_text(particles.spacing));
+}
+
+}  // namespace
+
+Prepared prepare(const SceneChoice& choice) {
+    Scene scene = read_scene(choice.path, choice.overrides);
+    const Geometry geometry = read_drawing(drawing_of(scene));
+    MeshResult result = mesh(geometry, scene);
+    return {std::move(scene), std::move(result)};
+}
+
+int threads_for(const Scene& scene, int asked) { return asked > 0 ? asked : *scene.run.threads; }
+
+RunLabel label_of(const Scene& scene) { return {scene.title, scene.hash, build_facts().version}; }
+
+std::string scene_name(const Scene& scene) {
+    const std::filesystem::path file = std::filesystem::absolute(scene.file).lexically_normal();
+    if (file.filename() != "scene.toml") return file.stem().string();
+    const std::string folder = file.parent_path().filename().string();
+    return folder.empty() ? "scene" : folder;
+}
+
+std::string heading(const Prepared& prepared) {
+    const Scene& scene = prepared.scene;
+    Listing facts;
+    facts.add("scene", scene.file);
+    facts.add("drawing", scene.geometry.file);
+    facts.add("particles", particles_text(prepared.mesh.particles));
+    const std::string title = scene.title->empty() ? scene_name(scene) : *scene.title;
+    return Style(Stream::output).strong(title) + "\n" + facts.text();
+}
+
+void refuse_several_ranks() {
+    for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+        const char* ranks = std::getenv(variable);
+        if (ranks != nullptr && std::atoi(ranks) > 1) {
+            throw InputError(fmt::format("dmp was started on {} MPI ranks, and it runs on one for now", ranks),
+                             "Start it without mpirun and use --threads N.");
+        }
+    }
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,38 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "mesher/mesh.hpp"
+#include "postproc/run_label.hpp"
+#include "scene/scene.hpp"
+
+namespace dmp::cli {
+
+/// A scene, read and checked, with the particles it asks for.
+struct Prepared {
+    Scene scene;
+    MeshResult mesh;
+};
+
+/// Scene to particles. Throws InputError.
+[[nodiscard]] Prepared prepare(const SceneChoice& choice);
+
+/// Threads to use: as asked for on the command line, else as the scene says (0: all the machine has).
+[[nodiscard]] int threads_for(const Scene& scene, int asked);
+
+/// What the files of a run say about it.
+[[nodiscard]] RunLabel label_of(const Scene& scene);
+
+/// What people call the scene: its folder's name for a scene.toml, else the file's name without its ending.
+[[nodiscard]] std::string scene_name(const Scene& scene);
+
+/// Title, file and particles of a scene, as every command opens with them.
+[[nodiscard]] std::string heading(const Prepared& prepared);
+
+/// Throws InputError when an MPI launcher started several of us: each would do the same work over again.
+void refuse_several_ranks();
+
+}  // namespace dmp::cli

@@ -1,0 +1,103 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/summary_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+#include "postproc/paraview_script.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+std::string stages_text(const RunSummary& summary) {
+    std::vector<std::pair<double, std::string>> stages;
+    for (const auto& [stage, seconds] : summary.seconds_by_stage) stages.emplace_back(seconds, stage);
+    std::ranges::sort(stages, std::greater());
+    std::string text;
+    for (std::size_t k = 0; k < std::min<std::size_t>(stages.size(), 4); ++k) {
+        if (summary.wall_s <= 0) break;
+        text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", stages[k].second,
+                            100 * stages[k].first / summary.wall_s);
+    }
+    return text;
+}
+
+std::string density_text(const Scene& scene, const RunSummary& summary) {
+    std::string text = fmt::format("{:.2f} to {:.2f} kg/m^3", summary.density_low, summary.density_high);
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    if (fluids.size() == 1) {
+        const double rest = fluids.front()->density;
+        text += fmt::format(" ({} to {} of {:.4g})", percent_text(summary.density_low / rest - 1),
+                            percent_text(summary.density_high / rest - 1), rest);
+    }
+    return text;
+}
+
+std::string measures_text(const MeasureSeries& measures) {
+    if (measures.rows.empty()) return "";
+    Listing list(4);
+    for (std::size_t k = 0; k < measures.names.size(); ++k) {
+        double low = INFINITY;
+        double high = -INFINITY;
+        for (const auto& row : measures.rows) {
+            if (!std::isfinite(row[k])) continue;
+            low = std::min(low, row[k]);
+            high = std::max(high, row[k]);
+        }
+        const std::string unit = measures.units[k] == "1" ? "" : " " + measures.units[k];
+        list.add(measures.names[k],
+                 low > high ? "no value at any time" : fmt::format("{:.4g} to {:.4g}{}", low, high, unit));
+    }
+    return "  measures, smallest to largest\n" + list.text();
+}
+
+}  // namespace
+
+std::string summary_text(const Scene& scene, const RunSummary& summary) {
+    const Style style(Stream::output);
+    Listing list;
+    list.add("steps",
+             fmt::format("{} of {} on average, ruled by {}", count_text(static_cast<std::size_t>(summary.steps)),
+                         quantity_text(summary.simulated_s / static_cast<double>(std::max(1L, summary.steps)), "s"),
+                         summary.ruling_limit));
+    list.add("speed", fmt::format("{:.3g} million particle steps a second on {}", summary.particle_steps_per_s / 1e6,
+                                  count_text(static_cast<std::size_t>(summary.threads), "thread")));
+    if (const std::string stages = stages_text(summary); !stages.empty()) list.add("spent on", stages);
+    const double mass_change = summary.start.mass > 0 ? summary.end.mass / summary.start.mass - 1 : 0;
+    list.add("mass", fmt::format("{} kg moving, changed by {:.2g} of it", fmt::format("{:.6g}", summary.end.mass),
+                                 mass_change));
+    list.add("momentum", fmt::format("({:.4g}, {:.4g}) kg m/s; {:.2g} of what the forces gave is unaccounted for",
+                                     summary.end.momentum[0], summary.end.momentum[1], summary.momentum_residual));
+    list.add("density", density_text(scene, summary));
+    list.add("lost", count_text(summary.lost, "particle"));
+    const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",
+                                          summary.simulated_s, duration_text(summary.wall_s));
+    return (summary.interrupted ? style.warning(first) : style.good(first)) + "\n" + list.text() +
+           measures_text(summary.measures);
+}
+
+std::string results_text(const std::filesystem::path& folder, const std::vector<std::string>& files) {
+    Listing list;
+    std::string pictures;
+    std::string others;
+    bool script = false;
+    for (const auto& file : files) {
+        if (file == paraview_script_name) {
+            script = true;
+            continue;
+        }
+        std::string& kind = file.ends_with(".png") ? pictures : others;
+        kind += (kind.empty() ? "" : ", ") + file;
+    }
+    if (script) list.add("look", fmt::format("paraview --script={}", (folder / paraview_script_name).string()));
+    if (!pictures.empty()) list.add("pictures", pictures);
+    if (!others.empty()) list.add("files", others);
+    return Style(Stream::output).strong("Results in " + folder.string()) + "\n" + list.text();
+}
+
+}  // namespace dmp::cli

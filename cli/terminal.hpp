@@ -1,0 +1,40 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace dmp::cli {
+
+enum class Stream { output, error };
+
+[[nodiscard]] bool is_terminal(Stream stream);
+/// A terminal that shows colours, and nobody set NO_COLOR (https://no-color.org).
+[[nodiscard]] bool colours_on(Stream stream);
+/// Characters in a line of the terminal; 80 when it does not say.
+[[nodiscard]] int terminal_width(Stream stream);
+
+/// Text to stdout. Throws ResourceError when it does not get there.
+void print(std::string_view text);
+/// Throws ResourceError when what was printed does not get there.
+void flush_output();
+
+/// Marks text for the eye, or leaves it as it is.
+class Style {
+  public:
+    explicit Style(bool colour) : colour_(colour) {}
+    explicit Style(Stream stream) : colour_(colours_on(stream)) {}
+
+    [[nodiscard]] std::string strong(std::string_view text) const { return marked("\033[1m", text); }
+    [[nodiscard]] std::string faint(std::string_view text) const { return marked("\033[2m", text); }
+    [[nodiscard]] std::string good(std::string_view text) const { return marked("\033[32m", text); }
+    [[nodiscard]] std::string warning(std::string_view text) const { return marked("\033[33m", text); }
+    [[nodiscard]] std::string error(std::string_view text) const { return marked("\033[1;31m", text); }
+
+  private:
+    [[nodiscard]] std::string marked(std::string_view mark, std::string_view text) const;
+
+    bool colour_;
+};
+
+}  // namespace dmp::cli

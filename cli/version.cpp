@@ -1,0 +1,10 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/version.hpp"
+
+namespace dmp::cli {
+
+BuildFacts build_facts() {
+    return {DMP_VERSION, DMP_BUILD_TYPE, DMP_COMPILER, DMP_SANITIZERS, DMP_VTK_VERSION, DMP_GMSH_VERSION};
+}
+
+}  // namespace dmp::cli

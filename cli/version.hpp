@@ -1,0 +1,19 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace dmp::cli {
+
+/// What this program was built from.
+struct BuildFacts {
+    std::string version;     ///< of dmp: "0.1.0"
+    std::string build_type;  ///< "Release"
+    std::string compiler;    ///< "g++ 12.2.0"
+    std::string sanitizers;  ///< "address,undefined"; empty: none
+    std::string vtk, gmsh;   ///< their versions
+};
+
+[[nodiscard]] BuildFacts build_facts();
+
+}  // namespace dmp::cli
