@@ -145,7 +145,9 @@ void Sheet::draw_colours(const ColourScale& scale, double top) {
     if (scale.beyond_high)
         canvas_.triangle({{{left + width, y}, {left + width, y + height}, {left + width + reach, y + height / 2}}},
                          map(map.high()));
-    const Ticks ticks = round_ticks(map.low(), map.high(), 5);
+    // A label such as 0.0025 is about 70 units wide.
+    const int room = static_cast<int>(width / (95 * unit_));
+    const Ticks ticks = round_ticks(map.low(), map.high(), std::clamp(room, 2, 5));
     for (std::size_t i = 0; i < ticks.value.size(); ++i) {
         const double x = left + width * (ticks.value[i] - map.low()) / (map.high() - map.low());
         canvas_.fill(x - unit_, y + height, 2 * unit_, 6 * unit_, colours::frame);
