@@ -39,7 +39,8 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
     builder.mark_seated(scene.contact.range * scene.particles.spacing);
-    relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing);
+    relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
+                        [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     MeshResult result = builder.finish();
     measure_quality(result, scene);
     return result;

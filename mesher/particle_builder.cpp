@@ -262,15 +262,15 @@ void ParticleBuilder::add_walls(const Part& part) {
         const auto [owner, surface] = wall_at(point);
         if (owner != &part || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
         const Vec to_surface = surface.point - point;
-        const Vec normal =
-            surface.distance > 1e-6 * spacing_ ? Vec(to_surface.normalized()) : normal_on_surface(point);
+        const Vec normal = surface.distance > 1e-6 * spacing_ ? Vec(to_surface.normalized()) : normal_on_surface(point);
         add_particle(number, {point, volume, volume * density, -1, true, normal, surface.distance});
         ++count;
     }
     if (count == 0)
-        throw InputError(part.name.place,
-                         "no particle of the wall '" + part.name.value + "' fits behind its curve: there is fluid on both sides",
-                         "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
+        throw InputError(
+            part.name.place,
+            "no particle of the wall '" + part.name.value + "' fits behind its curve: there is fluid on both sides",
+            "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
     MeshReport::PartLine line;
     line.name = part.name;
     line.kind = word(PartKind::rigid);
@@ -289,6 +289,11 @@ void ParticleBuilder::mark_seated(double contact_range) {
             if (set.kind(j) == ParticleKind::rigid && (set.position[i] - set.position[j]).norm() < contact_range)
                 set.seated[i] = 1;
     }
+}
+
+bool ParticleBuilder::holds(std::size_t i, const Vec& point) const {
+    const Part* fluid = fluid_at(point);
+    return fluid != nullptr && *fluid->name == result_.particles.parts[result_.particles.part[i]].name;
 }
 
 MeshResult ParticleBuilder::finish() {

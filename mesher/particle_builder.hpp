@@ -30,6 +30,9 @@ class ParticleBuilder {
     /// Marks spring nodes drawn so near a wall that contact would push from the start.
     void mark_seated(double contact_range);
 
+    /// True where the point belongs to the region of fluid particle i.
+    [[nodiscard]] bool holds(std::size_t i, const Vec& point) const;
+
     [[nodiscard]] MeshResult finish();
     [[nodiscard]] ParticleSet& particles() { return result_.particles; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "mesher/searchable_particles.hpp"
 #include "particles/kernels.hpp"
@@ -12,8 +13,30 @@ namespace dmp {
 
 namespace {
 
-/// Particles of different bodies nearer than this stand on top of each other [spacings].
+/// Particles of different parts nearer than this stand on top of each other [spacings].
 constexpr double too_near = 0.4;
+/// The same for nodes of two spring bodies: where their curves cross, some are at most 0.74 spacings apart.
+constexpr double bodies_too_near = 0.75;
+
+/// How near two particles may stand [m]. A lattice keeps its own distance; a body whose curve folds back does not.
+double smallest_distance(const ParticleSet& set, std::size_t i, std::size_t j) {
+    if (set.body[i] < 0 && set.part[i] == set.part[j]) return 0;
+    const bool two_bodies = set.body[i] >= 0 && set.body[j] >= 0 && set.body[i] != set.body[j];
+    return (two_bodies ? bodies_too_near : too_near) * set.spacing;
+}
+
+[[noreturn]] void refuse_overlap(const ParticleSet& set, const Scene& scene, std::size_t i, std::size_t j) {
+    const std::string& name = set.parts[set.part[i]].name;
+    const auto part =
+        std::find_if(scene.parts.begin(), scene.parts.end(), [&](const Part& p) { return *p.name == name; });
+    std::ostringstream problem;
+    problem << "particles of '" << name << "' and '" << set.parts[set.part[j]].name
+            << "' stand on top of each other at (" << 1e3 * set.position[i][0] << ", " << 1e3 * set.position[i][1]
+            << ") mm";
+    throw InputError(
+        part->name.place, problem.str(),
+        "draw them further apart: the rows of a springs part stand half a particle spacing beside its curve");
+}
 
 struct PartSums {
     double nearest = std::numeric_limits<double>::infinity();
@@ -22,7 +45,7 @@ struct PartSums {
 };
 
 template <class Kernel>
-std::vector<PartSums> sums_by_part(const ParticleSet& set, const Kernel& kernel, double support) {
+std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, const Kernel& kernel, double support) {
     std::vector<PartSums> sums(set.parts.size());
     const SearchableParticles search(set, support);
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -32,14 +55,7 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Kernel& kernel,
             const double r = separation.norm();
             nearest = std::min(nearest, r);
             kernel_sum += set.volume[j] * kernel.value(r);
-            // A lattice keeps its own distance; a body whose curve folds back on itself does not.
-            const bool may_overlap = set.part[i] != set.part[j] || set.body[i] >= 0;
-            if (may_overlap && r < too_near * set.spacing)
-                throw InputError("particles of '" + set.parts[set.part[i]].name + "' and '" +
-                                     set.parts[set.part[j]].name + "' stand on top of each other at (" +
-                                     std::to_string(1e3 * set.position[i][0]) + ", " +
-                                     std::to_string(1e3 * set.position[i][1]) + ") mm",
-                                 "draw them at least a particle spacing apart");
+            if (r < smallest_distance(set, i, j)) refuse_overlap(set, scene, i, j);
         });
         part.nearest = std::min(part.nearest, nearest);
         part.kernel_sum += kernel_sum;
@@ -55,8 +71,8 @@ void measure_quality(MeshResult& result, const Scene& scene) {
     const ParticleSet& set = result.particles;
     const double support = scene.accuracy.support * scene.particles.spacing;
     const auto sums = scene.accuracy.kernel.value == KernelKind::lucy
-                          ? sums_by_part(set, Lucy<2>(support), support)
-                          : sums_by_part(set, WendlandC2<2>(support), support);
+                          ? sums_by_part(set, scene, Lucy<2>(support), support)
+                          : sums_by_part(set, scene, WendlandC2<2>(support), support);
     for (const MeshReport::SpringLine& springs : result.report.springs) {
         MeshReport::PartLine line;
         line.name = springs.part;

@@ -32,7 +32,8 @@ std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distan
 
 }  // namespace
 
-void relax_around_bodies(ParticleSet& set, double support) {
+void relax_around_bodies(ParticleSet& set, double support,
+                         const std::function<bool(std::size_t, const Vec&)>& may_stand) {
     if (set.count(ParticleKind::springs) == 0) return;
     const WendlandC2<2> kernel(support);
     const double inverse_at_spacing = 1 / kernel.value(set.spacing);
@@ -51,12 +52,13 @@ void relax_around_bodies(ParticleSet& set, double support) {
             const double length = step[k].norm(), longest = 0.1 * set.spacing;
             if (length > longest) step[k] *= longest / length;
         }
-        for (std::size_t k = 0; k < moving.size(); ++k) set.position[moving[k]] += step[k];
+        for (std::size_t k = 0; k < moving.size(); ++k) {
+            Vec moved = set.position[moving[k]] + step[k];
+            for (int axis = 0; axis < set.dimension; ++axis)
+                if (set.periodic[axis]) moved[axis] = wrapped(moved[axis], set.box.low[axis], set.box.high[axis]);
+            if (may_stand(moving[k], moved)) set.position[moving[k]] = moved;
+        }
     }
-    for (const std::size_t i : moving)
-        for (int axis = 0; axis < set.dimension; ++axis)
-            if (set.periodic[axis])
-                set.position[i][axis] = wrapped(set.position[i][axis], set.box.low[axis], set.box.high[axis]);
 }
 
 }  // namespace dmp

@@ -1,13 +1,17 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "particles/particle_set.hpp"
 
 namespace dmp {
 
 /// Moves fluid particles near spring bodies until they are evenly spread: where a slanted body cuts the lattice,
 /// particles stand too near or leave gaps. Steepest descent on the same sum that particle shifting uses; other
-/// particles stay on the lattice. `support` is the kernel's support radius [m].
-void relax_around_bodies(ParticleSet& particles, double support);
+/// particles stay on the lattice. `support` is the kernel's support radius [m]; `may_stand(i, point)` says whether
+/// particle i may stand at a point of the box: it never leaves the places where it may.
+void relax_around_bodies(ParticleSet& particles, double support,
+                         const std::function<bool(std::size_t, const Vec&)>& may_stand);
 
 }  // namespace dmp

@@ -76,7 +76,7 @@ TEST(Arguments, UnknownCommandNamesTheNearest) {
     const auto error = error_of({"explian", "x"});
     EXPECT_EQ(error.problem(), "there is no command 'explian'");
     EXPECT_THAT(error.what_to_do(), HasSubstr("Did you mean 'explain'?"));
-    EXPECT_THAT(error_of({"runn"}).what_to_do(), HasSubstr("Did you mean 'run'?"));
+    EXPECT_THAT(error_of({"rnu"}).what_to_do(), HasSubstr("Did you mean 'run'?"));
 }
 
 TEST(Arguments, UnknownCommandFarFromAllListsThem) {

@@ -110,7 +110,8 @@ TEST(CellGrid, LooksIntoBoxesAndBeyondItsOwnEdges) {
     const auto inside = [&](const std::array<double, 3>& low, const std::array<double, 3>& high) {
         int visited = 0, expected = 0;
         const auto in_box = [&](int k) {
-            return points[0][k] >= low[0] && points[0][k] <= high[0] && points[1][k] >= low[1] && points[1][k] <= high[1];
+            return points[0][k] >= low[0] && points[0][k] <= high[0] && points[1][k] >= low[1] &&
+                   points[1][k] <= high[1];
         };
         grid.for_each_near(low, high, [&](int k) { visited += in_box(k) ? 1 : 0; });
         for (int k = 0; k < 500; ++k) expected += in_box(k) ? 1 : 0;

@@ -19,7 +19,8 @@ struct Sample {
 template <class S>
 class Kernels : public testing::Test {};
 
-using Samples = testing::Types<Sample<WendlandC2<2>, 2>, Sample<WendlandC2<3>, 3>, Sample<Lucy<2>, 2>, Sample<Lucy<3>, 3>>;
+using Samples =
+    testing::Types<Sample<WendlandC2<2>, 2>, Sample<WendlandC2<3>, 3>, Sample<Lucy<2>, 2>, Sample<Lucy<3>, 3>>;
 TYPED_TEST_SUITE(Kernels, Samples);
 
 /// Simpson's rule for f over [0, end].
@@ -38,7 +39,8 @@ double sphere(int dimension, double r) { return dimension == 2 ? 2 * pi * r : 4 
 TYPED_TEST(Kernels, AreNormalised) {
     for (const double support : {3e-4, 1.0, 2.6}) {
         const typename TypeParam::Kernel kernel(support);
-        const auto whole = integral(support, [&](double r) { return sphere(TypeParam::dimension, r) * kernel.value(r); });
+        const auto whole =
+            integral(support, [&](double r) { return sphere(TypeParam::dimension, r) * kernel.value(r); });
         EXPECT_NEAR(whole, 1, 1e-10) << support;
         // Integrated by parts: -integral of r dW/dr is the dimension.
         const auto moment =

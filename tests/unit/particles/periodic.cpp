@@ -53,8 +53,8 @@ std::multiset<Copy> expected(const Coordinates& points, const std::array<bool, 3
                     bool keep = x != 0 || y != 0 || z != 0;
                     for (int axis = 0; axis < 3; ++axis) {
                         const double at = points[axis][i] + periods[axis] * box.extent()[axis];
-                        keep = keep && (periods[axis] == 0 || (periodic[axis] && at >= box.low[axis] - reach &&
-                                                               at < box.high[axis] + reach));
+                        keep = keep && (periods[axis] == 0 ||
+                                        (periodic[axis] && at >= box.low[axis] - reach && at < box.high[axis] + reach));
                     }
                     if (keep) copies.insert({static_cast<int>(i), x, y, z});
                 }

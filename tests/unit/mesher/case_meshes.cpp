@@ -1,0 +1,248 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "geometry/inside_test.hpp"
+#include "geometry/nearest_curve.hpp"
+#include "meshed_text.hpp"
+#include "particles/kernels.hpp"
+
+namespace dmp {
+namespace {
+
+using testing_mesh::mesh_case;
+using testing_mesh::Meshed;
+
+const MeshReport::PartLine& line_of(const Meshed& meshed, const std::string& part) {
+    const auto& parts = meshed.report.parts;
+    return *std::find_if(parts.begin(), parts.end(), [&](const auto& line) { return line.name == part; });
+}
+
+/// Indices of the particles of one kind.
+std::vector<std::size_t> all_of(const ParticleSet& set, ParticleKind kind) {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) == kind) indices.push_back(i);
+    return indices;
+}
+
+/// Smallest distance of any fluid particle to any wall or springs particle [spacings]; all cases are periodic in x.
+double fluid_to_solids(const ParticleSet& set) {
+    const double period = set.box.extent()[0];
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : all_of(set, ParticleKind::fluid))
+        for (std::size_t j = 0; j < set.size(); ++j) {
+            if (set.kind(j) == ParticleKind::fluid) continue;
+            Vec apart = set.position[i] - set.position[j];
+            if (std::abs(apart[1]) > set.spacing) continue;
+            apart[0] -= period * std::round(apart[0] / period);
+            smallest = std::min(smallest, apart.squaredNorm());
+        }
+    return std::sqrt(smallest) / set.spacing;
+}
+
+void expect_a_sound_mesh(const Meshed& meshed, const std::string& fluid) {
+    const ParticleSet& set = meshed.particles;
+    const std::size_t size = set.size();
+    for (const std::size_t entries :
+         {set.volume.size(), set.mass.size(), set.part.size(), set.body.size(), set.fixed.size(), set.seated.size(),
+          set.wall_normal.size(), set.wall_distance.size()})
+        ASSERT_EQ(entries, size);
+    const Region& region = *meshed.geometry.region(fluid);
+    const InsideTest inside(region);
+    const CurveSet& wall = *meshed.geometry.curve_set("wall");
+    const double thickness = 3 * set.spacing;
+    const NearestCurve surface(wall, 1.1 * thickness);
+    const double period = set.box.extent()[0];
+    for (std::size_t i = 0; i < size; ++i) {
+        const Vec& point = set.position[i];
+        ASSERT_GT(set.volume[i], 0);
+        ASSERT_GT(set.mass[i], 0);
+        ASSERT_GE(point[0], set.box.low[0]);
+        ASSERT_LT(point[0], set.box.high[0]);
+        if (set.kind(i) == ParticleKind::fluid) {
+            ASSERT_EQ(inside.side_of(point), Side::inside) << point.transpose();
+            ASSERT_EQ(set.fixed[i], 0);
+            ASSERT_EQ(set.body[i], -1);
+        }
+        if (set.kind(i) != ParticleKind::rigid) {
+            ASSERT_EQ(set.wall_normal[i], Vec(Vec::Zero()));
+            ASSERT_EQ(set.wall_distance[i], 0);
+            continue;
+        }
+        ASSERT_NE(inside.side_of(point), Side::inside) << point.transpose();
+        ASSERT_EQ(set.fixed[i], 1);
+        ASSERT_LT(set.wall_distance[i], thickness);
+        ASSERT_NEAR(set.wall_normal[i].norm(), 1, 1e-12);
+        // Across the normal lies the surface, and no surface is nearer: neither here nor across the period.
+        double nearest = std::numeric_limits<double>::infinity(), foot = nearest;
+        for (const double shift : {0.0, period, -period}) {
+            const Vec moved = point + Vec(shift, 0, 0);
+            if (const auto found = surface.nearest(moved)) nearest = std::min(nearest, found->distance);
+            if (const auto found = surface.nearest(moved + set.wall_distance[i] * set.wall_normal[i]))
+                foot = std::min(foot, found->distance);
+        }
+        ASSERT_NEAR(set.wall_distance[i], nearest, 1e-15);
+        ASSERT_LT(foot, 1e-6 * set.spacing);
+    }
+    EXPECT_GT(fluid_to_solids(set), 0.75);
+    EXPECT_NEAR(line_of(meshed, fluid).kernel_sum_mean, 1, 0.01);
+    EXPECT_LT(line_of(meshed, fluid).kernel_sum_spread, 0.05);
+    EXPECT_GT(line_of(meshed, fluid).nearest, 0.75);
+    const double filled = static_cast<double>(line_of(meshed, fluid).particles) * square(set.spacing);
+    EXPECT_NEAR(filled / line_of(meshed, fluid).target, 1, 0.01);
+    for (const auto& part : meshed.report.parts) EXPECT_THAT(meshed.report.text(), testing::HasSubstr(part.name));
+}
+
+void expect_two_clamped_leaflets(const Meshed& meshed, std::size_t nodes_of_one) {
+    const ParticleSet& set = meshed.particles;
+    std::array<std::size_t, 2> nodes{}, clamped{};
+    std::set<int> bodies;
+    for (const std::size_t i : all_of(set, ParticleKind::springs)) {
+        const auto body = static_cast<std::size_t>(set.body[i]);
+        ASSERT_LT(body, 2U);
+        ++nodes[body];
+        if (set.fixed[i] == 0) continue;
+        ++clamped[body];
+        // Clamped nodes stand at the roots, one on each side of the leaflet.
+        const auto& roots = meshed.geometry.points.at("leaflet_roots");
+        const double root = std::min((set.position[i] - roots[0]).norm(), (set.position[i] - roots[1]).norm());
+        EXPECT_NEAR(root, 0.5 * set.spacing, 1e-12);
+    }
+    EXPECT_THAT(nodes, testing::Each(nodes_of_one));
+    EXPECT_THAT(clamped, testing::Each(2U));
+    ASSERT_EQ(meshed.report.springs.size(), 1U);
+    const auto& line = meshed.report.springs[0];
+    const std::size_t columns = nodes_of_one / 2;
+    EXPECT_EQ(line.bodies, 2);
+    EXPECT_EQ(line.anchored, 4U);
+    EXPECT_EQ(line.bonds, 2 * (columns + 2 * (columns - 1)));
+    EXPECT_EQ(line.hinges, 2 * 4 * (columns - 1));
+    EXPECT_EQ(set.bonds.size(), line.bonds);
+    EXPECT_EQ(set.hinges.size(), line.hinges);
+    for (const Bond& bond : set.bonds) ASSERT_EQ(set.body[bond.a], set.body[bond.b]);
+}
+
+TEST(VeinValveMesh, AtItsOwnSpacing) {
+    const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.2 mm"});
+    expect_a_sound_mesh(meshed, "blood");
+    expect_two_clamped_leaflets(meshed, 2 * 89);  // 87.5 cells: 88
+    const auto& set = meshed.particles;
+    const double area = meshed.geometry.region("blood")->area();
+    const double leaflets = 2 * 17.5e-3 * 2 * 0.2e-3;  // a leaflet and half a spacing more on each side
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * 4e-8 / (area - leaflets), 1, 0.005);
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::rigid)) * 4e-8 /
+                    (3 * 0.2e-3 * meshed.geometry.curve_set("wall")->length()),
+                1, 0.03);
+    double mass = 0;
+    for (const std::size_t i : all_of(set, ParticleKind::springs)) mass += set.mass[i];
+    EXPECT_NEAR(mass / (0.42 * 2 * 17.5e-3), 89.0 / 88, 1e-12);  // the end columns have full mass
+    EXPECT_EQ(set.periodic, (std::array{true, false, false}));
+    EXPECT_EQ(set.box.low[0], -0.046);
+    EXPECT_EQ(set.box.high[0], 0.046);
+    EXPECT_LT(set.box.low[1], -0.007);
+    EXPECT_GT(set.box.high[1], 0.007);
+}
+
+TEST(VeinValveMesh, AtHalfTheSpacingHasTheParticlesOfThePublishedOne) {
+    const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.1 mm"});
+    const ParticleSet& set = meshed.particles;
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) / 89726, 1, 0.03);
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::springs)) / 702, 1, 0.03);
+    EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
+    EXPECT_GT(line_of(meshed, "blood").nearest, 0.75);
+    EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 3e-6, 1, 1e-12);
+    EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 100, 1, 1e-12);
+}
+
+TEST(VeinValveMesh, LongLeaflets) {
+    const Meshed meshed =
+        mesh_case("vein_valve", {"particles.spacing=0.2 mm", "geometry.parameters.leaflet_length=25.6 mm"});
+    expect_a_sound_mesh(meshed, "blood");
+    expect_two_clamped_leaflets(meshed, 2 * 129);
+}
+
+TEST(VeinValveMesh, BendsAlikeAtEverySpacing) {
+    for (const std::string spacing : {"0.2", "0.4"}) {
+        const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=" + spacing + " mm"});
+        const auto& line = meshed.report.springs.at(0);
+        EXPECT_NEAR(line.bending_stiffness / 3e-6, 1, 1e-12) << spacing;
+        EXPECT_NEAR(line.axial_stiffness / (spacing == "0.4" ? 37.5 : 100), 1, 1e-12) << spacing;
+        EXPECT_EQ(line.axial_stiffness_asked, 100);
+        const std::string note =
+            "leaflets: EA lowered from 100 to 37.5 N, so that two rows 0.0004 m apart can bend as softly as EI asks; "
+            "EI "
+            "is held";
+        if (spacing == "0.4") {
+            EXPECT_THAT(meshed.report.notes, testing::Contains(note));
+        } else {
+            EXPECT_THAT(meshed.report.notes, testing::Not(testing::Contains(testing::HasSubstr("EA lowered"))));
+        }
+    }
+}
+
+TEST(VeinValveMesh, WithoutItsLeaflets) {
+    const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.2 mm", "part.leaflets.enabled=false"});
+    expect_a_sound_mesh(meshed, "blood");
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(set.count(ParticleKind::springs), 0U);
+    EXPECT_TRUE(set.bonds.empty());
+    EXPECT_TRUE(set.hinges.empty());
+    EXPECT_TRUE(meshed.report.springs.empty());
+    EXPECT_TRUE(meshed.report.notes.empty());
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * 4e-8 / meshed.geometry.region("blood")->area(), 1,
+                0.002);
+}
+
+TEST(VeinValveMesh, OnAHexagonalLattice) {
+    const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.2 mm", "particles.arrangement=hexagonal"});
+    expect_a_sound_mesh(meshed, "blood");
+    expect_two_clamped_leaflets(meshed, 2 * 89);
+    // 92 mm / (0.2 mm sqrt(2 / sqrt 3)) = 428.078 columns: stretched to 428
+    EXPECT_THAT(meshed.report.notes, testing::Contains(testing::HasSubstr("lattice stretched along x by 0.018279")));
+}
+
+TEST(BentChannelMesh, IsSoundOnAllArrangements) {
+    for (const std::string arrangement : {"square", "hexagonal"}) {
+        const Meshed meshed = mesh_case("bent_channel", {"particles.arrangement=" + arrangement});
+        expect_a_sound_mesh(meshed, "blood");
+        const auto& line = meshed.report.springs.at(0);
+        EXPECT_EQ(line.bodies, 1);
+        EXPECT_EQ(line.anchored, 2U);
+        EXPECT_NEAR(line.bending_stiffness / 1e-6, 1, 1e-12);
+    }
+}
+
+TEST(PoiseuilleMesh, HasTwentyRowsAndExactWalls) {
+    const Meshed meshed = mesh_case("verification/poiseuille");
+    expect_a_sound_mesh(meshed, "water");
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(set.count(ParticleKind::fluid), 20U * 8);
+    EXPECT_EQ(set.count(ParticleKind::rigid), 2U * 3 * 8);
+    EXPECT_TRUE(meshed.report.notes.empty());
+    std::set<long> rows;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const Vec& point = set.position[i];
+        const double row = point[1] / 0.05e-3 - 0.5;
+        ASSERT_NEAR(row, std::round(row), 1e-10);
+        EXPECT_NEAR(set.volume[i], 2.5e-9, 1e-20);
+        EXPECT_NEAR(set.mass[i], 2.5e-6, 1e-17);
+        if (set.kind(i) == ParticleKind::fluid) {
+            rows.insert(std::lround(row));
+            continue;
+        }
+        const bool below = point[1] < 0;
+        EXPECT_NEAR((set.wall_normal[i] - Vec(0, below ? 1 : -1, 0)).norm(), 0, 1e-12);
+        EXPECT_NEAR(set.wall_distance[i], below ? -point[1] : point[1] - 1e-3, 1e-18);
+    }
+    EXPECT_EQ(rows.size(), 20U);
+    EXPECT_EQ(*rows.begin(), 0);
+    EXPECT_EQ(*rows.rbegin(), 19);
+}
+
+}  // namespace
+}  // namespace dmp

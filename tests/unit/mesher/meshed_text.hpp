@@ -1,0 +1,129 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesher/mesh.hpp"
+#include "tests/unit/scene/scene_text.hpp"
+
+namespace dmp::testing_mesh {
+
+/// A scene with everything that was made of it.
+struct Meshed {
+    Scene scene;
+    Geometry geometry;
+    ParticleSet particles;
+    MeshReport report;
+};
+
+inline Meshed mesh_file(const std::string& file, const std::vector<std::string>& overrides = {}) {
+    Meshed meshed;
+    meshed.scene = read_scene(file, overrides);
+    const Scene& scene = meshed.scene;
+    DrawingOptions options;
+    options.file = (std::filesystem::path(scene.directory) / *scene.geometry.file).lexically_normal().string();
+    options.unit = scene.geometry.unit;
+    options.chord_error = 1e-3 * scene.particles.spacing;
+    options.place = scene.geometry.file.place;
+    for (const auto& [name, value] : scene.geometry.parameters) options.parameters[name] = value;
+    meshed.geometry = read_drawing(options);
+    MeshResult result = mesh(meshed.geometry, scene);
+    meshed.particles = std::move(result.particles);
+    meshed.report = std::move(result.report);
+    return meshed;
+}
+
+inline Meshed mesh_case(const std::string& name, const std::vector<std::string>& overrides = {}) {
+    return mesh_file(DMP_SOURCE_DIR "/cases/" + name, overrides);
+}
+
+/// A scene and its drawing, "channel.geo", as texts.
+struct Texts {
+    std::string scene;
+    std::string drawing;
+
+    /// With `found`, which must stand in the scene or the drawing, replaced once.
+    [[nodiscard]] Texts with(const std::string& found, const std::string& replacement) const {
+        Texts changed = *this;
+        for (std::string* text : {&changed.scene, &changed.drawing})
+            if (const auto at = text->find(found); at != std::string::npos) {
+                text->replace(at, found.size(), replacement);
+                return changed;
+            }
+        throw std::logic_error("the test's texts have no " + found);
+    }
+};
+
+/// A channel of 4 m x 2 m between two walls, periodic along x. Its lattice of 1/8 m is exact in binary.
+inline const Texts channel{R"(schema = 1
+[geometry]
+file = "channel.geo"
+[particles]
+spacing = "0.125 m"
+[[part]]
+name = "water"
+kind = "fluid"
+density = "1000 kg/m^3"
+viscosity = "1 mPa*s"
+[[part]]
+name = "wall"
+kind = "rigid"
+[flow]
+periodic = ["x"]
+largest_speed = "1 m/s"
+[run]
+duration = "1 s"
+[output]
+every = "1 s"
+)",
+                           R"(Point(1) = {0, 0, 0};
+Point(2) = {4, 0, 0};
+Point(3) = {4, 2, 0};
+Point(4) = {0, 2, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Physical Surface("water") = {1};
+Physical Curve("wall") = {1, 3};
+)"};
+
+/// The channel with a flexible flap from the middle of its bottom, clamped there.
+inline const Texts flap_channel{channel.scene + R"([[part]]
+name = "flap"
+kind = "springs"
+bending_stiffness = "3 N*m^2"
+axial_stiffness = "100 N"
+mass_per_length = "10 kg/m"
+anchor = "root"
+)",
+                                channel.drawing + R"(Point(10) = {2, 0, 0};
+Point(11) = {2, 1, 0};
+Line(10) = {10, 11};
+Physical Curve("flap") = {10};
+Physical Point("root") = {10};
+)"};
+
+inline Meshed mesh_texts(const Texts& texts) {
+    const testing_scene::Folder folder;
+    testing_scene::Folder::write(texts.scene);
+    testing_scene::Folder::write(texts.drawing, "channel.geo");
+    return mesh_file("scene.toml");
+}
+
+/// What meshing says is wrong: "scene.toml:8:11: ...\n  what to do".
+inline std::string fault_of(const Texts& texts) {
+    try {
+        (void)mesh_texts(texts);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace dmp::testing_mesh

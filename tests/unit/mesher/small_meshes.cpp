@@ -1,0 +1,221 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+
+#include "meshed_text.hpp"
+
+namespace dmp {
+namespace {
+
+using testing_mesh::channel;
+using testing_mesh::flap_channel;
+using testing_mesh::mesh_texts;
+using testing_mesh::Meshed;
+using testing_mesh::Texts;
+
+std::size_t count_of(const ParticleSet& set, const std::string& part) {
+    std::size_t count = 0;
+    for (const int p : set.part) count += set.parts[p].name == part ? 1 : 0;
+    return count;
+}
+
+/// Smallest distance of any two particles, without looking across periodic sides [spacings].
+double smallest_distance(const ParticleSet& set) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < set.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) smallest = std::min(smallest, (set.position[i] - set.position[j]).norm());
+    return smallest / set.spacing;
+}
+
+std::vector<Vec> clamped_nodes(const ParticleSet& set) {
+    std::vector<Vec> nodes;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) == ParticleKind::springs && set.fixed[i] != 0) nodes.push_back(set.position[i]);
+    return nodes;
+}
+
+TEST(ChannelMesh, CountsVolumesAndMasses) {
+    const Meshed meshed = mesh_texts(channel);
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(count_of(set, "water"), 32U * 16);
+    EXPECT_EQ(count_of(set, "wall"), 32U * 6);
+    EXPECT_EQ(smallest_distance(set), 1);
+    EXPECT_EQ(set.box.low, Vec(0, -0.3125, 0));  // periodic along x, around all centres along y
+    EXPECT_EQ(set.box.high, Vec(4, 2.3125, 0));
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        EXPECT_EQ(set.volume[i], 1.0 / 64);
+        EXPECT_EQ(set.mass[i], 1000.0 / 64);
+    }
+    ASSERT_EQ(meshed.report.parts.size(), 2U);
+    EXPECT_EQ(meshed.report.parts[0].target, 8);
+    EXPECT_EQ(meshed.report.parts[0].reached, 8);
+    EXPECT_EQ(meshed.report.parts[1].target, 8);  // metres of wall
+    EXPECT_EQ(meshed.report.parts[1].reached, 8);
+    EXPECT_NEAR(meshed.report.parts[0].kernel_sum_mean, 1.00514234077735619, 1e-12);  // that of a full lattice
+    EXPECT_NEAR(meshed.report.parts[0].kernel_sum_spread, 0, 1e-7);
+}
+
+TEST(ChannelMesh, KernelSumIsThatOfTheScenesKernel) {
+    const Meshed meshed = mesh_texts(channel.with("[flow]", "[accuracy]\nkernel = \"lucy\"\nsupport = 2.6\n[flow]"));
+    EXPECT_NEAR(meshed.report.parts[0].kernel_sum_mean, 1.00003, 1e-5);
+}
+
+TEST(ChannelMesh, ReportIsATableForPeople) {
+    const std::string text = mesh_texts(flap_channel).report.text();
+    EXPECT_THAT(text, testing::HasSubstr("water          fluid"));
+    EXPECT_THAT(text, testing::HasSubstr("7718750.00 / 7718750.00 mm^2"));
+    EXPECT_THAT(text, testing::HasSubstr("springs of flap: 1 body, 25 bonds of k_b = 200 N/m, 32 hinges of"));
+    EXPECT_THAT(text, testing::HasSubstr("2 nodes clamped\n  give EI = 3 N*m^2, EA = 100 N, GA_s ="));
+    EXPECT_THAT(text, testing::HasSubstr("note: water: "));
+}
+
+TEST(ChannelMesh, ALatticeThatDoesNotFitIsStretchedAndNoted) {
+    const Meshed meshed = mesh_texts(channel.with("0.125 m", "0.15 m"));
+    const auto columns = static_cast<std::size_t>(std::lround(4 / 0.15));
+    EXPECT_EQ(count_of(meshed.particles, "water") % columns, 0U);
+    EXPECT_NEAR(meshed.particles.volume[0], 0.15 * 4 / static_cast<double>(columns), 1e-12);
+    EXPECT_THAT(meshed.report.notes, testing::ElementsAre("lattice stretched along x by -1.23457 % so that a whole "
+                                                          "number of cells makes one period"));
+}
+
+TEST(FlapMesh, IsClampedAtItsRoot) {
+    const Meshed meshed = mesh_texts(flap_channel);
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(count_of(set, "flap"), 2U * 9);
+    EXPECT_EQ(clamped_nodes(set), (std::vector<Vec>{{2 - 0.0625, 0, 0}, {2 + 0.0625, 0, 0}}));
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const bool springs = set.kind(i) == ParticleKind::springs;
+        EXPECT_EQ(set.seated[i], 0);  // no wall particle is left where the root stands
+        EXPECT_EQ(set.body[i], springs ? 0 : -1);
+        if (springs) {
+            EXPECT_EQ(set.mass[i], 10 * 0.125 / 2);
+        }
+    }
+    EXPECT_GT(smallest_distance(set), 0.5);
+}
+
+TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
+    // The lower row stands 0.11 m above the wall's first one, nearer than the contact range of 0.125 m.
+    const Meshed meshed =
+        mesh_texts(flap_channel.with("{2, 0, 0}", "{1.0625, 0.11, 0}").with("{2, 1, 0}", "{3.0625, 0.11, 0}"));
+    const ParticleSet& set = meshed.particles;
+    std::size_t seated = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        EXPECT_EQ(set.seated[i] != 0, set.kind(i) == ParticleKind::springs && set.position[i][1] < 0.1);
+        seated += set.seated[i];
+    }
+    EXPECT_EQ(seated, 17U);
+    const Meshed touching = mesh_texts(flap_channel.with("{2, 0, 0}", "{1.0625, 0.11, 0}")
+                                           .with("{2, 1, 0}", "{3.0625, 0.11, 0}")
+                                           .with("[flow]", "[contact]\nrange = 0.8\n[flow]"));
+    for (const auto mark : touching.particles.seated) EXPECT_EQ(mark, 0);
+}
+
+TEST(FlapMesh, IsFreeWithoutAnAnchor) {
+    const Meshed meshed =
+        mesh_texts(flap_channel.with("anchor = \"root\"\n", "").with("Physical Point(\"root\") = {10};\n", ""));
+    EXPECT_TRUE(clamped_nodes(meshed.particles).empty());
+    EXPECT_EQ(meshed.report.springs.at(0).anchored, 0U);
+}
+
+TEST(FlapMesh, AnAnchorBetweenTwoColumnsClampsOneOfThem) {
+    // y = 0.4375 is exactly half way between the columns at 0.375 and 0.5.
+    const Texts texts = flap_channel.with("Point(11)", "Point(12) = {2, 0.4375, 0};\nPoint(11)")
+                            .with("(\"root\") = {10}", "(\"root\") = {12}");
+    const auto clamped = clamped_nodes(mesh_texts(texts).particles);
+    ASSERT_EQ(clamped.size(), 2U);
+    EXPECT_EQ(clamped[0][1], 0.375);
+    EXPECT_EQ(clamped[1][1], 0.375);
+}
+
+TEST(FlapMesh, OnACornerOfTwoLinesIsOneBody) {
+    const Texts texts = flap_channel.with("Physical Curve(\"flap\") = {10}",
+                                          "Point(12) = {3, 1.5, 0};\nLine(11) = {11, 12};\n"
+                                          "Physical Curve(\"flap\") = {10, 11}");
+    const Meshed meshed = mesh_texts(texts);
+    EXPECT_EQ(meshed.report.springs.at(0).bodies, 1);
+    EXPECT_EQ(count_of(meshed.particles, "flap"), 2U * 18);  // 2.118 m: 17 cells
+}
+
+TEST(WallsThatMeet, ShareTheirCornersWithoutDoubles) {
+    // A closed box of 4 m x 2 m: the lid is a part of its own.
+    const Texts box = channel.with("periodic = [\"x\"]\n", "")
+                          .with("Physical Curve(\"wall\") = {1, 3}",
+                                "Physical Curve(\"lid\") = {3};\nPhysical Curve(\"wall\") = {1, 2, 4}")
+                          .with("[flow]", "[[part]]\nname = \"lid\"\nkind = \"rigid\"\n[flow]");
+    const Meshed meshed = mesh_texts(box);
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(count_of(set, "water"), 32U * 16);
+    // Three rows all around; the outermost point of each corner is 3.5 spacings away.
+    EXPECT_EQ(count_of(set, "wall") + count_of(set, "lid"), 38U * 22 - 32 * 16 - 4);
+    EXPECT_EQ(count_of(set, "lid"), 32U * 3);  // a corner is as near to both: the first part, the wall, has it
+    EXPECT_EQ(smallest_distance(set), 1);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::rigid) continue;
+        const Vec nearest = set.position[i].cwiseMax(Vec(0, 0, 0)).cwiseMin(Vec(4, 2, 0));
+        EXPECT_NEAR(set.wall_distance[i], (nearest - set.position[i]).norm(), 1e-15);
+        EXPECT_NEAR((set.wall_normal[i] - (nearest - set.position[i]).normalized()).norm(), 0, 1e-12);
+    }
+}
+
+TEST(WallOnTheLattice, TakesThePointsOnItsSurface) {
+    // A wall at y = 2.0625 goes through the centres of a row.
+    const Meshed meshed = mesh_texts(channel.with("{4, 2, 0}", "{4, 2.0625, 0}").with("{0, 2, 0}", "{0, 2.0625, 0}"));
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(count_of(set, "water"), 32U * 16);
+    std::size_t on_surface = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::rigid || set.wall_distance[i] > 0) continue;
+        EXPECT_EQ(set.position[i][1], 2.0625);
+        EXPECT_NEAR((set.wall_normal[i] - Vec(0, -1, 0)).norm(), 0, 1e-12);  // towards the fluid
+        ++on_surface;
+    }
+    EXPECT_EQ(on_surface, 32U);
+}
+
+/// The channel with oil above a border at y = `border`.
+Texts two_fluids(const std::string& border) {
+    return channel
+        .with("Line(2) = {2, 3};",
+              "Point(5) = {4, " + border + ", 0};\nPoint(6) = {0, " + border +
+                  ", 0};\nLine(2) = {2, 5};\nLine(5) = {5, 6};\nLine(6) = {5, 3};\nLine(7) = {4, 6};")
+        .with("Line(4) = {4, 1};", "Line(4) = {6, 1};")
+        .with("{1, 2, 3, 4};\n", "{1, 2, 5, 4};\nCurve Loop(2) = {6, 3, 7, -5};\nPlane Surface(2) = {2};\n")
+        .with("Physical Curve", "Physical Surface(\"oil\") = {2};\nPhysical Curve")
+        .with("[flow]",
+              "[[part]]\nname = \"oil\"\nkind = \"fluid\"\ndensity = \"800 kg/m^3\"\n"
+              "viscosity = \"1 Pa*s\"\n[flow]");
+}
+
+TEST(TwoFluids, ShareTheChannelWithoutAGap) {
+    const ParticleSet between = mesh_texts(two_fluids("1")).particles;
+    EXPECT_EQ(count_of(between, "water"), 32U * 8);
+    EXPECT_EQ(count_of(between, "oil"), 32U * 8);
+    EXPECT_EQ(count_of(between, "wall"), 32U * 6);
+    // A row of points exactly on the border goes to the first fluid.
+    const ParticleSet on_border = mesh_texts(two_fluids("1.0625")).particles;
+    EXPECT_EQ(count_of(on_border, "water"), 32U * 9);
+    EXPECT_EQ(count_of(on_border, "oil"), 32U * 7);
+    EXPECT_EQ(count_of(on_border, "wall"), 32U * 6);
+    EXPECT_EQ(smallest_distance(on_border), 1);
+    for (std::size_t i = 0; i < on_border.size(); ++i)
+        if (on_border.parts[on_border.part[i]].name == "oil") {
+            EXPECT_EQ(on_border.mass[i], 800.0 / 64);
+        }
+}
+
+TEST(PeriodicInBothAxes, HasNoWalls) {
+    const Texts texts = channel.with("[\"x\"]", "[\"x\", \"y\"]")
+                            .with("[[part]]\nname = \"wall\"\nkind = \"rigid\"\n", "")
+                            .with("Physical Curve(\"wall\") = {1, 3};\n", "");
+    const Meshed meshed = mesh_texts(texts);
+    EXPECT_EQ(meshed.particles.size(), 32U * 16);
+    EXPECT_EQ(meshed.particles.box.high, Vec(4, 2, 0));
+    EXPECT_NEAR(meshed.report.parts[0].kernel_sum_mean, 1.00514234077735619, 1e-12);
+    EXPECT_NEAR(meshed.report.parts[0].kernel_sum_spread, 0, 1e-7);
+}
+
+}  // namespace
+}  // namespace dmp

@@ -1,0 +1,161 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/spring_lattice.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "meshed_text.hpp"
+#include "particles/kernels.hpp"
+
+namespace dmp {
+namespace {
+
+Part part_with(double bending, double axial, bool lower) {
+    Part part;
+    part.name = std::string("leaflets");
+    part.bending_stiffness = bending;
+    part.axial_stiffness = Value<double>(axial, {"scene.toml", 31, 19});
+    part.lower_axial_stiffness = lower;
+    return part;
+}
+
+TEST(LadderConstants, GiveTheStiffnessesAskedFor) {
+    for (const double along : {1.0e-4, 0.97e-4, 1.06e-4}) {
+        const double across = 1e-4, bending = 3e-6, axial = 100;
+        const LadderConstants ladder = ladder_constants(part_with(bending, axial, true), along, across);
+        EXPECT_NEAR(ladder.axial_stiffness() / axial, 1, 1e-14);
+        EXPECT_NEAR(ladder.bending_stiffness() / bending, 1, 1e-14);
+        // k_b = EA / (4 a), k_a = (EI - EA b^2/4) / (2 a), GA_s = 8 k_a / a
+        EXPECT_NEAR(ladder.bond_stiffness * 4 * along / 100, 1, 1e-14);
+        EXPECT_NEAR(ladder.hinge_stiffness * 2 * along / (3e-6 - 2.5e-7), 1, 1e-14);
+        EXPECT_NEAR(ladder.shear_stiffness() * along * along / (4 * (3e-6 - 2.5e-7)), 1, 1e-14);
+        EXPECT_EQ(ladder.along, along);
+        EXPECT_EQ(ladder.across, across);
+    }
+}
+
+TEST(LadderConstants, LowerTheAxialStiffnessToHalfOfTheBending) {
+    const Part part = part_with(3e-6, 100, true);
+    const LadderConstants coarse = ladder_constants(part, 4e-4, 4e-4);
+    EXPECT_NEAR(coarse.axial_stiffness(), 2 * 3e-6 / square(4e-4), 1e-12);  // 37.5 N
+    EXPECT_NEAR(coarse.bending_stiffness() / 3e-6, 1, 1e-14);
+    EXPECT_NEAR(coarse.hinge_stiffness * 2 * 4e-4, 1.5e-6, 1e-20);
+    // Exactly a half is still as asked.
+    EXPECT_NEAR(ladder_constants(part_with(3e-6, 37.5, true), 4e-4, 4e-4).axial_stiffness(), 37.5, 1e-12);
+}
+
+TEST(LadderConstants, KeepTheAxialStiffnessWhereItMayNotBeLowered) {
+    const LadderConstants ladder = ladder_constants(part_with(3e-6, 70, false), 4e-4, 4e-4);  // share 0.93
+    EXPECT_NEAR(ladder.axial_stiffness(), 70, 1e-12);
+    EXPECT_NEAR(ladder.bending_stiffness() / 3e-6, 1, 1e-14);
+    EXPECT_GT(ladder.hinge_stiffness, 0);
+}
+
+TEST(LadderConstants, RefuseNegativeHinges) {
+    try {
+        (void)ladder_constants(part_with(3e-6, 100, false), 4e-4, 4e-4);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "scene.toml:31:19: the hinges of 'leaflets' would need a negative stiffness, -0.00125 J: two rows "
+                     "0.0004 m apart with axial_stiffness 100 N alone bend with EI = 4e-06 N*m^2, more than "
+                     "bending_stiffness 3e-06 N*m^2\n"
+                     "  lower axial_stiffness to at most 75 N, refine particles.spacing, or set "
+                     "lower_axial_stiffness = true");
+    }
+}
+
+TEST(LadderAlong, AStraightCurve) {
+    const Polyline line{{Vec(1, 2, 0), Vec(1, 3, 0)}, false};
+    const Ladder ladder = ladder_along(line, 0.125);
+    ASSERT_EQ(ladder.columns(), 9);
+    EXPECT_EQ(ladder.along, 0.125);
+    for (int c = 0; c < 9; ++c) {  // left of a line that runs up is -x
+        EXPECT_EQ(ladder.nodes[2 * c], Vec(1 - 0.0625, 2 + 0.125 * c, 0));
+        EXPECT_EQ(ladder.nodes[2 * c + 1], Vec(1 + 0.0625, 2 + 0.125 * c, 0));
+    }
+}
+
+TEST(LadderAlong, ColumnsFitTheLength) {
+    const Polyline line{{Vec(0, 0, 0), Vec(1.07, 0, 0)}, false};
+    for (const auto& [spacing, cells] : {std::pair{0.1, 11}, std::pair{0.103, 10}, std::pair{5.0, 1}}) {
+        const Ladder ladder = ladder_along(line, spacing);
+        EXPECT_EQ(ladder.columns(), cells + 1);
+        EXPECT_DOUBLE_EQ(ladder.along, 1.07 / cells);
+        EXPECT_NEAR(ladder.nodes.back()[0], 1.07, 1e-15);
+        EXPECT_DOUBLE_EQ(ladder.nodes.back()[1], -0.5 * spacing);
+    }
+}
+
+TEST(LadderAlong, ACircleHasAShorterInnerRow) {
+    constexpr double pi = std::numbers::pi, radius = 2, spacing = 0.1;
+    Polyline arc;
+    for (int k = 0; k <= 3000; ++k)
+        arc.points.emplace_back(radius * std::cos(k * pi / 6000), radius * std::sin(k * pi / 6000), 0);
+    const Ladder ladder = ladder_along(arc, spacing);
+    ASSERT_EQ(ladder.columns(), 32);  // 31.4 cells
+    EXPECT_NEAR(ladder.along, pi / 31, 1e-6);
+    for (int c = 0; c < 32; ++c) {
+        const Vec& inner = ladder.nodes[2 * c];  // the arc turns left
+        const Vec& outer = ladder.nodes[2 * c + 1];
+        EXPECT_NEAR(inner.norm(), radius - spacing / 2, 1e-6);
+        EXPECT_NEAR(outer.norm(), radius + spacing / 2, 1e-6);
+        EXPECT_NEAR((outer - inner).norm(), spacing, 1e-15);
+        EXPECT_NEAR(std::atan2(inner[1], inner[0]), c * pi / 62, 1e-3);
+    }
+}
+
+/// Elastic energy of the springs, as particles/particle_set.hpp defines it.
+double energy(const ParticleSet& set, const std::vector<Vec>& position) {
+    double sum = 0;
+    for (const Bond& bond : set.bonds)
+        sum += bond.stiffness * square((position[bond.a] - position[bond.b]).norm() - bond.rest_length);
+    for (const Hinge& hinge : set.hinges) {
+        const Vec a = position[hinge.a] - position[hinge.centre], b = position[hinge.b] - position[hinge.centre];
+        const double angle = std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+        sum += hinge.stiffness * square(std::remainder(angle - hinge.rest_angle, 2 * std::numbers::pi));
+    }
+    return sum;
+}
+
+/// Positions of a flap's nodes moved by `move(along the flap, to its right)`, both measured from its root.
+template <class Move>
+std::vector<Vec> moved(const ParticleSet& set, const Move& move) {
+    std::vector<Vec> positions;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        positions.push_back(set.kind(i) == ParticleKind::springs ? move(set.position[i][1], set.position[i][0] - 2)
+                                                                 : set.position[i]);
+    return positions;
+}
+
+TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
+    const auto meshed = testing_mesh::mesh_texts(testing_mesh::flap_channel);
+    const ParticleSet& set = meshed.particles;
+    ASSERT_EQ(meshed.report.springs.size(), 1U);
+    const auto& line = meshed.report.springs[0];
+    EXPECT_NEAR(line.axial_stiffness, 100, 1e-10);
+    EXPECT_NEAR(line.bending_stiffness, 3, 1e-12);
+    EXPECT_NEAR(energy(set, set.position), 0, 1e-20);
+    EXPECT_NEAR(
+        energy(set, moved(set, [](double s, double t) { return Vec(5 - 0.6 * s + 0.8 * t, 0.8 * s + 0.6 * t, 0); })), 0,
+        1e-20);  // rigid motion
+
+    const double length = 1, small = 1e-4;
+    const double stretch = energy(set, moved(set, [&](double s, double t) { return Vec(t, s * (1 + small), 0); }));
+    EXPECT_NEAR(stretch / (0.5 * 100 * small * small * length), 1, 1e-9);
+
+    const double radius = length / small;
+    const double bending =
+        energy(set, moved(set, [&](double s, double t) {
+                   return Vec((radius + t) * std::cos(s / radius), (radius + t) * std::sin(s / radius), 0);
+               }));
+    EXPECT_NEAR(bending / (0.5 * 3 * length / square(radius)), 1, 1e-4);
+
+    const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
+    EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-4);
+}
+
+}  // namespace
+}  // namespace dmp

@@ -1,0 +1,168 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "small_scenes.hpp"
+
+namespace dmp {
+namespace {
+
+using testing_solver::add_flags;
+using testing_solver::add_rod;
+using testing_solver::endless_water;
+using testing_solver::SceneAndParticles;
+
+Measure flux_line(const std::string& name, const Vec& from, const Vec& to) {
+    Measure measure;
+    measure.name = name;
+    measure.kind = MeasureKind::flux;
+    measure.from = from;
+    measure.to = to;
+    return measure;
+}
+
+Measure probe(const std::string& name, const Vec& point, FluidField field) {
+    Measure measure;
+    measure.name = name;
+    measure.kind = MeasureKind::probe;
+    measure.point = point;
+    measure.field = field;
+    return measure;
+}
+
+Measure measure_of(const std::string& name, MeasureKind kind, const std::string& part = "") {
+    Measure measure;
+    measure.name = name;
+    measure.kind = kind;
+    measure.part = part;
+    return measure;
+}
+
+MeasureSeries measured(const SceneAndParticles& made) {
+    Simulation simulation(made.scene, made.particles, 1);
+    return simulation.run({}).measures;
+}
+
+/// Water that falls freely: u = 0.5 t along x everywhere, never disturbed.
+SceneAndParticles falling(std::vector<Measure> measures) {
+    SceneAndParticles made = endless_water("0.5");
+    made.scene.measures = std::move(measures);
+    return made;
+}
+
+TEST(Flux, of_uniform_flow_is_speed_times_length) {
+    const auto series = measured(
+        falling({flux_line("up", {0.43, 0.2, 0}, {0.43, 0.6, 0}), flux_line("down", {0.43, 0.6, 0}, {0.43, 0.2, 0}),
+                 flux_line("along", {0.2, 0.4, 0}, {0.6, 0.4, 0})}));
+    ASSERT_EQ(series.names, (std::vector<std::string>{"up", "down", "along"}));
+    EXPECT_EQ(series.units, (std::vector<std::string>(3, "m^3/s")));
+    for (std::size_t row = 0; row < series.time.size(); ++row) {
+        const double expected = 0.5 * series.time[row] * 0.4;  // positive to the right of who walks along the line
+        EXPECT_NEAR(series.rows[row][0], expected, 1e-12) << row;
+        EXPECT_NEAR(series.rows[row][1], -expected, 1e-12) << row;
+        EXPECT_NEAR(series.rows[row][2], 0, 1e-12) << row;
+    }
+}
+
+TEST(Flux, sees_particles_across_a_periodic_border) {
+    const auto series = measured(falling(
+        {flux_line("at_border", {0, 0.2, 0}, {0, 0.6, 0}), flux_line("over_border", {0.05, 0.7, 0}, {0.05, 1.1, 0})}));
+    for (std::size_t row = 0; row < series.time.size(); ++row)
+        for (int column = 0; column < 2; ++column)
+            EXPECT_NEAR(series.rows[row][column], 0.5 * series.time[row] * 0.4, 1e-12) << row << ", " << column;
+}
+
+TEST(Probe, of_uniform_fields_is_exact_anywhere) {
+    const auto series = measured(falling(
+        {probe("u", {0.313, 0.527, 0}, FluidField::velocity), probe("rho", {0.01, 0.79, 0}, FluidField::density),
+         probe("p", {0.3, 0.3, 0}, FluidField::pressure), probe("tau", {0.3, 0.3, 0}, FluidField::shear_stress)}));
+    ASSERT_EQ(series.names, (std::vector<std::string>{"u_x", "u_y", "rho", "p", "tau"}));
+    EXPECT_EQ(series.units, (std::vector<std::string>{"m/s", "m/s", "kg/m^3", "Pa", "Pa"}));
+    for (std::size_t row = 0; row < series.time.size(); ++row) {
+        EXPECT_NEAR(series.rows[row][0], 0.5 * series.time[row], 1e-12);
+        EXPECT_NEAR(series.rows[row][1], 0, 1e-12);
+        EXPECT_NEAR(series.rows[row][2], 1000, 1e-9);
+        EXPECT_NEAR(series.rows[row][3], 0, 1e-6);
+        EXPECT_NEAR(series.rows[row][4], 0, 1e-9);
+    }
+}
+
+TEST(Probe, where_there_is_no_fluid_gives_no_number) {
+    SceneAndParticles made = endless_water("0");
+    made.particles.periodic = {false, false, false};
+    made.scene.measures = {probe("far", {5, 5, 0}, FluidField::pressure)};
+    made.scene.run.duration = 0.01;
+    for (const auto& row : measured(made).rows) EXPECT_TRUE(std::isnan(row[0]));
+}
+
+TEST(LargestSpeedAndDensity, of_uniform_flow) {
+    const auto series =
+        measured(falling({measure_of("fastest", MeasureKind::largest_speed), measure_of("rho", MeasureKind::density)}));
+    ASSERT_EQ(series.names, (std::vector<std::string>{"fastest", "rho_low", "rho_high"}));
+    EXPECT_EQ(series.units, (std::vector<std::string>{"m/s", "1", "1"}));
+    for (std::size_t row = 0; row < series.time.size(); ++row) {
+        EXPECT_NEAR(series.rows[row][0], 0.5 * series.time[row], 1e-12);
+        EXPECT_NEAR(series.rows[row][1], 1, 1e-12);
+        EXPECT_NEAR(series.rows[row][2], 1, 1e-12);
+    }
+}
+
+TEST(Gap, is_the_smallest_distance_between_two_bodies) {
+    SceneAndParticles made = endless_water();
+    const SceneAndParticles water = made;
+    made.particles = ParticleSet{.spacing = 0.1, .box = water.particles.box, .periodic = {true, false, false}};
+    made.particles.parts = {};
+    add_flags(made);
+    add_rod(made, {0.3, 0.2, 0}, 0);
+    add_rod(made, {0.55, 0.45, 0}, 1);  // its lower end is 0.25 right of and 0.15 above the first one's upper end
+    made.scene.measures = {measure_of("gap", MeasureKind::gap, "flags")};
+    const auto series = measured(made);
+    EXPECT_EQ(series.units, std::vector<std::string>{"m"});
+    for (const auto& row : series.rows) EXPECT_NEAR(row[0], std::hypot(0.25, 0.15), 1e-12);
+}
+
+TEST(Gap, is_measured_across_a_periodic_border) {
+    SceneAndParticles made = endless_water();
+    made.particles = ParticleSet{.spacing = 0.1, .box = made.particles.box, .periodic = {true, false, false}};
+    add_flags(made);
+    add_rod(made, {0.05, 0.2, 0}, 0);
+    add_rod(made, {0.7, 0.2, 0}, 1);
+    made.scene.measures = {measure_of("gap", MeasureKind::gap, "flags")};
+    EXPECT_NEAR(measured(made).rows.at(0).at(0), 0.15, 1e-12);
+}
+
+TEST(Gap, of_a_part_that_is_left_out_has_no_column) {
+    SceneAndParticles made = endless_water();
+    Part flags;
+    flags.name = std::string("flags");
+    flags.kind = PartKind::springs;
+    flags.enabled = false;
+    made.scene.parts.push_back(flags);
+    made.scene.measures = {measure_of("gap", MeasureKind::gap, "flags"),
+                           measure_of("fastest", MeasureKind::largest_speed)};
+    made.scene.run.duration = 0.01;
+    EXPECT_EQ(measured(made).names, std::vector<std::string>{"fastest"});
+}
+
+TEST(MeasureRows, come_at_measure_every_or_four_times_a_frame) {
+    SceneAndParticles made = falling({measure_of("fastest", MeasureKind::largest_speed)});
+    made.scene.output.every = 0.3;
+    made.scene.output.measure_every = 0.1;
+    auto series = measured(made);
+    ASSERT_EQ(series.time.size(), 11U);
+    for (std::size_t k = 0; k < series.time.size(); ++k)
+        EXPECT_NEAR(series.time[k], 0.1 * static_cast<double>(k), 1e-12);
+    ASSERT_EQ(series.rows.size(), series.time.size());
+
+    made.scene.output.measure_every = 0.0;
+    made.scene.output.every = 0.5;
+    series = measured(made);
+    ASSERT_EQ(series.time.size(), 9U);
+    EXPECT_NEAR(series.time[1], 0.125, 1e-12);
+}
+
+}  // namespace
+}  // namespace dmp

@@ -1,0 +1,264 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "particles/kernels.hpp"
+#include "solver/models/sph/continuity.hpp"
+#include "solver/models/sph/density_diffusion.hpp"
+#include "solver/models/sph/morris_viscosity.hpp"
+#include "solver/models/sph/pressure_force.hpp"
+#include "solver/models/sph/shifting.hpp"
+#include "solver/models/sph/tait.hpp"
+#include "solver/models/sph/walls.hpp"
+#include "solver/sweeps/lanes.hpp"
+
+namespace dmp {
+namespace {
+
+using Point = FluidPoint<double, 2>;
+using Solid = SolidPoint<double, 2>;
+using V2 = Vector<double, 2>;
+
+/// Support radius 3; i and j are a 3-4-5 triangle's legs apart: r = 1.25, x_ij = (0.75, -1).
+const WendlandC2<2> kernel(3.0);
+const V2 separation{{0.75, -1.0}};
+constexpr double distance = 1.25;
+
+const Point particle_i{{{1.75, 1.0}}, {{0.4, -0.3}}, 1.1, 990, 120, 1e-3};
+const Point particle_j{{{1.0, 2.0}}, {{-0.2, 0.5}}, 0.9, 1010, 80, 3e-3};
+
+/// dW/dr by central differences.
+double kernel_derivative(double r) { return (kernel.value(r + 1e-5) - kernel.value(r - 1e-5)) / 2e-5; }
+
+auto pair_of(const Point& i, const Point& j, const V2& x_ij) {
+    const double r = std::sqrt(dot(x_ij, x_ij));
+    return Pair<Point, Point, V2, double>{i, j, x_ij, r, kernel.slope(r)};
+}
+
+void expect_near(const V2& found, const V2& expected, double tolerance) {
+    for (int axis = 0; axis < 2; ++axis) EXPECT_NEAR(found[axis], expected[axis], tolerance) << "axis " << axis;
+}
+
+TEST(TaitEquation, value_and_slope) {
+    const TaitEquation state{20, 1000};
+    EXPECT_EQ(state.pressure(1000.0), 0);
+    EXPECT_NEAR(state.pressure(1010.0), 400 * 1000.0 / 7 * (std::pow(1.01, 7) - 1), 1e-6);
+    EXPECT_NEAR(state.pressure(970.0), 400 * 1000.0 / 7 * (std::pow(0.97, 7) - 1), 1e-6);
+    EXPECT_NEAR((state.pressure(1000.1) - state.pressure(999.9)) / 0.2, 400, 1e-3);  // c0^2 at rest
+}
+
+TEST(PressureForce, one_pair_by_hand) {
+    // F_i = -V_i V_j (p_i + p_j) dW/dr e_ij
+    const double size = -1.1 * 0.9 * (120 + 80) * kernel_derivative(distance);
+    ASSERT_GT(size, 0);  // pressure pushes apart
+    expect_near(PressureForce::law(pair_of(particle_i, particle_j, separation)), {{size * 0.6, size * -0.8}}, 1e-8);
+}
+
+TEST(PressureForce, is_antisymmetric) {
+    const auto on_i = PressureForce::law(pair_of(particle_i, particle_j, separation));
+    const auto on_j = PressureForce::law(pair_of(particle_j, particle_i, -1.0 * separation));
+    expect_near(on_i + on_j, {{0, 0}}, 1e-14);
+}
+
+TEST(MorrisViscosity, one_pair_by_hand) {
+    // F_i = V_i V_j (mu_i + mu_j) (1/r dW/dr) v_ij: against the relative velocity
+    const double size = 1.1 * 0.9 * 4e-3 * kernel_derivative(distance) / distance;
+    ASSERT_LT(size, 0);
+    expect_near(MorrisViscosity::law(pair_of(particle_i, particle_j, separation)), {{size * 0.6, size * -0.8}}, 1e-12);
+}
+
+TEST(MorrisViscosity, is_antisymmetric_and_does_not_act_on_uniform_flow) {
+    const auto on_i = MorrisViscosity::law(pair_of(particle_i, particle_j, separation));
+    const auto on_j = MorrisViscosity::law(pair_of(particle_j, particle_i, -1.0 * separation));
+    expect_near(on_i + on_j, {{0, 0}}, 1e-18);
+    Point with_it = particle_j;
+    with_it.velocity = particle_i.velocity;
+    expect_near(MorrisViscosity::law(pair_of(particle_i, with_it, separation)), {{0, 0}}, 0);
+}
+
+TEST(ContinuityRate, one_pair_by_hand) {
+    // drho_i = rho_i V_j v_ij . e_ij dW/dr; v_ij . e_ij = 0.6 * 0.6 + (-0.8) * (-0.8) = 1: they part, density falls
+    const double expected = 990 * 0.9 * 1.0 * kernel_derivative(distance);
+    ASSERT_LT(expected, 0);
+    EXPECT_NEAR(ContinuityRate::law(pair_of(particle_i, particle_j, separation)), expected, 1e-7);
+}
+
+TEST(ContinuityRate, is_the_partner_of_the_pressure_force) {
+    // Power of the pair's pressure forces = -rate at which the pressures' work is stored, V_i p_i drho_i/rho_i + ...
+    const auto ij = pair_of(particle_i, particle_j, separation);
+    const auto ji = pair_of(particle_j, particle_i, -1.0 * separation);
+    const auto on_i = PressureForce::law(ij);
+    const double power = dot(on_i, particle_i.velocity) - dot(on_i, particle_j.velocity);
+    // The pair's forces share (p_i + p_j) evenly: stored with V_i drho_i/rho_i = V_j drho_j/rho_j.
+    const double swelling_i = particle_i.volume * ContinuityRate::law(ij) / particle_i.density;
+    const double swelling_j = particle_j.volume * ContinuityRate::law(ji) / particle_j.density;
+    EXPECT_NEAR(swelling_i, swelling_j, 1e-15);
+    EXPECT_NEAR(power, -(particle_i.pressure * swelling_i + particle_j.pressure * swelling_j), 1e-12);
+}
+
+TEST(DensityDiffusion, one_pair_by_hand) {
+    // delta h c0 V_j 2 (rho_i - rho_j) (1/r dW/dr), h = 1.5
+    const DensityDiffusion law(0.1, 3.0, 20);
+    const double expected = 0.1 * 1.5 * 20 * 0.9 * 2 * (990 - 1010) * kernel_derivative(distance) / distance;
+    ASSERT_GT(expected, 0);  // the lighter one gains
+    EXPECT_NEAR(law.law(pair_of(particle_i, particle_j, separation)), expected, 1e-7);
+}
+
+TEST(DensityDiffusion, moves_mass_from_one_to_the_other) {
+    const DensityDiffusion law(0.1, 3.0, 20);
+    const double on_i = law.law(pair_of(particle_i, particle_j, separation));
+    const double on_j = law.law(pair_of(particle_j, particle_i, -1.0 * separation));
+    EXPECT_NEAR(particle_i.volume * on_i + particle_j.volume * on_j, 0, 1e-14);
+    EXPECT_EQ(law.law(pair_of(particle_i, particle_i, {{0, 0}})), 0);
+}
+
+TEST(Shifting, one_pair_by_hand) {
+    const Shifting<WendlandC2<2>> law(4, 3.0, 1.0, kernel);
+    const double ratio = kernel.value(distance) / kernel.value(1.0);
+    const double size = (1 + 0.2 * std::pow(ratio, 4)) * 0.9 * kernel_derivative(distance);
+    expect_near(law.law(pair_of(particle_i, particle_j, separation), kernel), {{size * 0.6, size * -0.8}}, 1e-9);
+    // dx = -s U dt R times the sum: away from the neighbour, for the slope is negative.
+    EXPECT_NEAR(law.step(0.5, 0.01), -4 * 0.5 * 0.01 * 3, 1e-15);
+    EXPECT_DOUBLE_EQ(law.longest(), 0.1);
+}
+
+TEST(ExtrapolatedSolid, continues_a_linear_shear_exactly) {
+    // A tilted wall through the origin that moves along itself; the fluid shears at 7 1/s beside it.
+    const V2 normal{{-0.6, 0.8}}, along{{0.8, 0.6}};
+    const V2 wall_velocity = 0.3 * along;
+    const auto velocity_at = [&](const V2& x) { return wall_velocity + (7 * dot(x, normal)) * along; };
+    const ExtrapolatedSolid<2> law{{{0, 0}}, 0.05};
+
+    Point fluid = particle_i;
+    fluid.position = 0.9 * along + 0.4 * normal;
+    fluid.velocity = velocity_at(fluid.position);
+    const V2 place = 0.2 * along - 0.7 * normal;
+    const Solid wall{place, wall_velocity, 1.2, 0, 0, normal, 0.7};
+
+    const auto ghost = law.rigid(fluid, wall, fluid.position - wall.position);
+    expect_near(ghost.velocity, velocity_at(place), 1e-14);
+    EXPECT_DOUBLE_EQ(ghost.pressure, fluid.pressure);
+    EXPECT_EQ(ghost.volume, 1.2);
+    EXPECT_EQ(ghost.density, fluid.density);
+    EXPECT_EQ(ghost.viscosity, fluid.viscosity);
+}
+
+TEST(ExtrapolatedSolid, continues_hydrostatic_pressure_exactly) {
+    const V2 g{{1.5, -9.81}};
+    const ExtrapolatedSolid<2> law{g, 0.05};
+    const auto pressure_at = [&](const V2& x) { return 300 + 990 * dot(g, x); };
+    Point fluid = particle_i;
+    fluid.position = {{0.3, 0.4}};
+    fluid.pressure = pressure_at(fluid.position);
+    const Solid wall{{{-0.2, -0.6}}, {{0, 0}}, 1, 0, 0, {{0, 1}}, 0.6};
+    EXPECT_NEAR(law.rigid(fluid, wall, fluid.position - wall.position).pressure, pressure_at(wall.position), 1e-9);
+}
+
+TEST(ExtrapolatedSolid, keeps_the_extrapolation_finite_close_to_the_wall) {
+    const ExtrapolatedSolid<2> law{{{0, 0}}, 0.05};
+    Point fluid = particle_i;
+    fluid.position = {{0, 0.01}};  // nearer than 0.05
+    fluid.velocity = {{1, 0}};
+    const Solid wall{{{0, -0.15}}, {{0, 0}}, 1, 0, 0, {{0, 1}}, 0.15};
+    EXPECT_NEAR(law.rigid(fluid, wall, fluid.position - wall.position).velocity[0], -0.15 / 0.05, 1e-14);
+}
+
+TEST(ExtrapolatedSolid, shows_a_spring_body_as_it_moves_with_the_pressure_of_the_side_that_looks) {
+    const ExtrapolatedSolid<2> law{{{0, -9.81}}, 0.05};
+    const Solid body{{{0, 0}}, {{0.3, -0.2}}, 0.8, 1, 2, {{0, 0}}, 0};
+    const auto ghost = law.springs(particle_i, body, particle_i.position - body.position);
+    expect_near(ghost.velocity, body.velocity, 0);
+    EXPECT_EQ(ghost.pressure, particle_i.pressure);
+    EXPECT_EQ(ghost.volume, 0.8);
+    EXPECT_EQ(ghost.viscosity, particle_i.viscosity);
+}
+
+TEST(PlainSolid, shows_the_solid_as_it_is) {
+    const PlainSolid<2> law;
+    const Solid wall{{{0, 0}}, {{0.1, 0.2}}, 0.7, 1020, 55, {{0, 0}}, 0};
+    for (const auto& ghost : {law.rigid(particle_i, wall, separation), law.springs(particle_i, wall, separation)}) {
+        expect_near(ghost.velocity, wall.velocity, 0);
+        EXPECT_EQ(ghost.pressure, 55);
+        EXPECT_EQ(ghost.density, 1020);
+        EXPECT_EQ(ghost.volume, 0.7);
+        EXPECT_EQ(ghost.viscosity, particle_i.viscosity);
+    }
+}
+
+/// Eight random particles side by side, and the same one by one.
+class PairLawsOnLanes : public testing::Test {
+  protected:
+    using WidePoint = FluidPoint<Lanes, 2>;
+
+    PairLawsOnLanes() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> unit(0, 1);
+        for (std::size_t k = 0; k < Lanes::width; ++k) {
+            single[k] = {{{3 * unit(random), 3 * unit(random)}},
+                         {{unit(random), unit(random)}},
+                         0.5 + unit(random),
+                         900 + 200 * unit(random),
+                         100 * unit(random),
+                         unit(random)};
+            for (int a = 0; a < 2; ++a) {
+                wide.position[a].raw[k] = single[k].position[a];
+                wide.velocity[a].raw[k] = single[k].velocity[a];
+            }
+            wide.volume.raw[k] = single[k].volume;
+            wide.density.raw[k] = single[k].density;
+            wide.pressure.raw[k] = single[k].pressure;
+            wide.viscosity.raw[k] = single[k].viscosity;
+        }
+    }
+
+    [[nodiscard]] auto wide_pair() const {
+        const auto x_ij = wide.position - particle_j.position;
+        const Lanes r = sqrt(dot(x_ij, x_ij));
+        return Pair<WidePoint, Point, Vector<Lanes, 2>, Lanes>{wide, particle_j, x_ij, r, kernel.slope(r)};
+    }
+    [[nodiscard]] auto single_pair(std::size_t k) const {
+        return pair_of(single[k], particle_j, single[k].position - particle_j.position);
+    }
+    static void expect_same(double found, double expected) {
+        EXPECT_NEAR(found, expected, 1e-14 * std::abs(expected) + 1e-300);
+    }
+
+    std::array<Point, Lanes::width> single;
+    WidePoint wide;
+};
+
+TEST_F(PairLawsOnLanes, give_what_they_give_on_numbers) {
+    const DensityDiffusion diffusion(0.1, 3.0, 20);
+    const Shifting<WendlandC2<2>> shifting(4, 3.0, 1.0, kernel);
+    const TaitEquation state{20, 1000};
+    const auto p = wide_pair();
+    for (std::size_t k = 0; k < Lanes::width; ++k) {
+        const auto q = single_pair(k);
+        for (int a = 0; a < 2; ++a) {
+            expect_same(PressureForce::law(p)[a].raw[k], PressureForce::law(q)[a]);
+            expect_same(MorrisViscosity::law(p)[a].raw[k], MorrisViscosity::law(q)[a]);
+            expect_same(shifting.law(p, kernel)[a].raw[k], shifting.law(q, kernel)[a]);
+        }
+        EXPECT_NEAR(ContinuityRate::law(p).raw[k], ContinuityRate::law(q), 1e-12);
+        expect_same(diffusion.law(p).raw[k], diffusion.law(q));
+        EXPECT_NEAR(state.pressure(wide.density).raw[k], state.pressure(single[k].density), 1e-9);
+    }
+}
+
+TEST_F(PairLawsOnLanes, walls_give_what_they_give_on_numbers) {
+    const ExtrapolatedSolid<2> law{{{0.2, -9.81}}, 0.5};
+    const Solid wall{{{0.4, -0.7}}, {{0.1, 0}}, 1.2, 0, 0, {{0, 1}}, 0.7};
+    const auto ghost = law.rigid(wide, wall, wide.position - wall.position);
+    for (std::size_t k = 0; k < Lanes::width; ++k) {
+        const auto expected = law.rigid(single[k], wall, single[k].position - wall.position);
+        for (int a = 0; a < 2; ++a) EXPECT_NEAR(ghost.velocity[a].raw[k], expected.velocity[a], 1e-13);
+        EXPECT_NEAR(ghost.pressure.raw[k], expected.pressure, 1e-10);
+        EXPECT_EQ(Lanes(ghost.volume).raw[k], expected.volume);
+        EXPECT_EQ(ghost.density.raw[k], expected.density);
+    }
+}
+
+}  // namespace
+}  // namespace dmp
