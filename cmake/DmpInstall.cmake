@@ -7,14 +7,10 @@ include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dmp)
 install(TARGETS dmp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(room base scene geometry particles mesher solver postproc)
-  target_compile_features(dmp_${room} PUBLIC cxx_std_20)  # the headers ask for it
   install(TARGETS dmp_${room} EXPORT dmpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dmp
           FILES_MATCHING PATTERN *.hpp)
 endforeach()
-# scene keeps these two to its own build; a static library still needs them where it is linked.
-target_link_libraries(dmp_scene INTERFACE $<INSTALL_INTERFACE:tomlplusplus::tomlplusplus>
-                                          $<INSTALL_INTERFACE:muparser::muparser>)
 install(EXPORT dmpTargets NAMESPACE dmp:: DESTINATION ${config_dir})
 
 # The VTK components that postproc links with; all of VTK would ask for Qt.

@@ -22,6 +22,7 @@ function(dmp_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(dmp_${name} STATIC ${ROOM_SOURCES})
   add_library(dmp::${name} ALIAS dmp_${name})
+  target_compile_features(dmp_${name} PUBLIC cxx_std_20)
   set_target_properties(dmp_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF)
   target_include_directories(dmp_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                 $<INSTALL_INTERFACE:include/dmp>)

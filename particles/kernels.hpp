@@ -35,11 +35,10 @@ class WendlandC2 {
     static constexpr double sound_limit = D == 2 ? 0.878 : 0.861;
     static constexpr double viscous_limit = 0.0714;
 
-    explicit WendlandC2(double support) : inverse_support_(1 / support) {
-        constexpr double pi = std::numbers::pi;
-        constant_ = D == 2 ? 7 / (pi * square(support)) : 21 / (2 * pi * square(support) * support);
-        slope_constant_ = -20 * constant_ * square(inverse_support_);
-    }
+    explicit WendlandC2(double support)
+        : inverse_support_(1 / support),
+          constant_(D == 2 ? 7 / (pi * square(support)) : 21 / (2 * pi * square(support) * support)),
+          slope_constant_(-20 * constant_ * square(inverse_support_)) {}
 
     template <class T>
     [[nodiscard]] T value(const T& r) const {
@@ -53,6 +52,7 @@ class WendlandC2 {
     }
 
   private:
+    static constexpr double pi = std::numbers::pi;
     double inverse_support_, constant_, slope_constant_;
 };
 
@@ -63,11 +63,10 @@ class Lucy {
     static constexpr double sound_limit = D == 2 ? 1.001 : 0.967;
     static constexpr double viscous_limit = D == 2 ? 0.1 : 0.0952;
 
-    explicit Lucy(double support) : inverse_support_(1 / support) {
-        constexpr double pi = std::numbers::pi;
-        constant_ = D == 2 ? 5 / (pi * square(support)) : 105 / (16 * pi * square(support) * support);
-        slope_constant_ = -12 * constant_ * square(inverse_support_);
-    }
+    explicit Lucy(double support)
+        : inverse_support_(1 / support),
+          constant_(D == 2 ? 5 / (pi * square(support)) : 105 / (16 * pi * square(support) * support)),
+          slope_constant_(-12 * constant_ * square(inverse_support_)) {}
 
     template <class T>
     [[nodiscard]] T value(const T& r) const {
@@ -81,6 +80,7 @@ class Lucy {
     }
 
   private:
+    static constexpr double pi = std::numbers::pi;
     double inverse_support_, constant_, slope_constant_;
 };
 

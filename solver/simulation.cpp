@@ -43,8 +43,8 @@ constexpr int steps_between_looks = 50;
 }  // namespace
 
 struct Simulation::State {
-    State(const Scene& s, ParticleSet p, int threads)
-        : scene(s),
+    State(Scene s, ParticleSet p, int threads)
+        : scene(std::move(s)),
           set(std::move(p)),
           particles(set),
           settings(pair_settings(scene, threads)),

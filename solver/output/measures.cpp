@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/errors.hpp"
 #include "solver/output/velocity_gradient.hpp"
 
 namespace dmp {
@@ -89,6 +90,10 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
             }
             case MeasureKind::probe: {
                 const auto values = probe(*measure, particles, fluid);
+                if (series_.rows.empty() && std::isnan(values[0]))
+                    throw InputError(measure->point.place,
+                                     "the probe '" + measure->name.value + "' stands where there is no fluid",
+                                     "move its point into the fluid: no particle is within the kernel's support of it");
                 row.insert(row.end(), values.begin(), values.end());
             }
         }

@@ -18,6 +18,7 @@ class Measures {
   public:
     Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings);
 
+    /// Adds a row. Throws InputError when a probe finds no fluid in the first one.
     void take(double time, const ParticleStore& particles, const FluidStep& fluid);
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }

@@ -133,17 +133,18 @@ double SpringBody::step_limit() const {
         }
         norm = std::sqrt(norm);
         if (norm == 0) return std::numeric_limits<double>::infinity();
-        Vectors plus = position_, minus = position_, force(ids_.size(), Vector<double, 2>{}), opposite = force;
+        Vectors ahead = position_, behind = position_;
+        Vectors force_ahead(ids_.size(), Vector<double, 2>{}), force_behind = force_ahead;
         for (std::size_t n = 0; n < ids_.size(); ++n) {
             mode[n] = (1 / norm) * mode[n];
-            plus[n] += small * mode[n];
-            minus[n] -= small * mode[n];
+            ahead[n] += small * mode[n];
+            behind[n] -= small * mode[n];
         }
-        add_forces(plus, at_rest, force);
-        add_forces(minus, at_rest, opposite);
+        add_forces(ahead, at_rest, force_ahead);
+        add_forces(behind, at_rest, force_behind);
         omega_square = 0;
         for (std::size_t n = 0; n < ids_.size(); ++n) {
-            const auto image = (-0.5 / (small * mass_[n])) * (force[n] - opposite[n]);
+            const auto image = (-0.5 / (small * mass_[n])) * (force_ahead[n] - force_behind[n]);
             omega_square += fixed_[n] ? 0 : dot(image, image);
             mode[n] = image;
         }

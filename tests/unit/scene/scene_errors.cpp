@@ -94,8 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  write it in quotes: title = \"7\""},
         Fault{"unlike_key", "title = \"Test\"", "titel = \"T\"",
               "scene.toml:2:1: unknown key 'titel'\n"
-              "  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], [[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[measure]]"},
+              "  did you mean 'title'?"},
         Fault{"key_of_another_table", "title = \"Test\"", "spacing = \"1 mm\"",
               "scene.toml:2:1: unknown key 'spacing'\n"
               "  did you mean 'spacing' in [particles]?"},

@@ -43,7 +43,7 @@ TEST(ReadScene, vein_valve_whole) {
     EXPECT_EQ(*scene.parts[2].mass_per_length, 0.42);
     EXPECT_EQ(*scene.parts[2].anchor, "leaflet_roots");
 
-    EXPECT_DOUBLE_EQ(scene.flow.acceleration[0](0.7), 0.15 * std::sin(2 * std::numbers::pi * 0.7 / 4));
+    EXPECT_DOUBLE_EQ(scene.flow.acceleration[0](0.7), 0.073 * std::sin(2 * std::numbers::pi * 0.7 / 4));
     EXPECT_EQ(scene.flow.acceleration[1](0.7), 0);
     EXPECT_EQ(scene.flow.acceleration[2](0.7), 0);
     EXPECT_TRUE(scene.flow.periodic[0]);

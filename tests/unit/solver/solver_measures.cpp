@@ -110,12 +110,21 @@ TEST(LargestSpeedAndDensity, of_uniform_flow) {
     }
 }
 
-TEST(Gap, is_the_smallest_distance_between_two_bodies) {
+/// A springs part without fluid, periodic in x with a period of 0.8 m.
+SceneAndParticles flags_alone() {
     SceneAndParticles made = endless_water();
-    const SceneAndParticles water = made;
-    made.particles = ParticleSet{.spacing = 0.1, .box = water.particles.box, .periodic = {true, false, false}};
-    made.particles.parts = {};
+    const Box box = made.particles.box;
+    made.particles = ParticleSet();
+    made.particles.spacing = 0.1;
+    made.particles.box = box;
+    made.particles.periodic = {true, false, false};
+    made.scene.flow.periodic = {true, false, false};
     add_flags(made);
+    return made;
+}
+
+TEST(Gap, is_the_smallest_distance_between_two_bodies) {
+    SceneAndParticles made = flags_alone();
     add_rod(made, {0.3, 0.2, 0}, 0);
     add_rod(made, {0.55, 0.45, 0}, 1);  // its lower end is 0.25 right of and 0.15 above the first one's upper end
     made.scene.measures = {measure_of("gap", MeasureKind::gap, "flags")};
@@ -125,9 +134,7 @@ TEST(Gap, is_the_smallest_distance_between_two_bodies) {
 }
 
 TEST(Gap, is_measured_across_a_periodic_border) {
-    SceneAndParticles made = endless_water();
-    made.particles = ParticleSet{.spacing = 0.1, .box = made.particles.box, .periodic = {true, false, false}};
-    add_flags(made);
+    SceneAndParticles made = flags_alone();
     add_rod(made, {0.05, 0.2, 0}, 0);
     add_rod(made, {0.7, 0.2, 0}, 1);
     made.scene.measures = {measure_of("gap", MeasureKind::gap, "flags")};

@@ -18,6 +18,8 @@ using testing::Contains;
 using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing_solver::add_flags;
+using testing_solver::add_rod;
 using testing_solver::case_of;
 using testing_solver::endless_water;
 using testing_solver::field_of;
@@ -242,6 +244,23 @@ TEST(Watch, names_a_particle_that_has_left_the_domain) {
     EXPECT_THAT(divergence_of(made), HasSubstr("has left the domain"));
 }
 
+TEST(Watch, spring_body_that_cannot_follow_its_load_is_a_divergence_too) {
+    // A node at the very place of a fluid particle: the repulsion between them is no number.
+    SceneAndParticles made = endless_water("0.5");
+    add_flags(made);
+    add_rod(made, made.particles.position[27], 0);
+    made.scene.run.duration = 0.02;
+    KeptFrames kept;
+    Simulation simulation(made.scene, made.particles, 1);
+    try {
+        simulation.run(options(&kept));
+        FAIL() << "no error";
+    } catch (const DivergenceError& error) {
+        EXPECT_EQ(kept.frames.size(), 2U);
+        EXPECT_THAT(error.problem(), HasSubstr("the simulation diverged at t = "));
+    }
+}
+
 TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
     const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm"});
     const Simulation simulation(made.scene, made.particles, 1);
@@ -263,7 +282,9 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
 }
 
 TEST(Plan, limits_the_step_and_says_what_rules) {
-    const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm"});
+    const SceneAndParticles made =
+        case_of("vein_valve", {"particles.spacing=0.4 mm", "flow.largest_speed=0.22 m/s", "run.duration=4 s",
+                               "flow.acceleration=[\"0.15 m/s^2 * sin(2*pi*t / 4 s)\", 0]"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
     EXPECT_DOUBLE_EQ(plan.sound_speed, 2.2);

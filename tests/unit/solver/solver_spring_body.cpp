@@ -121,7 +121,8 @@ Vectors statics(const SpringBody& body, const ParticleSet& set, const Vectors& l
             position[n][axis] += change[k];
         }
     }
-    EXPECT_LT(residual(position).squaredNorm(), 1e-24);
+    const Eigen::VectorXd left = residual(position);
+    for (Eigen::Index k = 0; k < unknowns; ++k) EXPECT_NEAR(left[k], 0, 1e-12);
     return position;
 }
 
@@ -218,10 +219,10 @@ TEST(SpringBody, is_stable_below_its_step_limit_and_not_above) {
     for (const auto& [fraction, stable] : {std::pair{0.98, true}, std::pair{1.05, false}}) {
         SpringBody body(set, part_with(0), 0);
         for (std::size_t n = 2; n < set.size(); ++n) body.positions()[n][1] += n % 3 == 0 ? 1e-6 : -1e-6;
-        const double before = body.energy();
+        const double before = body.energy(), dt = fraction * body.step_limit();
         double largest = 0;
         for (int step = 0; step < 1500; ++step) {
-            body.advance_subcycled(fraction * body.step_limit(), 1);
+            body.advance_subcycled(dt, 1);
             largest = std::max(largest, body.energy());
             if (!(largest < 1e6 * before)) break;
         }
@@ -416,7 +417,7 @@ INSTANTIATE_TEST_SUITE_P(Stepping, FreeVibration, testing::Values(Stepping::subc
 TEST(SpringBody, implicit_steps_are_stable_far_beyond_the_explicit_limit) {
     const ParticleSet set = ladder({16, 0.5, true});
     SpringBody body(set, part_with(0.01), 0);
-    for (std::size_t n = 2; n < set.size(); ++n) body.positions()[n][1] += n % 3 == 0 ? 0.02 : -0.02;
+    for (std::size_t n = 2; n < set.size(); ++n) body.positions()[n][1] += n % 3 == 0 ? 0.002 : -0.002;
     const double before = body.energy(), dt = 40 * body.step_limit();
     for (int step = 0; step < 300; ++step) {
         body.advance_implicit(dt);
@@ -428,7 +429,7 @@ TEST(SpringBody, both_ways_to_step_give_the_same_large_motion) {
     // A cantilever hit so hard that its tip swings by a third of its length.
     const ParticleSet set = ladder({10, 0.5, true});
     Motion fine(set, part_with(0.02), Stepping::subcycled), coarse(set, part_with(0.02), Stepping::implicit);
-    for (Motion* motion : {&fine, &coarse}) motion->kick(1.0, [](int column) { return V2{{0, 5e-3 * column}}; });
+    for (Motion* motion : {&fine, &coarse}) motion->kick(1.0, [](int column) { return V2{{0, 1.2e-2 * column}}; });
     double swing = 0;
     for (int k = 0; k < 300; ++k) {
         for (int small = 0; small < 10; ++small) fine.advance(0.01);
