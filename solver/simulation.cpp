@@ -57,7 +57,11 @@ struct Simulation::State {
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] std::vector<StepLimit> limits_now(double time, double largest_speed) const;
     [[nodiscard]] double next_step(double time, double target, double largest_speed) const;
-    void write_frame(FrameSink* sink, double time, long step, bool with_walls);
+    void write_frame(FrameSink* sink, double time, long step);
+    /// The same for a state that may hold anything: no neighbours are searched.
+    void write_as_it_is(FrameSink* sink, double time, long step);
+    [[noreturn]] void diverged(FrameSink* sink, double time, long step, const std::string& problem,
+                               const std::string& what_to_do);
     void stop_if_diverged(const RunOptions& options, double time, long step, const FluidExtremes& extremes);
 
     Scene scene;
@@ -68,6 +72,7 @@ struct Simulation::State {
     StepScales scales;
     Watch watch;
     long frames = 0;
+    double last_frame = 0;  ///< time of the last frame [s]
 };
 
 Conserved Simulation::State::conserved() const {
@@ -97,22 +102,33 @@ double Simulation::State::next_step(double time, double target, double largest_s
     return (target - time) / std::max(1.0, std::ceil((target - time) / longest * (1 - 1e-12)));
 }
 
-void Simulation::State::write_frame(FrameSink* sink, double time, long step, bool with_walls) {
+void Simulation::State::write_frame(FrameSink* sink, double time, long step) {
     if (sink == nullptr) return;
     fluid.update_pressure();
     fluid.refresh_neighbours();
-    sink->write(make_frame(scene, set, particles, fluid, time, step, with_walls));
+    write_as_it_is(sink, time, step);
+}
+
+void Simulation::State::write_as_it_is(FrameSink* sink, double time, long step) {
+    if (sink == nullptr || (frames > 0 && time <= last_frame)) return;  // no time twice
+    sink->write(make_frame(scene, set, particles, fluid, time, step, frames == 0));
     ++frames;
+    last_frame = time;
 }
 
 void Simulation::State::stop_if_diverged(const RunOptions& options, double time, long step,
                                          const FluidExtremes& extremes) {
     const auto finding = watch.look(particles, extremes);
     if (!finding) return;
-    write_frame(options.sink, time, step, false);
-    throw DivergenceError("the simulation diverged at t = " + std::to_string(time) + " s, step " +
-                              std::to_string(step) + ": " + finding->problem,
-                          finding->what_to_do);
+    diverged(options.sink, time, step, finding->problem, finding->what_to_do);
+}
+
+void Simulation::State::diverged(FrameSink* sink, double time, long step, const std::string& problem,
+                                 const std::string& what_to_do) {
+    write_as_it_is(sink, time, step);
+    throw DivergenceError(
+        "the simulation diverged at t = " + std::to_string(time) + " s, step " + std::to_string(step) + ": " + problem,
+        what_to_do);
 }
 
 Simulation::Simulation(const Scene& scene, ParticleSet particles, int threads)
@@ -174,7 +190,7 @@ RunSummary Simulation::run(const RunOptions& options) {
             s.fluid.update_pressure();
             measures.take(time, s.particles, s.fluid);
         }
-        if (frame_times.due(time)) s.write_frame(options.sink, time, step, s.frames == 0);
+        if (frame_times.due(time)) s.write_frame(options.sink, time, step);
     };
     s.fluid.refresh_neighbours();
     output_if_due();
@@ -183,12 +199,16 @@ RunSummary Simulation::run(const RunOptions& options) {
     while (time < end) {
         if (options.stop != nullptr && *options.stop) {
             summary.interrupted = true;
-            s.write_frame(options.sink, time, step, false);
+            s.write_frame(options.sink, time, step);
             break;
         }
         const double target = std::min({until, frame_times.next(), measure_times.next()});
         const double dt = s.next_step(time, target, extremes.largest_speed);
-        s.fluid.advance(time, dt);
+        try {
+            s.fluid.advance(time, dt);
+        } catch (const DivergenceError& error) {
+            s.diverged(options.sink, time, step, error.problem(), error.what_to_do());
+        }
         time = target - time <= 1.5 * dt ? target : time + dt;
         ++step;
 

@@ -65,7 +65,8 @@ struct RunSummary {
     std::array<double, 3> impulse_of_fixed{};        ///< given to moving particles by walls and anchors [N s]
     std::array<double, 3> impulse_of_drag{};         ///< given to moving particles by lab-frame drag [N s]
     double momentum_residual = 0;  ///< |end - start - impulses| over the sum of the impulses' magnitudes [-]
-    double density_low = 0, density_high = 0;  ///< extremes over the whole run, fluid [kg/m^3]
+    /// Extremes over the whole run of density over rest density, times the first fluid's rest density [kg/m^3].
+    double density_low = 0, density_high = 0;
     std::size_t lost = 0;
     std::string state_hash;  ///< of final positions, velocities, densities in id order, 16 hex digits
     std::map<std::string, double> seconds_by_stage;

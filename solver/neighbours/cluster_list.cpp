@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <omp.h>
-
 #include "particles/cell_grid.hpp"
 
 namespace dmp {
@@ -146,16 +144,16 @@ void ClusterList::build(const ParticleStore& particles, const ParticleSet& set, 
         for (auto& cluster : clusters) all.push_back(&cluster);
     }
 
-    // Each thread takes a run of clusters and lists their neighbours on its own; the lists are then joined in order.
+    // As many runs of clusters as threads, each listed on its own; the lists are then joined in order.
     std::vector<Finder> finders(static_cast<std::size_t>(threads), Finder(particles, set, grid, reach));
-    const auto run = [&](std::size_t t) { return all.size() * t / static_cast<std::size_t>(threads); };
-#pragma omp parallel num_threads(threads)
-    {
-        const auto t = static_cast<std::size_t>(omp_get_thread_num());
+    const auto run = [&](int t) {
+        return all.size() * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
+    };
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int t = 0; t < threads; ++t)
         for (std::size_t c = run(t); c < run(t + 1); ++c) finders[t].find(*all[c]);
-    }
     neighbours_.clear();
-    for (std::size_t t = 0; t < finders.size(); ++t) {
+    for (int t = 0; t < threads; ++t) {
         const int offset = static_cast<int>(neighbours_.size());
         for (std::size_t c = run(t); c < run(t + 1); ++c)
             for (int& first : all[c]->first) first += offset;

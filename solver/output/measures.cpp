@@ -25,6 +25,20 @@ const char* unit_of(FluidField field) {
     return "Pa";
 }
 
+/// A gap is between bodies.
+void check_two_bodies(const Measure& measure, const ParticleSet& set) {
+    int body = -1;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.parts[set.part[i]].name != measure.part.value) continue;
+        if (body >= 0 && set.body[i] != body) return;
+        body = set.body[i];
+    }
+    throw InputError(measure.part.place,
+                     "'" + measure.part.value + "' is one body, and the gap '" + measure.name.value +
+                         "' is measured between two of one part",
+                     "leave the measure out, or draw the part as two curves");
+}
+
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (measure.kind.value != MeasureKind::gap) return true;
     const auto parts = scene.parts_of(PartKind::springs);
@@ -49,6 +63,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
                 column(name, "m^3/s");
                 break;
             case MeasureKind::gap:
+                check_two_bodies(measure, set);
                 column(name, "m");
                 break;
             case MeasureKind::largest_speed:

@@ -17,51 +17,57 @@ namespace {
 constexpr double tolerance = 1e-9;
 constexpr int patience = 8;  ///< iterations with an old matrix before a new one is made
 constexpr int most_iterations = 60;
+/// A step that cannot be solved is halved, at most this often one after another.
+constexpr int most_halvings = 6;
 
 }  // namespace
 
 SpringBody::Impulses SpringBody::advance_implicit(double dt) {
     if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
     position_before_ = position_;
-    const Vectors& before = position_before_;
-    const std::size_t nodes = ids_.size();
+    Impulses impulses{};
+    advance_in_parts(dt, most_halvings, impulses);
+    return impulses;
+}
 
+void SpringBody::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
+    if (solve_step(dt, impulses)) return;
+    if (halvings_left == 0)
+        throw DivergenceError("a spring body near (" + std::to_string(position_[0][0]) + ", " +
+                                  std::to_string(position_[0][1]) +
+                                  ") m is loaded so hard that its next position cannot be found",
+                              "the fluid around it is likely diverging: lower accuracy.step_factor or check the drive");
+    advance_in_parts(dt / 2, halvings_left - 1, impulses);
+    advance_in_parts(dt / 2, halvings_left - 1, impulses);
+}
+
+bool SpringBody::solve_step(double dt, Impulses& impulses) {
+    const std::size_t nodes = ids_.size();
     // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.
-    Vectors middle = before, middle_velocity = velocity_;
+    Vectors middle = position_, middle_velocity = velocity_;
     for (std::size_t n = 0; n < nodes; ++n)
         if (!fixed_[n]) middle[n] += (dt / 2) * velocity_[n];
 
-    if (!system_->made_for(dt)) system_->factorise(middle, dt);
-    bool fresh = false;
+    if (!system_->fits(dt)) system_->factorise(*this, middle, dt);
     for (int iteration = 1;; ++iteration) {
-        std::fill(force_.begin(), force_.end(), Vector<double, 2>{});
-        add_forces(middle, middle_velocity, force_);
+        force_ = forces(middle, middle_velocity);
         Vectors residual(nodes, Vector<double, 2>{});
         for (std::size_t n = 0; n < nodes; ++n)
             if (!fixed_[n])
                 residual[n] = (dt / 2) * (force_[n] - drag_ * middle_velocity[n]) -
                               mass_[n] * (middle_velocity[n] - velocity_[n]);
-        const double largest = system_->correct(residual, middle, middle_velocity);
+        const double largest = system_->correct(residual, dt, middle, middle_velocity);
         if (largest < tolerance * spacing_) break;
-        if (!std::isfinite(largest) || iteration >= most_iterations)
-            throw DivergenceError(
-                "a spring body near (" + std::to_string(before[0][0]) + ", " + std::to_string(before[0][1]) +
-                    ") m is loaded so hard that its next position cannot be found",
-                "the fluid around it is likely diverging: lower accuracy.step_factor or check the drive");
-        if (iteration % patience == 0 && !fresh) {
-            system_->factorise(middle, dt);
-            fresh = iteration > 2 * patience;
-        }
+        if (!(largest < spacing_) || iteration >= most_iterations) return false;  // not a number: false too
+        if (iteration % patience == 0) system_->factorise(*this, middle, dt);
     }
 
-    Impulses impulses{};
-    std::fill(force_.begin(), force_.end(), Vector<double, 2>{});
-    add_forces(middle, middle_velocity, force_);
+    force_ = forces(middle, middle_velocity);
     const Vectors velocity_before = velocity_;
     kick(dt, force_, middle_velocity, impulses);
     for (std::size_t n = 0; n < nodes; ++n)
-        if (!fixed_[n]) position_[n] = before[n] + (dt / 2) * (velocity_before[n] + velocity_[n]);
-    return impulses;
+        if (!fixed_[n]) position_[n] += (dt / 2) * (velocity_before[n] + velocity_[n]);
+    return true;
 }
 
 }  // namespace dmp

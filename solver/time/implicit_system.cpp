@@ -8,7 +8,7 @@
 
 namespace dmp {
 
-SpringBody::ImplicitSystem::ImplicitSystem(const SpringBody& body) : body_(body) {
+SpringBody::ImplicitSystem::ImplicitSystem(const SpringBody& body) {
     int unknowns = 0;
     for (const auto fixed : body.fixed_) {
         unknown_.push_back(fixed ? -1 : unknowns);
@@ -54,19 +54,19 @@ void SpringBody::ImplicitSystem::add(const std::array<int, 3>& nodes, int count,
         }
 }
 
-void SpringBody::ImplicitSystem::factorise(const Vectors& position, double dt) {
+void SpringBody::ImplicitSystem::factorise(const SpringBody& body, const Vectors& position, double dt) {
     dt_ = dt;
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
     for (std::size_t node = 0; node < unknown_.size(); ++node)
         for (int i = 0; i < 2 && unknown_[node] >= 0; ++i)
-            entry(unknown_[node] + i, unknown_[node] + i) += body_.mass_[node] + dt / 2 * body_.drag_;
-    for (const LocalBond& bond : body_.bonds_) {
+            entry(unknown_[node] + i, unknown_[node] + i) += body.mass_[node] + dt / 2 * body.drag_;
+    for (const LocalBond& bond : body.bonds_) {
         const auto separation = position[bond.a] - position[bond.b];
         const auto direction = (1 / std::sqrt(dot(separation, separation))) * separation;
         add({bond.a, bond.b, 0}, 2, {direction, -1.0 * direction},
             dt / 2 * bond.force.dashpot + dt * dt / 4 * 2 * bond.force.stiffness);
     }
-    for (const LocalHinge& hinge : body_.hinges_) {
+    for (const LocalHinge& hinge : body.hinges_) {
         const auto turning = [&](int end) {
             const auto arm = position[end] - position[hinge.centre];
             return (1 / dot(arm, arm)) * Vector<double, 2>{{-arm[1], arm[0]}};
@@ -81,7 +81,7 @@ void SpringBody::ImplicitSystem::factorise(const Vectors& position, double dt) {
                               "lower accuracy.step_factor or check the drive");
 }
 
-double SpringBody::ImplicitSystem::correct(const Vectors& residual, Vectors& position, Vectors& velocity) {
+double SpringBody::ImplicitSystem::correct(const Vectors& residual, double dt, Vectors& position, Vectors& velocity) {
     Eigen::VectorXd right(matrix_.rows());
     for (std::size_t node = 0; node < unknown_.size(); ++node)
         for (int i = 0; i < 2 && unknown_[node] >= 0; ++i) right[unknown_[node] + i] = residual[node][i];
@@ -91,9 +91,9 @@ double SpringBody::ImplicitSystem::correct(const Vectors& residual, Vectors& pos
         for (int i = 0; i < 2 && unknown_[node] >= 0; ++i) {
             const double dv = change[unknown_[node] + i];
             velocity[node][i] += dv;
-            position[node][i] += dt_ / 2 * dv;
+            position[node][i] += dt / 2 * dv;
             // Not std::max: a number that is none has to come out.
-            if (!(std::abs(dv) * dt_ / 2 <= largest)) largest = std::abs(dv) * dt_ / 2;
+            if (!(std::abs(dv) * dt / 2 <= largest)) largest = std::abs(dv) * dt / 2;
         }
     return largest;
 }

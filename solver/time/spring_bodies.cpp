@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "solver/time/implicit_system.hpp"
@@ -42,14 +43,21 @@ int SpringBodies::substeps(double dt) const {
 SpringBody::Impulses SpringBodies::advance(ParticleStore& particles, double dt, int threads) {
     const int steps = substeps(dt);
     std::vector<SpringBody::Impulses> impulses(bodies_.size());
+    std::vector<std::exception_ptr> errors(bodies_.size());  // must not leave the parallel loop
     const auto count = static_cast<std::ptrdiff_t>(bodies_.size());
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (std::ptrdiff_t b = 0; b < count; ++b) {
-        SpringBody& body = bodies_[b];
-        body.kick_from_outside(particles, dt);
-        impulses[b] = implicit_ ? body.advance_implicit(dt) : body.advance_subcycled(dt, steps);
-        body.show_mean_velocity(particles, dt);
+        try {
+            SpringBody& body = bodies_[b];
+            body.kick_from_outside(particles, dt);
+            impulses[b] = implicit_ ? body.advance_implicit(dt) : body.advance_subcycled(dt, steps);
+            body.show_mean_velocity(particles, dt);
+        } catch (...) {
+            errors[b] = std::current_exception();
+        }
     }
+    for (const auto& error : errors)
+        if (error) std::rethrow_exception(error);
     SpringBody::Impulses sum{};
     for (const auto& impulse : impulses) {
         sum.of_anchors += impulse.of_anchors;

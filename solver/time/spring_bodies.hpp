@@ -35,7 +35,8 @@ class SpringBody {
 
     /// Moves the nodes over dt in one implicit midpoint step: stable for any dt, and free of the resonance between
     /// kicks of the fluid and spring modes that sub-cycling has (Stern & Grinspun 2009, sec. 3: "IMEX").
-    /// Throws DivergenceError when the equations have no solution near the present state.
+    /// A step whose equations cannot be solved is halved, and halved again; throws DivergenceError when that is in
+    /// vain.
     Impulses advance_implicit(double dt);
 
     /// What the fluid is to see of the last advance: the nodes' mean velocity, displacement over dt, before they are
@@ -75,6 +76,9 @@ class SpringBody {
 
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
     void drift(double h);
+    void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
+    /// One implicit midpoint step; false, and nothing changed, when Newton finds no solution.
+    bool solve_step(double dt, Impulses& impulses);
     /// v += h F / m on free nodes; adds up what anchors and drag gave.
     void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
 

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  write it in quotes: title = \"7\""},
         Fault{"unlike_key", "title = \"Test\"", "titel = \"T\"",
               "scene.toml:2:1: unknown key 'titel'\n"
-              "  did you mean 'title'?"},
+              "  did you mean 'title' at the top of the file?"},
         Fault{"key_of_another_table", "title = \"Test\"", "spacing = \"1 mm\"",
               "scene.toml:2:1: unknown key 'spacing'\n"
               "  did you mean 'spacing' in [particles]?"},

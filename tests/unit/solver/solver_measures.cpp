@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/errors.hpp"
 #include "small_scenes.hpp"
 
 namespace dmp {
@@ -90,12 +91,31 @@ TEST(Probe, of_uniform_fields_is_exact_anywhere) {
     }
 }
 
-TEST(Probe, where_there_is_no_fluid_gives_no_number) {
+TEST(Probe, that_stands_outside_the_fluid_is_an_error) {
     SceneAndParticles made = endless_water("0");
     made.particles.periodic = {false, false, false};
     made.scene.measures = {probe("far", {5, 5, 0}, FluidField::pressure)};
-    made.scene.run.duration = 0.01;
-    for (const auto& row : measured(made).rows) EXPECT_TRUE(std::isnan(row[0]));
+    made.scene.measures[0].point.place = {"scene.toml", 12, 9};
+    try {
+        measured(made);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "the probe 'far' stands where there is no fluid");
+        EXPECT_EQ(error.where().text(), "scene.toml:12:9");
+        EXPECT_FALSE(error.what_to_do().empty());
+    }
+}
+
+TEST(Probe, that_the_fluid_has_left_gives_no_number) {
+    SceneAndParticles made = endless_water("0.5");
+    made.particles.periodic = {false, false, false};
+    made.particles.box.high[0] = 4;
+    made.scene.accuracy.shifting = 0.0;  // it would spread the free end
+    made.scene.run.duration = 2.0;       // the fluid moves by 1 m
+    made.scene.measures = {probe("start", {0.05, 0.4, 0}, FluidField::pressure)};
+    const auto series = measured(made);
+    EXPECT_FALSE(std::isnan(series.rows.front()[0]));
+    EXPECT_TRUE(std::isnan(series.rows.back()[0]));
 }
 
 TEST(LargestSpeedAndDensity, of_uniform_flow) {
