@@ -207,7 +207,7 @@ RunSummary Simulation::run(const RunOptions& options) {
         try {
             s.fluid.advance(time, dt);
         } catch (const DivergenceError& error) {
-            s.diverged(options.sink, time, step, error.problem(), error.what_to_do());
+            s.diverged(options.sink, time + dt, step + 1, error.problem(), error.what_to_do());
         }
         time = target - time <= 1.5 * dt ? target : time + dt;
         ++step;
