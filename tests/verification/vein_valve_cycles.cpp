@@ -1,14 +1,14 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "tests/verification/run_case.hpp"
 
 namespace dmp {
 namespace {
 
-constexpr double period = 4;          // of the drive [s]
+constexpr double period = 4;            // of the drive [s]
 constexpr double channel_width = 8e-3;  // [m]
 constexpr double spacing = 0.2e-3;      // [m]
 
@@ -56,10 +56,9 @@ TEST(VeinValve, OpensClosesAndPumps) {
 
 TEST(VeinValve, WithoutLeafletsHardlyAnythingIsPumped) {
     // A cosine starts at the flow's own phase, so no mean flow is left from the start.
-    const RunSummary run = run_case("vein_valve",
-                                    {"part.leaflets.enabled=false",
-                                     "flow.acceleration=[\"0.073 m/s^2 * cos(2*pi*t / 4 s)\", 0]"},
-                                    2 * period);
+    const RunSummary run = run_case(
+        "vein_valve", {"part.leaflets.enabled=false", "flow.acceleration=[\"0.073 m/s^2 * cos(2*pi*t / 4 s)\", 0]"},
+        2 * period);
     const Strokes strokes = second_cycle(run.measures);
     EXPECT_LT(std::abs(strokes.net), 0.1 * strokes.forward);
 }

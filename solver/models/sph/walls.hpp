@@ -9,6 +9,22 @@ namespace dmp {
 
 /// What a fluid particle sees in a solid one: a fluid particle in its place, on which the ordinary pair laws act.
 
+/// A particle of the same liquid at the solid's place: the solid's velocity and volume, the fluid's own state.
+template <int D, class F, class S>
+auto liquid_in_place_of(const S& solid, const F& fluid) {
+    using T = Wider<decltype(fluid.density), decltype(solid.volume)>;
+    FluidPoint<T, D> liquid;
+    for (int a = 0; a < D; ++a) {
+        liquid.position[a] = solid.position[a];
+        liquid.velocity[a] = solid.velocity[a];
+    }
+    liquid.volume = solid.volume;
+    liquid.density = fluid.density;
+    liquid.pressure = fluid.pressure;
+    liquid.viscosity = fluid.viscosity;
+    return liquid;
+}
+
 /// No-slip walls with velocity and pressure extrapolated into them, pair by pair.
 /// Rigid walls: the velocity is the straight line through the fluid particle's and the wall's at its surface
 /// (Morris, Fox & Zhu 1997, eqs. 28-29), v_j = v_w - (d_j / d_i)(v_i - v_w), d the distances to the surface; the
@@ -20,7 +36,7 @@ struct ExtrapolatedSolid {
     static constexpr bool needs_surface = true;
     /// In the density rate the wall's image approaches as fast as the fluid does (v_j = 2 v_w - v_i along the pair), so
     /// the relative velocity counts twice. It goes with the pressure, which acts twice too (p_j = p_i): the work of the
-    /// forces is then the energy that the density stores, without which thin bodies flutter.
+    /// forces is then the energy that the density stores.
     static constexpr double approach_weight = 2;
 
     Vector<double, D> acceleration;  ///< body acceleration g of the fluid now [m/s^2]
@@ -28,29 +44,19 @@ struct ExtrapolatedSolid {
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
-        using T = Wider<decltype(fluid.density), decltype(wall.depth)>;
+        auto liquid = liquid_in_place_of<D>(wall, fluid);
+        using T = decltype(liquid.density);
         const T distance = max_of(T(dot(from_wall, wall.normal) - wall.depth), T(nearest));
         const T ratio = wall.depth / distance;
-        FluidPoint<T, D> ghost;
         for (int a = 0; a < D; ++a)
-            ghost.velocity[a] = wall.velocity[a] - ratio * (fluid.velocity[a] - wall.velocity[a]);
-        ghost.pressure = fluid.pressure - fluid.density * dot(acceleration, from_wall);
-        ghost.volume = wall.volume;
-        ghost.density = fluid.density;
-        ghost.viscosity = fluid.viscosity;
-        return ghost;
+            liquid.velocity[a] = liquid.velocity[a] - ratio * (fluid.velocity[a] - wall.velocity[a]);
+        liquid.pressure = liquid.pressure - fluid.density * dot(acceleration, from_wall);
+        return liquid;
     }
 
     template <class F, class S, class Separation>
-    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation&) const {
-        using T = Wider<decltype(fluid.density), decltype(body.volume)>;
-        FluidPoint<T, D> ghost;
-        for (int a = 0; a < D; ++a) ghost.velocity[a] = body.velocity[a];
-        ghost.pressure = fluid.pressure;
-        ghost.volume = body.volume;
-        ghost.density = fluid.density;
-        ghost.viscosity = fluid.viscosity;
-        return ghost;
+    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& /*from_body*/) const {
+        return liquid_in_place_of<D>(body, fluid);
     }
 
   private:
@@ -69,15 +75,11 @@ struct PlainSolid {
     static constexpr double approach_weight = 1;  ///< the solid's own density takes up the other half
 
     template <class F, class S, class Separation>
-    [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation&) const {
-        using T = Wider<decltype(fluid.density), decltype(solid.volume)>;
-        FluidPoint<T, D> ghost;
-        for (int a = 0; a < D; ++a) ghost.velocity[a] = solid.velocity[a];
-        ghost.pressure = solid.pressure;
-        ghost.volume = solid.volume;
-        ghost.density = solid.density;
-        ghost.viscosity = fluid.viscosity;
-        return ghost;
+    [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation& /*from_solid*/) const {
+        auto liquid = liquid_in_place_of<D>(solid, fluid);
+        liquid.density = solid.density;
+        liquid.pressure = solid.pressure;
+        return liquid;
     }
     template <class F, class S, class Separation>
     [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& from_body) const {

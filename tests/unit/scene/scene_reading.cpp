@@ -49,7 +49,8 @@ TEST(ReadScene, vein_valve_whole) {
     EXPECT_TRUE(scene.flow.periodic[0]);
     EXPECT_FALSE(scene.flow.periodic[1]);
     EXPECT_FALSE(scene.flow.periodic[2]);
-    EXPECT_EQ(*scene.flow.largest_speed, 0.22);
+    EXPECT_EQ(*scene.flow.largest_speed, 0.1);
+    EXPECT_EQ(*scene.accuracy.sound_speed, 2.5);
     EXPECT_EQ(*scene.run.duration, 4);
     EXPECT_EQ(*scene.output.every, 0.04);
     EXPECT_EQ(*scene.output.measure_every, 0.01);

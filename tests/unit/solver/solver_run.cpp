@@ -283,8 +283,8 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
 
 TEST(Plan, limits_the_step_and_says_what_rules) {
     const SceneAndParticles made =
-        case_of("vein_valve", {"particles.spacing=0.4 mm", "flow.largest_speed=0.22 m/s", "run.duration=4 s",
-                               "flow.acceleration=[\"0.15 m/s^2 * sin(2*pi*t / 4 s)\", 0]"});
+        case_of("vein_valve", {"particles.spacing=0.4 mm", "flow.largest_speed=0.22 m/s", "accuracy.sound_speed=auto",
+                               "run.duration=4 s", "flow.acceleration=[\"0.15 m/s^2 * sin(2*pi*t / 4 s)\", 0]"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
     EXPECT_DOUBLE_EQ(plan.sound_speed, 2.2);
