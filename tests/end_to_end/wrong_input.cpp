@@ -186,7 +186,7 @@ std::vector<WrongInput> wrong_inputs() {
          valve,
          {{scene, "part = \"leaflets\"", "part = \"leaves\""}},
          {},
-         {"scene.toml:62:8:", "no part 'leaves'"}},
+         {"scene.toml:65:8:", "no part 'leaves'"}},
         {"SetUnknownKey",
          poiseuille,
          {},
