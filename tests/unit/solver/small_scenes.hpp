@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -95,8 +96,9 @@ inline void add_flags(SceneAndParticles& made) {
 inline void add_rod(SceneAndParticles& made, const Vec& place, int body) {
     ParticleSet& set = made.particles;
     const int first = static_cast<int>(set.size());
-    for (const double y : {0.0, 0.1}) {
-        set.position.push_back(place + Vec(0, y, 0));
+    // Copies: `place` may be a position of the set itself, which is about to grow.
+    for (const Vec& node : std::array<Vec, 2>{place, place + Vec(0, 0.1, 0)}) {
+        set.position.push_back(node);
         set.volume.push_back(0.01);
         set.mass.push_back(10);
         set.part.push_back(static_cast<int>(set.parts.size()) - 1);
