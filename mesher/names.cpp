@@ -24,7 +24,7 @@ std::string point_text(const Vec& p) {
 std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
     if (geometry.region(name) != nullptr) return "a surface";
     if (geometry.curve_set(name) != nullptr) return "a curve";
-    return geometry.points.count(name) > 0 ? "a point" : "";
+    return geometry.points.contains(name) ? "a point" : "";
 }
 
 [[noreturn]] void missing(const Geometry& geometry, const Value<std::string>& name, const std::string& wanted) {
@@ -53,7 +53,9 @@ void check_sides_match(const Region& region, const Part& part, int axis, const B
     const InsideTest inside(region);
     const int other = 1 - axis;
     const double step = 0.25 * spacing;
-    for (double along = box.low[other] + 0.5 * step; along < box.high[other]; along += step) {
+    const auto places = static_cast<long>(std::ceil(box.extent()[other] / step));
+    for (long k = 0; k < places; ++k) {
+        const double along = box.low[other] + (static_cast<double>(k) + 0.5) * step;
         Vec low = Vec::Zero(), high = Vec::Zero();
         low[axis] = box.low[axis] + 1e-3 * spacing;
         high[axis] = box.high[axis] - 1e-3 * spacing;
@@ -81,10 +83,10 @@ void check_names(const Geometry& geometry, const Scene& scene) {
         } else if (geometry.curve_set(part.name) == nullptr) {
             missing(geometry, part.name, "a curve");
         }
-        if (!part.anchor->empty() && geometry.points.count(part.anchor) == 0) missing(geometry, part.anchor, "a point");
+        if (!part.anchor->empty() && !geometry.points.contains(part.anchor)) missing(geometry, part.anchor, "a point");
     }
     for (const std::string& name : geometry.names()) {
-        if (used.count(name) > 0) continue;
+        if (used.contains(name)) continue;
         const std::vector<std::string> parts(used.begin(), used.end());
         const std::string near = nearest_name(name, parts);
         throw InputError(

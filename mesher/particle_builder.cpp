@@ -112,7 +112,9 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     ParticleSet& set = result_.particles;
 
     std::vector<Vec> middles;
-    for (int c = 0; c < ladder.columns(); ++c) middles.push_back(0.5 * (ladder.nodes[2 * c] + ladder.nodes[2 * c + 1]));
+    middles.reserve(ladder.nodes.size() / 2);
+    for (std::size_t n = 0; n < ladder.nodes.size(); n += 2)
+        middles.emplace_back(0.5 * (ladder.nodes[n] + ladder.nodes[n + 1]));
     const std::vector<bool> anchored = anchored_columns(part, middles, ladder.along);
 
     const int first = static_cast<int>(set.size());

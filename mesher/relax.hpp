@@ -11,7 +11,7 @@ namespace dmp {
 /// particles stand too near or leave gaps. Steepest descent on the same sum that particle shifting uses; other
 /// particles stay on the lattice. `support` is the kernel's support radius [m]; `may_stand(i, point)` says whether
 /// particle i may stand at a point of the box: it never leaves the places where it may.
-void relax_around_bodies(ParticleSet& particles, double support,
+void relax_around_bodies(ParticleSet& set, double support,
                          const std::function<bool(std::size_t, const Vec&)>& may_stand);
 
 }  // namespace dmp

@@ -46,8 +46,8 @@ Ladder ladder_along(const Polyline& curve, double spacing) {
     for (int column = 0; column <= cells; ++column) {
         const auto [point, tangent] = curve.at(std::min(length, column * ladder.along));
         const Vec left(-tangent[1], tangent[0], 0);
-        ladder.nodes.push_back(point + 0.5 * spacing * left);
-        ladder.nodes.push_back(point - 0.5 * spacing * left);
+        ladder.nodes.emplace_back(point + 0.5 * spacing * left);
+        ladder.nodes.emplace_back(point - 0.5 * spacing * left);
     }
     return ladder;
 }

@@ -56,7 +56,7 @@ struct ParticleSet {
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
     [[nodiscard]] ParticleKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }
-    [[nodiscard]] std::size_t count(ParticleKind kind) const;
+    [[nodiscard]] std::size_t count(ParticleKind wanted) const;
 };
 
 }  // namespace dmp
