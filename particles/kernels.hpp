@@ -28,7 +28,7 @@ T distance_to_edge(const T& r, double inverse_support) {
 
 }  // namespace detail
 
-/// Wendland's C2 function, W = w (1 - q)^4 (1 + 4 q), q = r / support (Wendland 1995; Dehnen & Aly 2012, Table 1).
+/// Wendland's C2 function, W = w (1 - q)^4 (1 + 4 q), q = r / support (Wendland 1995; Dehnen & Aly 2012).
 template <int D>
 class WendlandC2 {
   public:
@@ -56,7 +56,7 @@ class WendlandC2 {
     double inverse_support_, constant_, slope_constant_;
 };
 
-/// Lucy's function, W = w (1 + 3 q)(1 - q)^3, q = r / support (Lucy 1977, eq. 3).
+/// Lucy's function, W = w (1 + 3 q)(1 - q)^3, q = r / support (Lucy 1977).
 template <int D>
 class Lucy {
   public:

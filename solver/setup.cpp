@@ -109,17 +109,17 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     const auto fluids = scene.parts_of(PartKind::fluid);
     if (!fluids.empty()) {
         const std::string fluid = "part '" + fluids.front()->name.value + "' at " + fluids.front()->name.place.text();
-        models.push_back({"Tait equation of state", "Monaghan 1994, eq. 2.1", fluid});
-        models.push_back({"continuity", "Monaghan 1994, eq. 2.3, in volume form", fluid});
-        models.push_back({"pressure force", "Bonet & Lok 1999, eq. 41", fluid});
+        models.push_back({"Tait equation of state", "Monaghan 1994", fluid});
+        models.push_back({"continuity", "Monaghan 1994, in volume form", fluid});
+        models.push_back({"pressure force", "Bonet & Lok 1999", fluid});
         models.push_back(
             {"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
         if (scene.accuracy.density_diffusion > 0)
-            models.push_back({"density diffusion", "Molteni & Colagrossi 2009, eq. 14",
+            models.push_back({"density diffusion", "Molteni & Colagrossi 2009",
                               because(scene.accuracy.density_diffusion, "accuracy.density_diffusion")});
         if (scene.accuracy.shifting > 0)
-            models.push_back({"particle shifting", "after Sun et al. 2017, eq. 9",
-                              because(scene.accuracy.shifting, "accuracy.shifting")});
+            models.push_back(
+                {"particle shifting", "after Sun et al. 2017", because(scene.accuracy.shifting, "accuracy.shifting")});
     }
     for (const Expression& axis : scene.flow.acceleration)
         if (axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0) {
@@ -127,9 +127,8 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
         }
     if (!scene.parts_of(PartKind::rigid).empty())
         models.push_back({scene.accuracy.walls == WallModel::plain ? "plain walls" : "extrapolated no-slip walls",
-                          scene.accuracy.walls == WallModel::plain
-                              ? "Monaghan 1994, sec. 5"
-                              : "Morris, Fox & Zhu 1997, eqs. 28-29; Adami, Hu & Adams 2012, eq. 23",
+                          scene.accuracy.walls == WallModel::plain ? "Monaghan 1994"
+                                                                   : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
                           because(scene.accuracy.walls, "accuracy.walls")});
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
@@ -139,8 +138,8 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     }
     const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();
     if (scene.contact.range > 0 && has_solids)
-        models.push_back({"short-range repulsion", "Monaghan 1994, eq. 5.1, cut at r*",
-                          because(scene.contact.range, "contact.range")});
+        models.push_back(
+            {"short-range repulsion", "Monaghan 1994, cut at r*", because(scene.contact.range, "contact.range")});
     return models;
 }
 

@@ -9,7 +9,7 @@
 namespace dmp {
 
 /// Magnitude of the viscous shear stress mu sqrt(2 D : D) of each fluid particle [Pa], D the symmetric part of the
-/// velocity gradient. The gradient is exact for linear fields (kernel-gradient correction of Bonet & Lok 1999, eq. 25)
+/// velocity gradient. The gradient is exact for linear fields (kernel-gradient correction of Bonet & Lok 1999)
 /// and uses fluid neighbours alone, so it is one-sided at walls. Particles with too few neighbours for a gradient
 /// (a droplet of one or two) have none: 0. In the order of ids(fluid).
 std::vector<double> shear_stress(const ParticleStore& particles, const ClusterList& list, const PairSweeps& sweeps);

@@ -34,7 +34,7 @@ class SpringBody {
     Impulses advance_subcycled(double dt, int substeps);
 
     /// Moves the nodes over dt in one implicit midpoint step: stable for any dt, and free of the resonance between
-    /// kicks of the fluid and spring modes that sub-cycling has (Stern & Grinspun 2009, sec. 3: "IMEX").
+    /// kicks of the fluid and spring modes that sub-cycling has (Stern & Grinspun 2009: "IMEX").
     /// A step whose equations cannot be solved is halved, and halved again; throws DivergenceError when that is in
     /// vain.
     Impulses advance_implicit(double dt);

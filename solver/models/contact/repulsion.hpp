@@ -8,7 +8,7 @@
 
 namespace dmp {
 
-/// Short-range repulsion that keeps particles of different bodies apart (Monaghan 1994, eq. 5.1, exponents 12 and 6):
+/// Short-range repulsion that keeps particles of different bodies apart (Monaghan 1994, exponents 12 and 6):
 ///   F_i = K [(r*/r)^12 - (r*/r)^6] x_ij / r^2   for r < r*,   0 beyond   [N]
 /// Cut at r*, where it would start to attract. Energy per pair U(r) = K [(r*/r)^12/12 - (r*/r)^6/6 + 1/12].
 struct Repulsion {

@@ -5,7 +5,7 @@
 
 namespace dmp {
 
-/// Rate of density of particle i (Monaghan 1994, eq. 2.3 in volume form):
+/// Rate of density of particle i (Monaghan 1994, in volume form):
 ///   drho_i/dt = rho_i SUM_j V_j v_ij . grad_i W_ij   [kg/m^3/s]
 /// Reads velocity, density and volume.
 struct ContinuityRate {

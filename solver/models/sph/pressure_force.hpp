@@ -5,7 +5,7 @@
 
 namespace dmp {
 
-/// Pressure force on particle i (Bonet & Lok 1999, eq. 41; the variational partner of ContinuityRate):
+/// Pressure force on particle i (Bonet & Lok 1999; the variational partner of ContinuityRate):
 ///   F_i = - SUM_j V_i V_j (p_i + p_j) grad_i W_ij   [N]
 /// Reads volume and pressure. Antisymmetric: momentum is conserved pair by pair.
 struct PressureForce {

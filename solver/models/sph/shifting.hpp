@@ -6,7 +6,7 @@
 
 namespace dmp {
 
-/// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017, eq. 9):
+/// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
 ///   dx_i = - s U dt R SUM_j [1 + 0.2 (W_ij / W(dx))^4] V_j grad_i W_ij,   |dx_i| <= 0.1 dx
 /// with R the support radius and U the largest speed in the fluid. The sum vanishes where particles are even.
 /// The pair law is the term of the sum [1/m]; `step` turns the sum into a displacement [m].

@@ -3,7 +3,7 @@
 
 namespace dmp {
 
-/// Tait's equation of state for a weakly compressible liquid (Monaghan 1994, eq. 2.1 with gamma = 7):
+/// Tait's equation of state for a weakly compressible liquid (Monaghan 1994 with gamma = 7):
 ///   p = (c0^2 rho0 / 7) [(rho/rho0)^7 - 1]   [Pa]
 struct TaitEquation {
     double sound_speed;   ///< c0 [m/s]

@@ -27,8 +27,8 @@ auto liquid_in_place_of(const S& solid, const F& fluid) {
 
 /// No-slip walls with velocity and pressure extrapolated into them, pair by pair.
 /// Rigid walls: the velocity is the straight line through the fluid particle's and the wall's at its surface
-/// (Morris, Fox & Zhu 1997, eqs. 28-29), v_j = v_w - (d_j / d_i)(v_i - v_w), d the distances to the surface; the
-/// pressure continues hydrostatically (Adami, Hu & Adams 2012, eq. 23, for one pair), p_j = p_i + rho_i g . (x_j -
+/// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), d the distances to the surface; the
+/// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j -
 /// x_i). Spring bodies are thin and have fluid on both sides: their own velocity, and the pressure of the side that
 /// looks.
 template <int D>

@@ -19,7 +19,7 @@ using testing_solver::KeptFrames;
 
 constexpr double width = 1e-3, viscosity = 1e-6, acceleration = 1e-4, density = 1000;
 
-/// Start-up from rest between plates at y = 0 and y = width (series of Morris, Fox & Zhu 1997, eq. 38).
+/// Start-up from rest between plates at y = 0 and y = width (series of Morris, Fox & Zhu 1997).
 double speed_by_series(double y, double t) {
     constexpr double pi = std::numbers::pi;
     double u = acceleration / (2 * viscosity) * y * (width - y);
