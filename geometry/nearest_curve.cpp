@@ -60,7 +60,7 @@ NearestCurve::NearestCurve(const CurveSet& curves, double largest_distance) : la
         }
     }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     begin_.assign(columns_ * rows_ + 1, 0);
     for (const auto& [cell, segment] : found) {
         ++begin_[cell + 1];

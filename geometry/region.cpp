@@ -34,7 +34,7 @@ double Region::area() const {
         if (b.y() < a.y()) segments.push_back({b, a});
     });
     std::ranges::sort(levels);
-    levels.erase(std::ranges::unique(levels).begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     std::ranges::sort(segments, {}, [](const RisingSegment& s) { return s.low.y(); });
 
     struct Flank {

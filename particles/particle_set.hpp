@@ -27,8 +27,8 @@ struct Hinge {
     double stiffness = 0;   ///< k_a [J]
 };
 
-/// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
-struct ParticleSet {
+/// The space that particles live in, and the parts they belong to: all of a particle set that does not grow with it.
+struct ParticleSpace {
     struct PartInfo {
         std::string name;
         ParticleKind kind = ParticleKind::fluid;
@@ -39,7 +39,10 @@ struct ParticleSet {
     Box box;                         ///< periodic axes: one period; others: around everything
     std::array<bool, 3> periodic{};  ///< by axis
     std::vector<PartInfo> parts;     ///< what the part numbers mean
+};
 
+/// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
+struct ParticleSet : ParticleSpace {
     // one entry a particle
     std::vector<Vec> position;          ///< [m]
     std::vector<double> volume;         ///< volume it stands for in the SPH sums [m^2 x 1 m]

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace dmp {
 
@@ -10,43 +11,48 @@ namespace dmp {
 enum class Field {
     position,
     velocity,
-    force,
-    shift,
     density,
     density_rate,
-    pressure,
-    volume,
     mass,
     viscosity,
     wall_normal,
     wall_distance,
     contact_range,
     wall_contact_range,
+    volume,
+    pressure,
+    force,
+    shift,
     count  // how many there are
 };
+
+using FieldList = std::vector<Field>;
 
 struct FieldInfo {
     std::string_view name;
     std::string_view unit;
     bool is_vector;
+    /// True: a particle takes its value along when it is sorted, sent to another rank or saved. False: it is worked out
+    /// anew before it is used.
+    bool is_state;
 };
 
 /// By Field, in its order.
 inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> field_info{{
-    {"position", "m", true},
-    {"velocity", "m/s", true},
-    {"force", "N", true},
-    {"shift", "m", true},
-    {"density", "kg/m^3", false},
-    {"density_rate", "kg/m^3/s", false},
-    {"pressure", "Pa", false},
-    {"volume", "m^3", false},
-    {"mass", "kg", false},
-    {"viscosity", "Pa*s", false},
-    {"wall_normal", "1", true},
-    {"wall_distance", "m", false},
-    {"contact_range", "m", false},
-    {"wall_contact_range", "m", false},
+    {"position", "m", true, true},
+    {"velocity", "m/s", true, true},
+    {"density", "kg/m^3", false, true},
+    {"density_rate", "kg/m^3/s", false, true},
+    {"mass", "kg", false, true},
+    {"viscosity", "Pa*s", false, true},
+    {"wall_normal", "1", true, true},
+    {"wall_distance", "m", false, true},
+    {"contact_range", "m", false, true},
+    {"wall_contact_range", "m", false, true},
+    {"volume", "m^3", false, false},
+    {"pressure", "Pa", false, false},
+    {"force", "N", true, false},
+    {"shift", "1/m", true, false},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }

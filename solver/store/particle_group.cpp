@@ -1,0 +1,63 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/store/particle_group.hpp"
+
+#include <algorithm>
+
+namespace dmp {
+
+namespace {
+
+constexpr std::size_t lanes_behind_the_end = 16;
+
+}  // namespace
+
+void ParticleGroup::declare(const FieldList& fields) {
+    for (const Field field : fields) {
+        declared_[static_cast<std::size_t>(field)] = true;
+        for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(total() + lanes_behind_the_end);
+    }
+}
+
+FieldList ParticleGroup::declared() const {
+    FieldList fields;
+    for (std::size_t f = 0; f < declared_.size(); ++f)
+        if (declared_[f]) fields.push_back(static_cast<Field>(f));
+    return fields;
+}
+
+FieldList ParticleGroup::state() const {
+    FieldList fields = declared();
+    std::erase_if(fields, [](Field field) { return !info(field).is_state; });
+    return fields;
+}
+
+void ParticleGroup::resize(std::size_t owned, std::size_t copies) {
+    owned_ = owned;
+    tags_.resize(owned + copies);
+    for (const Field field : declared())
+        for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(total() + lanes_behind_the_end);
+}
+
+void ParticleGroup::reorder(std::span<const std::int32_t> order) {
+    std::vector<ParticleTag> tags(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) tags[k] = tags_[order[k]];
+    tags_ = std::move(tags);
+    owned_ = order.size();
+    for (const Field field : declared())
+        for (int axis = 0; axis < axes(field); ++axis) {
+            Array& values = array(field, axis);
+            moved_.resize(order.size() + lanes_behind_the_end);
+            if (info(field).is_state)
+                for (std::size_t k = 0; k < order.size(); ++k) moved_[k] = values[order[k]];
+            values.swap(moved_);
+        }
+}
+
+std::size_t ParticleGroup::bytes() const {
+    std::size_t bytes = tags_.capacity() * sizeof(ParticleTag) + moved_.capacity() * sizeof(double);
+    for (const auto& field : arrays_)
+        for (const Array& values : field) bytes += values.capacity() * sizeof(double);
+    return bytes;
+}
+
+}  // namespace dmp
