@@ -60,6 +60,7 @@ class Opened {
 
 std::vector<std::string> names_of(vtkFieldData& arrays) {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(arrays.GetNumberOfArrays()));
     for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) names.emplace_back(arrays.GetArrayName(i));
     return names;
 }
@@ -262,9 +263,8 @@ TEST(VtkSink, ArraysThatDoNotFitAreRefused) {
 /// Limits the size of files this process may write, for as long as it lives.
 class FileSizeLimit {
   public:
-    explicit FileSizeLimit(rlim_t bytes) {
+    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
         getrlimit(RLIMIT_FSIZE, &before_);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{bytes, before_.rlim_max};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
@@ -277,7 +277,7 @@ class FileSizeLimit {
 
   private:
     rlimit before_{};
-    void (*handler_)(int) = SIG_DFL;
+    void (*handler_)(int);
 };
 
 TEST(VtkSink, AFullDiskIsAResourceErrorAndTheSeriesStaysWhole) {
