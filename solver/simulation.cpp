@@ -43,14 +43,16 @@ constexpr int steps_between_looks = 50;
 }  // namespace
 
 struct Simulation::State {
-    State(Scene s, ParticleSet p, int threads)
+    State(Scene s, const ParticleSet& set, const Resources& resources)
         : scene(std::move(s)),
-          set(std::move(p)),
-          particles(set),
-          settings(pair_settings(scene, threads)),
-          fluid(scene, set, particles, settings, equations_of_state(scene, set)),
+          ranks(resources.ranks),
+          particles(set, rest_densities(scene, set)),
+          settings(pair_settings(scene, resources)),
+          fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
-          watch(set, settings.sound_speed, settings.support) {
+          measures(scene, set, settings, ranks),
+          watch(particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support) {
+        for (std::size_t i = 0; i < set.size(); ++i) ++count[word(static_cast<PartKind>(set.kind(i)))];
         fill_store(scene, set, particles);
     }
 
@@ -65,28 +67,38 @@ struct Simulation::State {
     void stop_if_diverged(const RunOptions& options, double time, long step, const FluidExtremes& extremes);
 
     Scene scene;
-    ParticleSet set;
+    Ranks ranks;
+    std::map<std::string, std::size_t> count;  ///< particles of all ranks by kind
     ParticleStore particles;
     PairSettings settings;
     FluidStep fluid;
     StepScales scales;
+    Measures measures;
     Watch watch;
     long frames = 0;
     double last_frame = 0;  ///< time of the last frame [s]
 };
 
 Conserved Simulation::State::conserved() const {
-    Conserved sum;
-    const double* mass = particles.data(Field::mass);
-    for (std::size_t i = 0; i < particles.owned(); ++i) {
-        if (set.fixed[i]) continue;
-        sum.mass += mass[i];
-        if (set.kind(i) == ParticleKind::springs) continue;  // the bodies know their momentum
-        for (int axis = 0; axis < set.dimension; ++axis)
-            sum.momentum[axis] += mass[i] * particles.data(Field::velocity, axis)[i];
+    const ParticleGroup& liquid = particles.fluid();
+    ExactSum mass;
+    std::array<ExactSum, 3> momentum;
+    for (std::size_t i = 0; i < liquid.owned(); ++i) {
+        const double m = liquid.data(Field::mass)[i];
+        mass.add(m);
+        for (int axis = 0; axis < liquid.dimension(); ++axis)
+            momentum[axis].add(m * liquid.data(Field::velocity, axis)[i]);
     }
-    for (const SpringBody& body : fluid.springs().bodies())
-        for (int axis = 0; axis < 2; ++axis) sum.momentum[axis] += body.momentum()[axis];
+    ranks.sum(mass);
+    for (ExactSum& axis : momentum) ranks.sum(axis);
+    // Every rank holds all bodies.
+    Conserved sum;
+    for (const SpringBody& body : fluid.springs().bodies()) {
+        mass.add(body.free_mass());
+        for (int axis = 0; axis < 2; ++axis) momentum[axis].add(body.momentum()[axis]);
+    }
+    sum.mass = mass.value();
+    for (int axis = 0; axis < 3; ++axis) sum.momentum[axis] = momentum[axis].value();
     return sum;
 }
 
@@ -111,7 +123,7 @@ void Simulation::State::write_frame(FrameSink* sink, double time, long step) {
 
 void Simulation::State::write_as_it_is(FrameSink* sink, double time, long step) {
     if (sink == nullptr || (frames > 0 && time <= last_frame)) return;  // no time twice
-    sink->write(make_frame(scene, set, particles, fluid, time, step, frames == 0));
+    sink->write(make_frame(scene, particles, fluid, time, step, frames == 0));
     ++frames;
     last_frame = time;
 }
@@ -131,16 +143,16 @@ void Simulation::State::diverged(FrameSink* sink, double time, long step, const 
         what_to_do);
 }
 
-Simulation::Simulation(const Scene& scene, ParticleSet particles, int threads)
-    : state_(std::make_unique<State>(scene, std::move(particles), threads)) {}
+Simulation::Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources)
+    : state_(std::make_unique<State>(scene, particles, resources)) {}
 
 Simulation::~Simulation() = default;
 
 Plan Simulation::plan() const {
     const State& s = *state_;
     Plan plan;
-    for (std::size_t i = 0; i < s.set.size(); ++i) ++plan.particles[word(static_cast<PartKind>(s.set.kind(i)))];
-    plan.bytes_per_particle = s.particles.bytes_per_particle();
+    plan.particles = s.count;
+    plan.bytes_per_particle = s.particles.bytes() / std::max<std::size_t>(1, s.particles.owned());
     plan.sound_speed = s.settings.sound_speed;
     plan.largest_speed = s.scene.flow.largest_speed;
     double g = 0;  // largest over one run, sampled
@@ -161,9 +173,13 @@ Plan Simulation::plan() const {
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     plan.models = models_in_use(s.scene);
-    for (const Field field : s.particles.declared()) {
-        const auto bytes = (info(field).is_vector ? static_cast<std::size_t>(s.set.dimension) : 1) * sizeof(double);
-        plan.fields.push_back(std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+    for (const ParticleGroup& group : s.particles.groups()) {
+        if (group.empty()) continue;
+        for (const Field field : group.declared()) {
+            const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
+            plan.fields.push_back(word(static_cast<PartKind>(group.kind())) + std::string(": ") +
+                                  std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+        }
     }
     return plan;
 }
@@ -174,7 +190,6 @@ RunSummary Simulation::run(const RunOptions& options) {
     const double measure_every =
         s.scene.output.measure_every > 0 ? s.scene.output.measure_every.value : s.scene.output.every / 4;
     Schedule frame_times(s.scene.output.every), measure_times(measure_every);
-    Measures measures(s.scene, s.set, s.settings);
 
     RunSummary summary;
     summary.start = s.conserved();
@@ -188,7 +203,7 @@ RunSummary Simulation::run(const RunOptions& options) {
     const auto output_if_due = [&] {
         if (measure_times.due(time)) {
             s.fluid.update_pressure();
-            measures.take(time, s.particles, s.fluid);
+            s.measures.take(time, s.particles, s.fluid);
         }
         if (frame_times.due(time)) s.write_frame(options.sink, time, step);
     };
@@ -226,10 +241,11 @@ RunSummary Simulation::run(const RunOptions& options) {
     }
 
     summary.wall_s = seconds_since(start);
-    for (std::size_t i = 0; i < s.set.size(); ++i) ++summary.particles[word(static_cast<PartKind>(s.set.kind(i)))];
+    summary.particles = s.count;
     summary.steps = step;
     summary.simulated_s = time;
-    summary.particle_steps_per_s = static_cast<double>(step) * static_cast<double>(s.set.size()) / summary.wall_s;
+    summary.particle_steps_per_s =
+        static_cast<double>(step) * static_cast<double>(s.particles.owned()) / summary.wall_s;
     summary.threads = s.settings.threads;
     const Plan plan = this->plan();
     summary.limits = plan.limits;
@@ -247,14 +263,14 @@ RunSummary Simulation::run(const RunOptions& options) {
         scale += std::abs(given.of_body_forces[axis]) + std::abs(given.of_fixed[axis]) + std::abs(given.of_drag[axis]);
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
-    const double rest_density = equations_of_state(s.scene, s.set).front().rest_density;
+    const double rest_density = equations_of_state(s.scene, s.particles.space()).front().rest_density;
     summary.density_low *= rest_density;
     summary.density_high *= rest_density;
     s.fluid.refresh_neighbours();
-    summary.lost = s.watch.lost(s.particles, s.fluid.list());
-    summary.state_hash = state_hash(s.particles);
+    summary.lost = s.watch.lost(s.particles, s.fluid.neighbours().list());
+    summary.state_hash = state_hash(s.particles, s.ranks);
     summary.seconds_by_stage = s.fluid.timer().seconds();
-    summary.measures = measures.series();
+    summary.measures = s.measures.series();
     return summary;
 }
 

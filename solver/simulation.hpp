@@ -11,6 +11,7 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/resources.hpp"
 
 namespace dmp {
 
@@ -92,8 +93,9 @@ struct RunOptions {
 /// A scene's particles in motion.
 class Simulation {
   public:
-    /// threads = 0: all the machine has. Throws InputError when scene and particles do not fit together.
-    Simulation(const Scene& scene, ParticleSet particles, int threads = 0);
+    /// Throws InputError when scene and particles do not fit together, ResourceError when the machine lacks what is
+    /// asked of it.
+    Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources = {});
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
