@@ -13,17 +13,19 @@ class FailuresOnly : public testing::EmptyTestEventListener {
   public:
     explicit FailuresOnly(int rank) : rank_(rank) {}
 
+    void OnTestStart(const testing::TestInfo& test) override { test_ = test.name(); }
+
     void OnTestPartResult(const testing::TestPartResult& result) override {
         if (!result.failed()) return;
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::cout << "rank " + std::to_string(rank_) + (test == nullptr ? "" : std::string(", ") + test->name()) +
-                         ", " + (result.file_name() == nullptr ? "" : result.file_name()) + ":" +
+        const char* file = result.file_name() == nullptr ? "" : result.file_name();
+        std::cout << "rank " + std::to_string(rank_) + ", " + test_ + ", " + file + ":" +
                          std::to_string(result.line_number()) + ": " + result.message() + "\n"
                   << std::flush;
     }
 
   private:
     int rank_;
+    std::string test_;
 };
 
 }  // namespace
