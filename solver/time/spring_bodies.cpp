@@ -52,16 +52,18 @@ void SpringBodies::find_nodes(const ParticleStore& particles) {
 }
 
 SpringBodies::Vectors SpringBodies::collected_forces(const ParticleStore& particles) const {
+    struct NodeForce {
+        std::size_t node;
+        Vector<double, 2> force;
+    };
     const ParticleGroup& group = particles.of(ParticleKind::springs);
-    const std::size_t count = first_node_.back();
-    std::vector<double> force(2 * count, 0.0);
-    for (std::size_t i = 0; i < group.owned(); ++i)
-        for (int axis = 0; axis < 2; ++axis)
-            force[2 * (first_node_[nodes_[i].body] + nodes_[i].index) + axis] = group.data(Field::force, axis)[i];
-    ranks_.sum(force);  // one rank has a node's force, the others add 0
-    Vectors vectors(count);
-    for (std::size_t n = 0; n < count; ++n) vectors[n] = {{force[2 * n], force[2 * n + 1]}};
-    return vectors;
+    std::vector<NodeForce> owned(group.owned());
+    for (std::size_t i = 0; i < owned.size(); ++i)
+        owned[i] = {first_node_[nodes_[i].body] + nodes_[i].index,
+                    {{group.data(Field::force, 0)[i], group.data(Field::force, 1)[i]}}};
+    Vectors force(first_node_.back());
+    for (const NodeForce& of : ranks_.all_gather(owned)) force[of.node] = of.force;
+    return force;
 }
 
 template <class ValueOf>
