@@ -1,14 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/vtk_sink.hpp"
 
-#include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -20,8 +17,8 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/read_frames.hpp"
-#include "postproc/safe_file.hpp"
 #include "synthetic_run.hpp"
 
 namespace dmp {
@@ -29,6 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using dmp::testing::channel_frame;
+using dmp::testing::files_in;
+using dmp::testing::FileSizeLimit;
 using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -61,13 +60,6 @@ class Opened {
 std::vector<std::string> names_of(vtkFieldData& arrays) {
     std::vector<std::string> names;
     for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) names.emplace_back(arrays.GetArrayName(i));
-    return names;
-}
-
-std::vector<std::string> files_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
     return names;
 }
 
@@ -258,27 +250,6 @@ TEST(VtkSink, ArraysThatDoNotFitAreRefused) {
     EXPECT_THROW(sink.write(frame), std::invalid_argument);
     EXPECT_FALSE(fs::exists(folder.path() / "fluid.pvd"));
 }
-
-/// Limits the size of files this process may write, for as long as it lives.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int) = SIG_DFL;
-};
 
 TEST(VtkSink, AFullDiskIsAResourceErrorAndTheSeriesStaysWhole) {
     const TemporaryFolder folder;
