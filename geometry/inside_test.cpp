@@ -15,10 +15,8 @@ constexpr std::size_t most_bands = 4096;  // a tall segment lies in all of them
 
 }  // namespace
 
-InsideTest::InsideTest(const Region& region) {
+InsideTest::InsideTest(const Region& region) : low_(std::numeric_limits<double>::infinity()), high_(-low_) {
     std::vector<Segment> all;
-    low_ = std::numeric_limits<double>::infinity();
-    high_ = -low_;
     for_each_segment(region, [&](const Vec& a, const Vec& b) {
         all.push_back({a, b});
         low_ = std::min(low_, a.y());

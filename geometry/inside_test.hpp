@@ -24,7 +24,7 @@ class InsideTest {
 
     [[nodiscard]] std::size_t band_of(double y) const;
 
-    double low_ = 0, high_ = 0;       ///< range of the boundary in y [m]
+    double low_, high_;               ///< range of the boundary in y [m]
     double bands_per_length_ = 0;     ///< [1/m]
     std::vector<std::size_t> begin_;  ///< band -> its first entry in segments_; one more at the end
     std::vector<Segment> segments_;   ///< band after band

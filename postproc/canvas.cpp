@@ -149,8 +149,9 @@ void Canvas::triangle(const std::array<Point, 3>& corners, Colour colour) {
         for (int x = static_cast<int>(std::floor(left)); x <= static_cast<int>(std::ceil(right)); ++x) {
             int inside = 0;  // of 16 places in the pixel
             for (int k = 0; k < 16; ++k) {
-                const double px = x + (k % 4 + 0.5) / 4;
-                const double py = y + (k / 4 + 0.5) / 4;
+                const int row = k / 4, column = k % 4;
+                const double px = x + (column + 0.5) / 4;
+                const double py = y + (row + 0.5) / 4;
                 const double a = side(corners[0], corners[1], px, py);
                 const double b = side(corners[1], corners[2], px, py);
                 const double c = side(corners[2], corners[0], px, py);

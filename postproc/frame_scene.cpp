@@ -206,7 +206,7 @@ std::string time_text(double seconds, double scale) {
     };
     constexpr std::array prefixes{Prefix{1, "s"}, Prefix{1e-3, "ms"}, Prefix{1e-6, "µs"}};
     const auto fits = [scale](const Prefix& prefix) { return std::abs(scale) >= prefix.size * (1 - 1e-9); };
-    const auto found = std::find_if(prefixes.begin(), prefixes.end(), fits);
+    const auto* const found = std::find_if(prefixes.begin(), prefixes.end(), fits);
     const Prefix& prefix = found == prefixes.end() ? prefixes.front() : *found;
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), "%.4g %s", seconds / prefix.size, prefix.unit);

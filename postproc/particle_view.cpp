@@ -37,11 +37,14 @@ gl_FragDepth = gl_FragCoord.z + 0.02 * disc_distance2;
 )";
 
 vtkSmartPointer<vtkPoints> points_at_height(const std::vector<float>& position, float height) {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetNumberOfPoints(static_cast<vtkIdType>(position.size() / 3));
-    float* values = static_cast<vtkFloatArray*>(points->GetData())->GetPointer(0);
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(position.size() / 3));
+    float* values = coordinates->GetPointer(0);
     std::copy(position.begin(), position.end(), values);
     for (std::size_t i = 2; i < position.size(); i += 3) values[i] = height;
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetData(coordinates);
     return points;
 }
 

@@ -44,12 +44,12 @@ class RunPainter {
     /// The chosen frames on one sheet with one colour range.
     void write(const std::vector<std::size_t>& frames, const std::string& file, Pictures& pictures) {
         FieldRange range;
-        for (const std::size_t frame : frames) range.include(run_.read(frame), options_.field);
+        for (const std::size_t number : frames) range.include(run_.read(number), options_.field);
         const Box area = run_.area();
         Sheet sheet(area, frames.size(), options_.width, run_.title());
         const ColourScale scale = range.scale();
-        for (std::size_t k = 0; k < frames.size(); ++k) {
-            const RunFrame frame = run_.read(frames[k]);
+        for (const std::size_t number : frames) {
+            const RunFrame frame = run_.read(number);
             const Image image = view_.draw(layers_of(frame, run_.walls(), options_.field, scale), area,
                                            sheet.panel_width(), sheet.panel_height());
             if (distinct_colours(image, 3) < 3)
@@ -69,7 +69,7 @@ class RunPainter {
 
   private:
     const RunFolder& run_;
-    PictureOptions options_;
+    const PictureOptions& options_;
     ParticleView view_;
 };
 

@@ -96,8 +96,9 @@ Sheet::Sheet(const Layout& layout, const Box& area, const std::string& title)
 
 void Sheet::add(const Image& image, const std::string& caption) {
     const bool alone = columns_ * rows_ == 1;
-    const double x = left_ + (added_ % columns_) * pitch_x_;
-    const double y = head_ + (added_ / columns_) * pitch_y_;
+    const int row = added_ / columns_, column = added_ % columns_;
+    const double x = left_ + column * pitch_x_;
+    const double y = head_ + row * pitch_y_;
     ++added_;
     if (alone) {
         canvas_.text(canvas_.image().width - margin * unit_, 46 * unit_, caption, {28 * unit_, Align::right});
@@ -134,9 +135,9 @@ void Sheet::draw_colours(const ColourScale& scale, double top) {
     const double y = top + 34 * unit_;
     const double height = 20 * unit_;
     const ColourMap& map = scale.map;
-    for (double x = 0; x < width; ++x) {
-        const double value = map.low() + (map.high() - map.low()) * (x + 0.5) / width;
-        canvas_.fill(left + x, y, 1, height, map(value));
+    for (int column = 0; column < width; ++column) {
+        const double value = map.low() + (map.high() - map.low()) * (column + 0.5) / width;
+        canvas_.fill(left + column, y, 1, height, map(value));
     }
     // points at the ends: some values lie beyond
     const double reach = 16 * unit_;

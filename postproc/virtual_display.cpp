@@ -39,7 +39,7 @@ std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::string file = (folder.empty() ? "." : folder) + "/" + name;
+        std::string file = (folder.empty() ? "." : folder) + "/" + name;
         if (::access(file.c_str(), X_OK) == 0) return file;
     }
     return {};
@@ -60,9 +60,8 @@ std::string find_program(const std::string& name) {
     dup2(nothing, STDERR_FILENO);
     dup2(number_pipe, STDOUT_FILENO);
     close_range(3, ~0U, 0);
-    std::array<const char*, 11> arguments{program,      "-displayfd", "1",   "-screen",  "0",
-                                          "640x480x24", "-nolisten",  "tcp", "-noreset", nullptr};
-    execv(program, const_cast<char* const*>(arguments.data()));
+    execl(program, program, "-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp", "-noreset",
+          static_cast<char*>(nullptr));
     _exit(127);
 }
 

@@ -26,7 +26,7 @@ constexpr const char* frames_folder = "frames";
 /// The shortest text that reads back as the same number.
 std::string exact_text(double value) {
     std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    auto* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
     return {buffer.data(), end};
 }
 

@@ -46,9 +46,8 @@ inline std::vector<std::string> files_in(const std::filesystem::path& folder) {
 /// Limits the size of files this process may write, for as long as it lives.
 class FileSizeLimit {
   public:
-    explicit FileSizeLimit(rlim_t bytes) {
+    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
         getrlimit(RLIMIT_FSIZE, &before_);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{bytes, before_.rlim_max};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
@@ -61,7 +60,7 @@ class FileSizeLimit {
 
   private:
     rlimit before_{};
-    void (*handler_)(int) = SIG_DFL;
+    void (*handler_)(int);
 };
 
 }  // namespace dmp::testing

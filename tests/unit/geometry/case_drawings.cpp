@@ -126,6 +126,7 @@ TEST(VeinValve, BothInsideTestsAgreeOnRandomAndLatticePoints) {
     std::uniform_real_distribution<double> x(-0.05, 0.05);
     std::uniform_real_distribution<double> y(-0.008, 0.008);
     std::vector<Vec> points;
+    points.reserve(5000);
     for (int i = 0; i < 5000; ++i) points.emplace_back(x(random), y(random), 0);
     for (int i = -250; i <= 250; ++i) {
         for (int j = -40; j <= 40; ++j) points.emplace_back(2e-4 * i, 2e-4 * j, 0);

@@ -72,7 +72,7 @@ TEST(Geometry, FindsItsPartsByNameAndListsEachNameOnce) {
     geometry.curves.push_back({.name = "water", .pieces = {corner, triangle}});
     geometry.points["probe"] = {{1, 1, 0}};
     EXPECT_EQ(geometry.names(), (std::vector<std::string>{"probe", "wall", "water"}));
-    EXPECT_EQ(geometry.region("water"), &geometry.regions[0]);
+    EXPECT_EQ(geometry.region("water"), &geometry.regions.front());
     EXPECT_EQ(geometry.region("wall"), nullptr);
     EXPECT_EQ(geometry.curve_set("water"), &geometry.curves[1]);
     EXPECT_DOUBLE_EQ(geometry.curve_set("water")->length(), 19);

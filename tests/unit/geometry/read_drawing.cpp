@@ -200,6 +200,7 @@ TEST_F(ReadDrawing, SeveralThreadsMayRead) {
     const auto options = options_for(write("drawing.geo", named_square));
     std::array<double, 4> areas{};
     std::vector<std::thread> threads;
+    threads.reserve(areas.size());
     for (auto& area : areas) threads.emplace_back([&] { area = read_drawing(options).region("water")->area(); });
     for (auto& thread : threads) thread.join();
     for (const double area : areas) EXPECT_EQ(area, 1);

@@ -20,11 +20,11 @@ Polyline rectangle(double left, double low, double right, double high) {
     return {.points = {{left, low, 0}, {right, low, 0}, {right, high, 0}, {left, high, 0}}, .closed = true};
 }
 
-Polyline regular_polygon(int corners, double radius, Vec centre = Vec::Zero()) {
+Polyline regular_polygon(int corners, double radius, const Vec& centre = Vec::Zero()) {
     Polyline polygon{.points = {}, .closed = true};
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * pi * i / corners;
-        polygon.points.push_back(centre + radius * Vec(std::cos(angle), std::sin(angle), 0));
+        polygon.points.emplace_back(centre + radius * Vec(std::cos(angle), std::sin(angle), 0));
     }
     return polygon;
 }

@@ -25,7 +25,7 @@ class DrawingTest : public ::testing::Test {
 
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-    std::string write(const std::string& name, const std::string& text) const {
+    [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
         std::ofstream(path(name)) << text;
         return path(name);
     }

@@ -73,8 +73,9 @@ TEST(LadderAlong, AStraightCurve) {
     ASSERT_EQ(ladder.columns(), 9);
     EXPECT_EQ(ladder.along, 0.125);
     for (int c = 0; c < 9; ++c) {  // left of a line that runs up is -x
-        EXPECT_EQ(ladder.nodes[2 * c], Vec(1 - 0.0625, 2 + 0.125 * c, 0));
-        EXPECT_EQ(ladder.nodes[2 * c + 1], Vec(1 + 0.0625, 2 + 0.125 * c, 0));
+        const std::size_t left = 2 * static_cast<std::size_t>(c);
+        EXPECT_EQ(ladder.nodes[left], Vec(1 - 0.0625, 2 + 0.125 * c, 0));
+        EXPECT_EQ(ladder.nodes[left + 1], Vec(1 + 0.0625, 2 + 0.125 * c, 0));
     }
 }
 
@@ -98,8 +99,9 @@ TEST(LadderAlong, ACircleHasAShorterInnerRow) {
     ASSERT_EQ(ladder.columns(), 32);  // 31.4 cells
     EXPECT_NEAR(ladder.along, pi / 31, 1e-6);
     for (int c = 0; c < 32; ++c) {
-        const Vec& inner = ladder.nodes[2 * c];  // the arc turns left
-        const Vec& outer = ladder.nodes[2 * c + 1];
+        const std::size_t left = 2 * static_cast<std::size_t>(c);
+        const Vec& inner = ladder.nodes[left];  // the arc turns left
+        const Vec& outer = ladder.nodes[left + 1];
         EXPECT_NEAR(inner.norm(), radius - spacing / 2, 1e-6);
         EXPECT_NEAR(outer.norm(), radius + spacing / 2, 1e-6);
         EXPECT_NEAR((outer - inner).norm(), spacing, 1e-15);

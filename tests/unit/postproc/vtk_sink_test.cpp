@@ -59,6 +59,7 @@ class Opened {
 
 std::vector<std::string> names_of(vtkFieldData& arrays) {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(arrays.GetNumberOfArrays()));
     for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) names.emplace_back(arrays.GetArrayName(i));
     return names;
 }

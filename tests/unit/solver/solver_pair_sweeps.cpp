@@ -70,7 +70,7 @@ class AllPairs {
 
   private:
     template <class I, class J>
-    auto pair(const I& i, const J& j, const V2& separation) const {
+    [[nodiscard]] auto pair(const I& i, const J& j, const V2& separation) const {
         const double r = std::sqrt(dot(separation, separation));
         return Pair<I, J, V2, double>{i, j, separation, r, kernel_.slope(r)};
     }

@@ -14,6 +14,7 @@ using testing::ElementsAre;
 
 std::vector<std::string> models(const std::vector<StepLimit>& limits) {
     std::vector<std::string> names;
+    names.reserve(limits.size());
     for (const StepLimit& limit : limits) names.push_back(limit.model);
     return names;
 }
