@@ -8,7 +8,7 @@
 #include "cli/prepare.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "scene/read_scene.hpp"
 

@@ -10,7 +10,7 @@
 #include "base/errors.hpp"
 #include "cli/text.hpp"
 #include "postproc/paraview_script.hpp"
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/tables.hpp"
 
 namespace dmp::cli {

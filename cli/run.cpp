@@ -13,7 +13,7 @@
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "postproc/pictures.hpp"
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/tables.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "scene/read_scene.hpp"

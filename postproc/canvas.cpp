@@ -12,7 +12,7 @@
 #include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/vtk_messages.hpp"
 
 namespace dmp {

@@ -12,7 +12,7 @@
 
 #include "postproc/paraview_script.hpp"
 #include "postproc/polydata.hpp"
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/vtk_messages.hpp"
 
 namespace dmp {

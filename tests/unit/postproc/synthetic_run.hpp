@@ -2,35 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <filesystem>
-#include <string>
-
-#include <unistd.h>
 
 #include "solver/frame.hpp"
+#include "tests/unit/temporary_files.hpp"
 
 namespace dmp::testing {
-
-/// A folder of its own that is gone at the end of the test.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "dmp_postproc_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 inline void add_particle(FrameGroup& group, float x, float y, int part) {
     group.id.push_back(static_cast<std::int64_t>(group.id.size()));

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 #include "synthetic_run.hpp"
 
 namespace dmp {

@@ -1,14 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/vtk_sink.hpp"
 
-#include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -20,8 +17,8 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/read_frames.hpp"
-#include "postproc/safe_file.hpp"
 #include "synthetic_run.hpp"
 
 namespace dmp {
@@ -29,6 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using dmp::testing::channel_frame;
+using dmp::testing::files_in;
+using dmp::testing::FileSizeLimit;
 using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -62,13 +61,6 @@ std::vector<std::string> names_of(vtkFieldData& arrays) {
     std::vector<std::string> names;
     names.reserve(static_cast<std::size_t>(arrays.GetNumberOfArrays()));
     for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) names.emplace_back(arrays.GetArrayName(i));
-    return names;
-}
-
-std::vector<std::string> files_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
     return names;
 }
 
@@ -259,26 +251,6 @@ TEST(VtkSink, ArraysThatDoNotFitAreRefused) {
     EXPECT_THROW(sink.write(frame), std::invalid_argument);
     EXPECT_FALSE(fs::exists(folder.path() / "fluid.pvd"));
 }
-
-/// Limits the size of files this process may write, for as long as it lives.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
 
 TEST(VtkSink, AFullDiskIsAResourceErrorAndTheSeriesStaysWhole) {
     const TemporaryFolder folder;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,16 @@ void make_folder(const std::filesystem::path& folder);
 /// Replaces `file` by `content` in one go: whoever reads it sees the old file or the new one, never a part.
 /// Throws ResourceError when it cannot; the old file then stays as it was.
 void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// The name `file` is written under until it is whole: in the same folder, so that the renaming is one step.
+[[nodiscard]] std::filesystem::path unfinished_name(const std::filesystem::path& file);
+
+/// The inverse of unfinished_name; none for other names.
+[[nodiscard]] std::optional<std::filesystem::path> finished_name(const std::filesystem::path& unfinished);
+
+/// Gives the whole file `unfinished` the name `file`, in one go and so that a power cut leaves the old or the new one.
+/// Throws ResourceError, which names `file`; `unfinished` then stays as it was.
+void rename_durably(const std::filesystem::path& unfinished, const std::filesystem::path& file);
 
 /// Throws the ResourceError for `file` that could not be written: the reason if known, the room left, what to do.
 [[noreturn]] void throw_write_error(const std::filesystem::path& file, const std::string& reason);

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "postproc/safe_file.hpp"
+#include "base/safe_file.hpp"
 
 #include <cerrno>
 #include <fstream>
@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::string_view unfinished_start = ".", unfinished_end = ".unfinished";
+
 std::string system_text(int error) { return std::generic_category().message(error); }
 
 /// Writes everything, whatever the number of calls it takes; 0 or the errno of the failure.
@@ -34,11 +36,23 @@ int write_all(int descriptor, std::string_view content) {
 
 std::string megabytes(std::uintmax_t bytes) { return std::to_string(bytes / 1'000'000) + " MB"; }
 
+/// The folder that holds `file`.
+fs::path folder_of(const fs::path& file) { return file.parent_path().empty() ? fs::path(".") : file.parent_path(); }
+
+/// Waits until the disk has the file or folder; 0 or the errno of the failure.
+int sync_to_disk(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    return error;
+}
+
 /// ", 12 MB free on the disk, files limited to 3 MB"
 std::string room_left(const fs::path& file) {
     std::string text;
     std::error_code failed;
-    const fs::space_info space = fs::space(file.parent_path().empty() ? fs::path(".") : file.parent_path(), failed);
+    const fs::space_info space = fs::space(folder_of(file), failed);
     if (!failed) text += "; " + megabytes(space.available) + " free on that disk";
     rlimit limit{};
     if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
@@ -70,9 +84,31 @@ void throw_write_error(const fs::path& file, const std::string& reason) {
                         "What was written before is whole.");
 }
 
+fs::path unfinished_name(const fs::path& file) {
+    return file.parent_path() /
+           (std::string(unfinished_start) + file.filename().string() + std::string(unfinished_end));
+}
+
+std::optional<fs::path> finished_name(const fs::path& unfinished) {
+    const std::string name = unfinished.filename().string();
+    if (!name.starts_with(unfinished_start) || !name.ends_with(unfinished_end) ||
+        name.size() <= unfinished_start.size() + unfinished_end.size())
+        return {};
+    return unfinished.parent_path() /
+           name.substr(unfinished_start.size(), name.size() - unfinished_start.size() - unfinished_end.size());
+}
+
+void rename_durably(const fs::path& unfinished, const fs::path& file) {
+    int error = sync_to_disk(unfinished);
+    if (error == 0 && ::rename(unfinished.c_str(), file.c_str()) != 0) error = errno;
+    if (error != 0) throw_write_error(file, system_text(error));
+    // Folders that cannot be synced (EINVAL) or not be listed (EACCES) leave that to the file system.
+    error = sync_to_disk(folder_of(file));
+    if (error != 0 && error != EINVAL && error != EACCES) throw_write_error(folder_of(file), system_text(error));
+}
+
 void write_file(const fs::path& file, std::string_view content) {
-    // in the same folder, so that the renaming is one step
-    const fs::path unfinished = file.parent_path() / ("." + file.filename().string() + ".unfinished");
+    const fs::path unfinished = unfinished_name(file);
     const int descriptor = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) throw_write_error(file, system_text(errno));
     int error = write_all(descriptor, content);

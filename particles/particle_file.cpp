@@ -1,0 +1,245 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/particle_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "base/sealed_file.hpp"
+
+namespace dmp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr SealedKind particles_kind{"particle set", 1};
+constexpr std::array<const char*, 3> kind_names{"fluid", "rigid", "springs"};  // by ParticleKind
+
+// Vectors in a row are x, y, z, x, y, z, ...
+static_assert(sizeof(Vec) == 3 * sizeof(double));
+std::span<const double> flat(const std::vector<Vec>& vectors) {
+    return vectors.empty() ? std::span<const double>() : std::span(vectors.front().data(), 3 * vectors.size());
+}
+
+bool finite(double value) { return std::isfinite(value); }
+
+std::string of(const char* what, std::size_t number) { return std::string(what) + " " + std::to_string(number); }
+
+/// What is wrong with the space and the parts, or "".
+std::string problem_with_space(const ParticleSpace& space) {
+    if (space.dimension != 2 && space.dimension != 3)
+        return std::to_string(space.dimension) + " dimensions; there are scenes in 2 and 3";
+    if (!finite(space.spacing) || space.spacing <= 0) return "the spacing is not more than 0";
+    if (!space.box.low.allFinite() || !space.box.high.allFinite() || (space.box.extent().array() < 0).any())
+        return "the box is none: its low corner is not below its high one";
+    return "";
+}
+
+std::string problem_with_lengths(const ParticleSet& set) {
+    const auto differs = [&](const char* name, std::size_t found) {
+        return found == set.size() ? ""
+                                   : std::string("there are positions of ") + std::to_string(set.size()) +
+                                         " particles, and " + name + " of " + std::to_string(found);
+    };
+    for (const std::string& problem :
+         {differs("volume", set.volume.size()), differs("mass", set.mass.size()), differs("part", set.part.size()),
+          differs("body", set.body.size()), differs("fixed", set.fixed.size()), differs("seated", set.seated.size()),
+          differs("wall_normal", set.wall_normal.size()), differs("wall_distance", set.wall_distance.size())})
+        if (!problem.empty()) return problem;
+    return "";
+}
+
+std::string problem_with_particle(const ParticleSet& set, std::size_t i) {
+    if (!set.position[i].allFinite()) return "its position is not finite";
+    if (!finite(set.volume[i]) || !finite(set.mass[i])) return "its volume or mass is not finite";
+    if (!set.wall_normal[i].allFinite() || !finite(set.wall_distance[i]))
+        return "its wall_normal or wall_distance is not finite";
+    if (set.part[i] < 0 || static_cast<std::size_t>(set.part[i]) >= set.parts.size())
+        return "its part is number " + std::to_string(set.part[i]) + " of " + std::to_string(set.parts.size());
+    if (set.body[i] < -1) return "its body is number " + std::to_string(set.body[i]);
+    if (set.fixed[i] > 1 || set.seated[i] > 1) return "its fixed or seated is neither 0 nor 1";
+    return "";
+}
+
+/// What makes a set one that nobody can use, or "".
+std::string problem_with(const ParticleSet& set) {
+    std::string problem = problem_with_space(set);
+    if (problem.empty()) problem = problem_with_lengths(set);
+    if (!problem.empty()) return problem;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        problem = problem_with_particle(set, i);
+        if (!problem.empty()) return of("particle", i) + ": " + problem;
+    }
+    const auto outside = [&](int end) { return end < 0 || static_cast<std::size_t>(end) >= set.size(); };
+    for (std::size_t n = 0; n < set.bonds.size(); ++n) {
+        const Bond& bond = set.bonds[n];
+        if (outside(bond.a) || outside(bond.b)) return of("bond", n) + " ends at a particle that is not there";
+        if (!finite(bond.rest_length) || !finite(bond.stiffness))
+            return of("bond", n) + ": its rest_length or stiffness is not finite";
+    }
+    for (std::size_t n = 0; n < set.hinges.size(); ++n) {
+        const Hinge& hinge = set.hinges[n];
+        if (outside(hinge.a) || outside(hinge.centre) || outside(hinge.b))
+            return of("hinge", n) + " joins a particle that is not there";
+        if (!finite(hinge.rest_angle) || !finite(hinge.stiffness))
+            return of("hinge", n) + ": its rest_angle or stiffness is not finite";
+    }
+    return "";
+}
+
+/// One member of each bond or hinge.
+template <class T, class Item>
+std::vector<T> column(const std::vector<Item>& items, T Item::*member) {
+    std::vector<T> values(items.size());
+    std::transform(items.begin(), items.end(), values.begin(), [member](const Item& item) { return item.*member; });
+    return values;
+}
+
+void write_space(Hdf5Writer& to, const ParticleSpace& space) {
+    to.write_number<std::int32_t>("dimension", space.dimension);
+    to.write_number<double>("spacing", space.spacing);
+    to.write_array<double>("box/low", std::span(space.box.low.data(), 3));
+    to.write_array<double>("box/high", std::span(space.box.high.data(), 3));
+    const std::array<std::uint8_t, 3> periodic{space.periodic[0], space.periodic[1], space.periodic[2]};
+    to.write_array<std::uint8_t>("periodic", periodic);
+    std::vector<std::string> names, kinds;
+    for (const auto& part : space.parts) {
+        names.push_back(part.name);
+        kinds.emplace_back(kind_names.at(static_cast<std::size_t>(part.kind)));
+    }
+    to.write_texts("parts/name", names);
+    to.write_texts("parts/kind", kinds);
+    for (const char* length : {"spacing", "box/low", "box/high"}) to.set_attribute(length, "unit", "m");
+}
+
+void write_arrays(Hdf5Writer& to, const ParticleSet& set) {
+    to.write_array<double>("particles/position", flat(set.position));
+    to.write_array<double>("particles/volume", set.volume);
+    to.write_array<double>("particles/mass", set.mass);
+    to.write_array<std::int32_t>("particles/part", set.part);
+    to.write_array<std::int32_t>("particles/body", set.body);
+    to.write_array<std::uint8_t>("particles/fixed", set.fixed);
+    to.write_array<std::uint8_t>("particles/seated", set.seated);
+    to.write_array<double>("particles/wall_normal", flat(set.wall_normal));
+    to.write_array<double>("particles/wall_distance", set.wall_distance);
+    to.set_attribute("particles/position", "unit", "m");
+    to.set_attribute("particles/volume", "unit", "m^3");
+    to.set_attribute("particles/mass", "unit", "kg");
+    to.set_attribute("particles/wall_normal", "unit", "1");
+    to.set_attribute("particles/wall_distance", "unit", "m");
+}
+
+void write_springs(Hdf5Writer& to, const ParticleSet& set) {
+    to.write_array<std::int32_t>("bonds/a", column(set.bonds, &Bond::a));
+    to.write_array<std::int32_t>("bonds/b", column(set.bonds, &Bond::b));
+    to.write_array<double>("bonds/rest_length", column(set.bonds, &Bond::rest_length));
+    to.write_array<double>("bonds/stiffness", column(set.bonds, &Bond::stiffness));
+    to.write_array<std::int32_t>("hinges/a", column(set.hinges, &Hinge::a));
+    to.write_array<std::int32_t>("hinges/centre", column(set.hinges, &Hinge::centre));
+    to.write_array<std::int32_t>("hinges/b", column(set.hinges, &Hinge::b));
+    to.write_array<double>("hinges/rest_angle", column(set.hinges, &Hinge::rest_angle));
+    to.write_array<double>("hinges/stiffness", column(set.hinges, &Hinge::stiffness));
+    to.set_attribute("bonds/rest_length", "unit", "m");
+    to.set_attribute("bonds/stiffness", "unit", "N/m");
+    to.set_attribute("hinges/rest_angle", "unit", "rad");
+    to.set_attribute("hinges/stiffness", "unit", "J");
+}
+
+std::vector<Vec> read_vectors(const Hdf5Reader& from, const std::string& name) {
+    const std::uint64_t length = from.length(name);
+    if (length % 3 != 0) from.refuse(name + " has " + std::to_string(length) + " numbers, no three a vector");
+    std::vector<Vec> vectors(length / 3);
+    if (!vectors.empty()) from.read<double>(name, 0, std::span(vectors.front().data(), length));
+    return vectors;
+}
+
+Vec read_vector(const Hdf5Reader& from, const std::string& name) {
+    const std::vector<Vec> vectors = read_vectors(from, name);
+    if (vectors.size() != 1) from.refuse(name + " is not one vector");
+    return vectors.front();
+}
+
+void read_space(const Hdf5Reader& from, ParticleSpace& space) {
+    space.dimension = from.number<std::int32_t>("dimension");
+    space.spacing = from.number<double>("spacing");
+    space.box.low = read_vector(from, "box/low");
+    space.box.high = read_vector(from, "box/high");
+    const auto periodic = from.array<std::uint8_t>("periodic");
+    if (periodic.size() != 3 || std::ranges::any_of(periodic, [](int flag) { return flag > 1; }))
+        from.refuse("periodic is not 0 or 1 for each of three axes");
+    std::copy(periodic.begin(), periodic.end(), space.periodic.begin());
+    const auto names = from.texts("parts/name"), kinds = from.texts("parts/kind");
+    if (names.size() != kinds.size())
+        from.refuse(std::to_string(names.size()) + " parts have a name, and " + std::to_string(kinds.size()) +
+                    " a kind");
+    for (std::size_t n = 0; n < names.size(); ++n) {
+        const auto* const kind = std::ranges::find(kind_names, kinds[n]);
+        if (kind == kind_names.end())
+            from.refuse("part '" + names[n] + "' is of the kind '" + kinds[n] + "', which is none");
+        space.parts.push_back({names[n], static_cast<ParticleKind>(kind - kind_names.begin())});
+    }
+}
+
+void read_arrays(const Hdf5Reader& from, ParticleSet& set) {
+    set.position = read_vectors(from, "particles/position");
+    set.volume = from.array<double>("particles/volume");
+    set.mass = from.array<double>("particles/mass");
+    set.part = from.array<std::int32_t>("particles/part");
+    set.body = from.array<std::int32_t>("particles/body");
+    set.fixed = from.array<std::uint8_t>("particles/fixed");
+    set.seated = from.array<std::uint8_t>("particles/seated");
+    set.wall_normal = read_vectors(from, "particles/wall_normal");
+    set.wall_distance = from.array<double>("particles/wall_distance");
+}
+
+/// One member of each bond or hinge, from its dataset; `items` has the right length already.
+template <class T, class Item>
+void read_column(const Hdf5Reader& from, const std::string& name, std::vector<Item>& items, T Item::*member) {
+    const std::vector<T> values = from.array<T>(name);
+    if (values.size() != items.size())
+        from.refuse(name + " has " + std::to_string(values.size()) + " elements, not " + std::to_string(items.size()));
+    for (std::size_t n = 0; n < values.size(); ++n) items[n].*member = values[n];
+}
+
+void read_springs(const Hdf5Reader& from, ParticleSet& set) {
+    set.bonds.resize(from.length("bonds/a"));
+    read_column(from, "bonds/a", set.bonds, &Bond::a);
+    read_column(from, "bonds/b", set.bonds, &Bond::b);
+    read_column(from, "bonds/rest_length", set.bonds, &Bond::rest_length);
+    read_column(from, "bonds/stiffness", set.bonds, &Bond::stiffness);
+    set.hinges.resize(from.length("hinges/a"));
+    read_column(from, "hinges/a", set.hinges, &Hinge::a);
+    read_column(from, "hinges/centre", set.hinges, &Hinge::centre);
+    read_column(from, "hinges/b", set.hinges, &Hinge::b);
+    read_column(from, "hinges/rest_angle", set.hinges, &Hinge::rest_angle);
+    read_column(from, "hinges/stiffness", set.hinges, &Hinge::stiffness);
+}
+
+}  // namespace
+
+void write_particles(const fs::path& file, const ParticleSet& particles) {
+    const std::string problem = problem_with(particles);
+    if (!problem.empty()) throw std::invalid_argument("particles for '" + file.string() + "': " + problem);
+    SealedWriter writer(file, particles_kind);
+    write_space(writer.contents(), particles);
+    write_arrays(writer.contents(), particles);
+    write_springs(writer.contents(), particles);
+    writer.finish();
+}
+
+ParticleSet read_particles(const fs::path& file) {
+    const SealedReader reader(file, particles_kind);
+    ParticleSet particles;
+    read_space(reader.contents(), particles);
+    read_arrays(reader.contents(), particles);
+    read_springs(reader.contents(), particles);
+    const std::string problem = problem_with(particles);
+    if (!problem.empty()) reader.contents().refuse(problem);
+    return particles;
+}
+
+}  // namespace dmp
