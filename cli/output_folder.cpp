@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
 #include "cli/text.hpp"
 #include "postproc/paraview_script.hpp"
-#include "base/safe_file.hpp"
 #include "postproc/tables.hpp"
 
 namespace dmp::cli {

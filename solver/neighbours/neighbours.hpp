@@ -20,6 +20,8 @@ class Neighbours {
     void moved(double distance) { moved_ += distance; }
     /// Whether the list may miss pairs.
     [[nodiscard]] bool outdated() const { return list_.empty() || moved_ >= skin_ / 2; }
+    /// Particles are no longer those that were listed.
+    void forget() { list_ = {}; }
     /// Sorts, sends particles to their ranks, copies and lists anew. Indices of particles change.
     void renew(ParticleStore& particles);
     /// Gives copies the present values of these fields, where their group has them.

@@ -22,6 +22,7 @@ class Measures {
     void take(double time, const ParticleStore& particles, const FluidStep& fluid);
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
+    void archive(Archive& file);
 
   private:
     /// The shortest of an offset's periodic images.

@@ -3,17 +3,21 @@
 
 namespace dmp {
 
-ParticleStore::ParticleStore(const ParticleSet& set, const std::vector<double>& density)
+ParticleStore::ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks)
     : quantum_(set),
       space_(with_whole_periods(set, quantum_)),
       groups_{ParticleGroup(ParticleKind::fluid, set.dimension), ParticleGroup(ParticleKind::rigid, set.dimension),
               ParticleGroup(ParticleKind::springs, set.dimension)} {
+    const auto rank = static_cast<std::size_t>(ranks.rank()), size = static_cast<std::size_t>(ranks.size());
+    const std::size_t begin = set.size() * rank / size, end = set.size() * (rank + 1) / size;
+    std::array<std::size_t, 3> count{};
+    for (std::size_t i = begin; i < end; ++i) ++count[static_cast<std::size_t>(set.kind(i))];
     for (ParticleGroup& group : groups_) {
         group.declare({Field::position, Field::velocity, Field::mass, Field::volume, Field::force});
-        group.resize(set.count(group.kind()), 0);
+        group.resize(count[static_cast<std::size_t>(group.kind())], 0);
     }
     std::array<std::size_t, 3> next{};
-    for (std::size_t i = 0; i < set.size(); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         ParticleGroup& group = of(set.kind(i));
         const std::size_t k = next[static_cast<std::size_t>(group.kind())]++;
         group.tags()[k] = {static_cast<std::int64_t>(i), set.body[i], static_cast<std::uint16_t>(set.part[i])};

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_group.hpp"
 #include "solver/store/position_quantum.hpp"
 
@@ -13,9 +14,9 @@ inline constexpr std::array<ParticleKind, 3> all_kinds{ParticleKind::fluid, Part
 /// The running particles, a group a kind, and the space they live in.
 class ParticleStore {
   public:
-    /// Every particle with its position, its velocity at rest and the mass that its volume has at the density of the
-    /// liquid (`density` by part number [kg/m^3]).
-    ParticleStore(const ParticleSet& set, const std::vector<double>& density);
+    /// This rank's share of the particles, wherever they lie, with their positions, at rest, and with the mass that
+    /// their volume has at the density of the liquid (`density` by part number [kg/m^3]).
+    ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks = Ranks::alone());
 
     [[nodiscard]] ParticleGroup& of(ParticleKind kind) { return groups_[static_cast<std::size_t>(kind)]; }
     [[nodiscard]] const ParticleGroup& of(ParticleKind kind) const { return groups_[static_cast<std::size_t>(kind)]; }

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "scene/scene.hpp"
-#include "solver/resources.hpp"
 #include "solver/neighbours/cluster_list.hpp"
+#include "solver/resources.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {

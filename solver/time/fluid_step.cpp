@@ -129,6 +129,15 @@ void FluidStep::drift_to_end(double dt) {
     neighbours_.moved(std::max(dt / 2 * largest_speed_ + shifted, bodies_moved));
 }
 
+void FluidStep::archive(Archive& file) {
+    file("fluid/largest_speed", largest_speed_);
+    file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
+    file("fluid/impulse_of_fixed", impulses_.of_fixed);
+    file("fluid/impulse_of_drag", impulses_.of_drag);
+    springs_.archive(file);
+    if (file.loading()) neighbours_.forget();
+}
+
 FluidExtremes FluidStep::extremes() const {
     const PassExtremes here = passes_.extremes(particles_.fluid());
     FluidExtremes all{ranks_.largest(here.largest_speed), ranks_.smallest(here.density_low),

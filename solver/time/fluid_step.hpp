@@ -44,6 +44,9 @@ class FluidStep {
     /// Brings pressure (and volume) up to the present density, of copies too.
     void update_pressure();
 
+    /// All that the next steps depend on besides the particles.
+    void archive(Archive& file);
+
     /// Of the fluid of all ranks, as it is now.
     [[nodiscard]] FluidExtremes extremes() const;
     [[nodiscard]] const OutsideImpulses& impulses() const { return impulses_; }

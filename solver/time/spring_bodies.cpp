@@ -46,6 +46,11 @@ int SpringBodies::substeps(double dt) const {
     return implicit_ ? 1 : std::max(1, static_cast<int>(std::ceil(dt / largest_step_)));
 }
 
+void SpringBodies::archive(Archive& file) {
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
+        bodies_[body].archive(file, "springs/body_" + std::to_string(body));
+}
+
 void SpringBodies::find_nodes(const ParticleStore& particles) {
     nodes_.clear();
     for (const ParticleTag& tag : particles.of(ParticleKind::springs).tags()) nodes_.push_back(by_id_.at(tag.id));

@@ -13,6 +13,7 @@
 #include "solver/models/springs/bond_force.hpp"
 #include "solver/models/springs/hinge_force.hpp"
 #include "solver/parallel/ranks.hpp"
+#include "solver/state/archive.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {
@@ -60,6 +61,8 @@ class SpringBody {
 
     /// Largest stable step 2 / omega_max of the drawn lattice [s], omega_max by power iteration on its stiffness.
     [[nodiscard]] double step_limit() const;
+
+    void archive(Archive& file, const std::string& name);
 
     /// Bond and hinge energy now [J].
     [[nodiscard]] double energy() const;
@@ -132,6 +135,8 @@ class SpringBodies {
     SpringBody::Impulses advance(ParticleStore& particles, double dt, int threads);
     /// Hands the positions after the last advance to the store. Returns the longest way a node went [m].
     double show_positions(ParticleStore& particles) const;
+
+    void archive(Archive& file);
 
     [[nodiscard]] bool empty() const { return bodies_.empty(); }
     [[nodiscard]] const std::vector<SpringBody>& bodies() const { return bodies_; }
