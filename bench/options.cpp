@@ -55,7 +55,7 @@ class Parser {
         number("--particles", particles_, "Fluid particles, about; default: 100000");
         app_.add_option("--support", support_, "Radius of the kernel's support in spacings, 2 to 6; default: 2.5")
             ->type_name("X")
-            ->check(CLI::Range(2.0, 6.0));
+            ->check(CLI::Range(2.0, 6.0).description(""));
         app_.add_option("--kernel", kernel_, "lucy or wendland_c2; default: wendland_c2")->type_name("NAME");
         app_.add_option("--walls", walls_, "plain or extrapolated; default: plain")->type_name("NAME");
         auto* plain = app_.add_flag("--plain", plain_, "No shifting, diffusion or contact, plain walls; the default");
@@ -111,7 +111,7 @@ class Parser {
     template <class Number>
     void number(const std::string& name, Number& value, const std::string& help) {
         constexpr int most = 100'000'000;
-        app_.add_option(name, value, help)->type_name("N")->check(CLI::Range(1, most));
+        app_.add_option(name, value, help)->type_name("N")->check(CLI::Range(1, most).description(""));
     }
 
     static void use_defaults_of_scenes(Channel& channel) {
