@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
@@ -48,6 +49,22 @@ class ResidentGrowth {
     std::optional<double> before_;
 };
 
+/// Wall time, and how much of it this process had processors for: on a shared machine the rest was lost to others.
+class Watch {
+  public:
+    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    [[nodiscard]] double share(int threads) const { return (processor_seconds() - used_) / (seconds() * threads); }
+
+  private:
+    static double processor_seconds() {
+        timespec used{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+        return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) / nanoseconds;
+    }
+    Clock::time_point start_ = Clock::now();
+    double used_ = processor_seconds();
+};
+
 /// Repeats of the engine on one start, each from the beginning.
 class EngineRuns {
   public:
@@ -60,7 +77,9 @@ class EngineRuns {
         const Plan plan = simulation.plan();
         RunOptions run;
         run.until = options_.steps * plan.dt;
+        const Watch watch;
         const RunSummary summary = simulation.run(run);
+        processor_.push_back(watch.share(options_.threads));
 
         const auto per_particle = [&](double seconds) {
             return seconds * summary.threads * nanoseconds /
@@ -85,6 +104,7 @@ class EngineRuns {
     [[nodiscard]] EngineTimes times() const {
         EngineTimes times = times_;
         times.step = spread_of(steps_);
+        times.processor = spread_of(processor_).median;
         for (const auto& [stage, values] : stages_) times.stage[stage] = spread_of(values);
         return times;
     }
@@ -93,19 +113,30 @@ class EngineRuns {
     const Options& options_;
     const Scene& scene_;
     const ParticleSet& set_;
-    std::vector<double> steps_;
+    std::vector<double> steps_, processor_;
     std::map<std::string, std::vector<double>> stages_;
     EngineTimes times_;
 };
 
-/// Nanoseconds per particle of one sweep.
-double time_sweeps(HalfList& list, int sweeps) {
-    list.sweep();  // into the cache, as a loop of steps would have it
-    const auto start = Clock::now();
-    for (int k = 0; k < sweeps; ++k) list.sweep();
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    return seconds * nanoseconds / (sweeps * static_cast<double>(list.particles()));
-}
+/// Repeats of the yardstick.
+class YardstickRuns {
+  public:
+    explicit YardstickRuns(std::size_t particles) : particles_(static_cast<double>(particles)) {}
+
+    void run(HalfList& list, int sweeps) {
+        list.sweep();  // into the cache, as a loop of steps would have it
+        const Watch watch;
+        for (int k = 0; k < sweeps; ++k) list.sweep();
+        sweeps_.push_back(watch.seconds() * nanoseconds / (sweeps * particles_));
+        processor_.push_back(watch.share(1));
+    }
+    [[nodiscard]] Spread sweep() const { return spread_of(sweeps_); }
+    [[nodiscard]] double processor() const { return spread_of(processor_).median; }
+
+  private:
+    double particles_;
+    std::vector<double> sweeps_, processor_;
+};
 
 }  // namespace
 
@@ -125,12 +156,13 @@ Measured measure(const Options& options) {
         engine.emplace(options, *scene, set);
     }
     std::unique_ptr<HalfList> list;
-    std::vector<double> sweeps;
+    std::optional<YardstickRuns> yardstick;
     for (int k = 0; k < options.repeat; ++k) {
         if (engine) engine->run();
         // Made after the engine's first run, so that its memory is not the engine's.
         if (!list) list = make_half_list(set, options.channel.kernel, options.channel.support * set.spacing);
-        sweeps.push_back(time_sweeps(*list, options.steps));
+        if (!yardstick) yardstick.emplace(list->particles());
+        yardstick->run(*list, options.steps);
     }
 
     Measured measured;
@@ -141,7 +173,8 @@ Measured measure(const Options& options) {
     };
     measured.pairs = per_particle(list->pairs_within_support());
     measured.pairs_listed = per_particle(list->pairs_listed());
-    measured.yardstick = spread_of(sweeps);
+    measured.yardstick = yardstick->sweep();
+    measured.yardstick_processor = yardstick->processor();
     if (engine) measured.engine = engine->times();
     return measured;
 }

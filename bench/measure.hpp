@@ -26,6 +26,7 @@ inline constexpr int sweeps_per_step = 2;
 struct EngineTimes {
     Spread step;                           ///< a whole step, neighbour lists and all [ns per particle]
     std::map<std::string, Spread> stage;   ///< the same, by stage of the step and "rest"
+    double processor = 0;                  ///< share of the time that its threads had a processor, median [-]
     long steps = 0;                        ///< in one repeat
     double step_seconds = 0;               ///< simulated in one step, on average
     std::size_t planned_bytes = 0;         ///< per particle, by the plan
@@ -39,6 +40,7 @@ struct Measured {
     double pairs = 0;                  ///< pairs within the support per particle; each counts once [-]
     double pairs_listed = 0;           ///< the same in the yardstick's list
     Spread yardstick;                  ///< one sweep [ns per particle]
+    double yardstick_processor = 0;    ///< share of the time that it had a processor, median [-]
     std::optional<EngineTimes> engine;
 
     [[nodiscard]] std::size_t particles() const { return fluid + walls; }

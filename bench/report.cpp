@@ -17,8 +17,9 @@ using cli::Listing;
 
 constexpr double nanosecond = 1e-9;
 
-std::string spread_text(const Spread& spread) {
-    return fmt::format("{:.1f} ns per particle ({:.1f} to {:.1f})", spread.median, spread.smallest, spread.largest);
+std::string spread_text(const Spread& spread, double processor) {
+    return fmt::format("{:.1f} ns per particle ({:.1f} to {:.1f}), with a processor for {:.0f} % of the time",
+                       spread.median, spread.smallest, spread.largest, 100 * processor);
 }
 
 std::string heading(const Options& options, const Measured& measured) {
@@ -46,7 +47,7 @@ std::string engine_text(const Measured& measured) {
     const EngineTimes& engine = *measured.engine;
     const double steps_per_second = 1 / (engine.step.median * nanosecond);
     Listing list;
-    list.add("step", spread_text(engine.step));
+    list.add("step", spread_text(engine.step, engine.processor));
     list.add("speed", fmt::format("{:.3g} particle-steps/s/core", steps_per_second));
     list.add("sweeps", fmt::format("{:.3g} particle-sweeps/s/core, {} a step", sweeps_per_step * steps_per_second,
                                    sweeps_per_step));
@@ -61,7 +62,7 @@ std::string engine_text(const Measured& measured) {
 
 std::string text_of(const Options& options, const Measured& measured) {
     Listing yardstick;
-    yardstick.add("sweep", spread_text(measured.yardstick));
+    yardstick.add("sweep", spread_text(measured.yardstick, measured.yardstick_processor));
     yardstick.add("speed", fmt::format("{:.3g} particle-sweeps/s/core", 1 / (measured.yardstick.median * nanosecond)));
     yardstick.add("pairs", fmt::format("{:.2f} of {:.2f} listed per particle are within the support", measured.pairs,
                                        measured.pairs_listed));
@@ -93,6 +94,7 @@ Json json_of(const Measured& measured) {
               {"pairs_per_s_core", sweeps_per_step * steps_per_second * measured.pairs},
               {"bytes_per_particle_planned", engine.planned_bytes},
               {"bytes_per_particle_resident", nullptr},
+              {"processor_percent", 100 * engine.processor},
               {"steps", engine.steps},
               {"step_seconds", engine.step_seconds},
               {"density_low", engine.density_low},
@@ -123,6 +125,7 @@ std::string json_text(const Options& options, const Measured& measured) {
               {"yardstick",
                {{"ns_per_particle_sweep", json_of(measured.yardstick)},
                 {"particle_sweeps_per_s_core", 1 / (measured.yardstick.median * nanosecond)},
+                {"processor_percent", 100 * measured.yardstick_processor},
                 {"pairs_listed_per_particle", measured.pairs_listed}}}};
     if (measured.engine) {
         json["engine"] = json_of(measured);

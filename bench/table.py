@@ -28,7 +28,7 @@ def _row(cells):
 def _speed_row(name, case):
     """One line; what is not known is a dash."""
     cells = dict.fromkeys(("particles", "pairs", "step", "steps", "sweeps", "pair_rate", "bytes", "yardstick", "ratio",
-                           "lammps"), "-")
+                           "lammps", "processor"), "-")
     if "failed" in case:
         return _row([name, *cells.values()])
     if "fluid_particles" not in case:  # the valve
@@ -39,8 +39,10 @@ def _speed_row(name, case):
     cells["particles"] = str(case["fluid_particles"] + case["wall_particles"])
     cells["pairs"] = f"{case['pairs_per_particle']:.1f}"
     cells["yardstick"] = _spread(case["yardstick"]["ns_per_particle_sweep"])
+    had = case["yardstick"]["processor_percent"]
     engine = case["engine"]
     if engine is not None:
+        had = min(had, engine["processor_percent"])
         resident = engine["bytes_per_particle_resident"]
         cells["step"] = _spread(engine["ns_per_particle_step"])
         cells["steps"] = _millions(engine["particle_steps_per_s_core"])
@@ -48,6 +50,7 @@ def _speed_row(name, case):
         cells["pair_rate"] = _millions(engine["pairs_per_s_core"])
         cells["bytes"] = f"{engine['bytes_per_particle_planned']} / {'?' if resident is None else round(resident)}"
         cells["ratio"] = f"{case['yardstick_sweep_over_engine_step']:.2f}"
+    cells["processor"] = f"{had:.0f}"
     beside = case.get("lammps", {})
     if "particle_steps_per_s_core" in beside:
         cells["lammps"] = _millions(beside["particle_steps_per_s_core"])
@@ -82,8 +85,9 @@ def text_of(result):
         "",
         _row(["case", "particles", "pairs per particle", "step [ns per particle]", "10^6 particle-steps/s/core",
               "10^6 particle-sweeps/s/core", "10^6 pairs/s/core", "bytes per particle, planned / resident",
-              "yardstick sweep [ns per particle]", "yardstick sweep / step", "LAMMPS, 10^6 particle-steps/s/core"]),
-        "|" + "---|" * 11,
+              "yardstick sweep [ns per particle]", "yardstick sweep / step", "LAMMPS, 10^6 particle-steps/s/core",
+              "had a processor [%]"]),
+        "|" + "---|" * 12,
     ]
     lines += [_speed_row(name, case) for name, case in result["cases"].items()]
     stages = _stage_rows(result["cases"])

@@ -41,6 +41,10 @@ TEST(BenchMeasure, StagesAndRestAreTheStep) {
     EXPECT_GT(measured.engine->stage.size(), 3U);
     EXPECT_EQ(measured.engine->steps, options.steps);
     EXPECT_GT(measured.yardstick.median, 0);
+    for (const double share : {measured.engine->processor, measured.yardstick_processor}) {
+        EXPECT_GT(share, 0);
+        EXPECT_LT(share, 1.1);
+    }
     EXPECT_GT(measured.engine->planned_bytes, 0U);
     EXPECT_NEAR(measured.engine->density_low, 1, 0.01);
 }

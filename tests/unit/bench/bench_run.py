@@ -165,6 +165,7 @@ class Run(WithFolder):
     def test_a_channel_and_no_lammps(self):
         code, result, text = self.measure("--only", "channel2d, Lucy")
         self.assertEqual(code, 0)
+        self.assertEqual(len({row.count("|") for row in text.splitlines()[3:6]}), 1)
         case = result["cases"]["channel2d, Lucy"]
         self.assertGreater(case["engine"]["particle_steps_per_s_core"], 0)
         self.assertNotIn("lammps", case)
@@ -224,6 +225,8 @@ mkdir -p "$2" && echo '{json.dumps(summary)}' > "$2/summary.json"
         self.assertAlmostEqual(case["ns_by_stage"]["forces"]["percent"], 50)
         self.assertAlmostEqual(case["ns_by_stage"]["rest"]["median"], 1000)
         self.assertIn("| vein_valve | 100 |", text)
+        heading, line, valve = text.splitlines()[3:6]
+        self.assertEqual(len({row.count("|") for row in (heading, line, valve)}), 1)
 
     def test_a_valve_that_fails_is_a_failure(self):
         dmp = self.program("dmp", "echo 'error: it leaks' >&2; exit 3\n")
@@ -241,7 +244,8 @@ mkdir -p "$2" && echo '{json.dumps(summary)}' > "$2/summary.json"
 class Table(unittest.TestCase):
     def test_the_same_note_of_several_cases_is_said_once(self):
         yardstick = {"fluid_particles": 1, "wall_particles": 1, "pairs_per_particle": 1, "engine": None,
-                     "yardstick": {"ns_per_particle_sweep": {"median": 1, "smallest": 1, "largest": 1}},
+                     "yardstick": {"ns_per_particle_sweep": {"median": 1, "smallest": 1, "largest": 1},
+                                   "processor_percent": 99},
                      "skipped": "not there yet"}
         result = {"machine": {"processor": "p", "processors": 1, "compiler": "c", "commit": "0", "date": "d",
                               "load_before": 0, "load_after": 0},
