@@ -24,6 +24,7 @@ const std::map<std::string, Case> cases{
 template <class Named>
 std::vector<std::string> names_of(const std::map<std::string, Named>& named) {
     std::vector<std::string> names;
+    names.reserve(named.size());
     for (const auto& entry : named) names.push_back(entry.first);
     return names;
 }
