@@ -29,6 +29,9 @@ void check_periods(const Scene& scene, const Box& box) {
 }  // namespace
 
 MeshResult mesh(const Geometry& geometry, const Scene& scene) {
+    if (scene.dimension != 2)
+        throw InputError(scene.dimension.place, "dimension: found 3, and dmp makes particles from plane drawings only",
+                         "3-D is not there yet: write dimension = 2");
     check_names(geometry, scene);
     const Box box = fluid_box(geometry, scene);
     check_periods(scene, box);

@@ -53,6 +53,12 @@ void need_largest_speed(const Scene& scene, const TomlNode& document) {
                      "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
 }
 
+void need_axis_in_space(const Scene& scene) {
+    if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
+    throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
+                     "give 'x' and 'y' only, or write dimension = 3");
+}
+
 /// A fluid particle at the wall must not see past the wall's last row.
 void need_thick_walls(const Scene& scene) {
     if (scene.parts_of(PartKind::fluid).empty()) return;
@@ -111,6 +117,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
     need_largest_speed(scene, document);
+    need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas(scene, document);
     for (const auto& measure : scene.measures) check_measure(scene, measure);

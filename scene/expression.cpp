@@ -23,6 +23,10 @@ struct Expression::Parser {
             parser.DefineVar("y", &values[2]);
             parser.DefineVar("z", &values[3]);
             parser.SetExpr(formula);
+            // Asked once: muParser compiles the formula anew after it.
+            const auto used = parser.GetUsedVar();
+            uses_time = used.contains("t");
+            uses_place = used.contains("x") || used.contains("y") || used.contains("z");
             parser.Eval();  // muParser compiles at the first evaluation: faults show here
         } catch (const mu::Parser::exception_type& error) {
             throw std::invalid_argument(error.GetMsg());
@@ -34,7 +38,7 @@ struct Expression::Parser {
     Parser& operator=(Parser&&) = delete;
     ~Parser() = default;
 
-    [[nodiscard]] bool uses(const char* variable) const { return parser.GetUsedVar().contains(variable); }
+    bool uses_time = false, uses_place = false;
 };
 
 Expression::Expression() : formula_("0"), as_written_("0"), in_si_("0") {}
@@ -68,10 +72,10 @@ double Expression::operator()(double t, double x, double y, double z) const {
     return parser_->parser.Eval();
 }
 
-bool Expression::depends_on_time() const { return parser_ && parser_->uses("t"); }
+bool Expression::depends_on_time() const { return parser_ && parser_->uses_time; }
 
 bool Expression::depends_on_place() const {
-    return parser_ && (parser_->uses("x") || parser_->uses("y") || parser_->uses("z"));
+    return parser_ && parser_->uses_place;
 }
 
 }  // namespace dmp

@@ -24,7 +24,7 @@ std::vector<Key<Scene>> top_keys() {
         {"schema", &Scene::schema, integer(exactly(1, "this dmp reads schema = 1")), required,
          "Version of the scene's keys."},
         {"title", &Scene::title, text(), not_given, "What the scene shows; stands on the report and the pictures."},
-        {"dimension", &Scene::dimension, integer(exactly(2, "3-D is not there yet: write dimension = 2")), "2",
+        {"dimension", &Scene::dimension, integer(Range{2, 3, false, {}}), "2",
          "Dimensions of space; a 2-D scene is 1 m deep."},
     };
 }

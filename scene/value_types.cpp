@@ -249,12 +249,12 @@ ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
 }
 
 ValueType<std::array<Value<bool>, 3>> axes() {
-    const std::string description = "a list out of 'x' and 'y'";
+    const std::string description = "a list out of 'x', 'y' and, in 3-D, 'z'";
     return {description,
             [=](const TomlNode& node, const std::string& path) {
                 std::array<Value<bool>, 3> value;
                 for (const auto& item : detail::list_items(node, path, description)) {
-                    value.at(detail::index_of_word(item, path, {"x", "y"})) = {true, item.place};
+                    value.at(detail::index_of_word(item, path, {"x", "y", "z"})) = {true, item.place};
                 }
                 detail::refuse_repeated_words(node, path);
                 return value;
@@ -263,6 +263,7 @@ ValueType<std::array<Value<bool>, 3>> axes() {
                 std::vector<std::string> items;
                 if (value[0]) items.emplace_back("\"x\"");
                 if (value[1]) items.emplace_back("\"y\"");
+                if (value[2]) items.emplace_back("\"z\"");
                 return detail::toml_list(items);
             }};
 }

@@ -146,8 +146,10 @@ void Simulation::State::write_frame(FrameSink* sink) {
 
 void Simulation::State::write_as_it_is(FrameSink* sink) {
     if (frames > 0 && time <= last_frame) return;  // no time twice
-    const Frame frame = make_frame(scene, particles, fluid, time, step, frames == 0);
-    if (sink != nullptr && ranks.is_first()) sink->write(frame);
+    if (ranks.any(sink != nullptr)) {
+        const Frame frame = make_frame(scene, particles, fluid, time, step, frames == 0);
+        if (sink != nullptr) sink->write(frame);
+    }
     ++frames;
     last_frame = time;
 }

@@ -29,6 +29,9 @@ struct Pair {
     Separation separation;  ///< x_i - x_j [m]
     T distance;             ///< |x_i - x_j| [m]
     T slope;                ///< (1/r) dW/dr [1/m^(D+2)]
+
+    /// V_i V_j (1/r) dW/dr, which the forces share [m^(D-2)].
+    [[nodiscard]] auto weight() const { return i.volume * j.volume * slope; }
 };
 
 template <class I, class J, class Separation, class T>

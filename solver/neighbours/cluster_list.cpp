@@ -2,8 +2,10 @@
 #include "solver/neighbours/cluster_list.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/neighbours/search_grid.hpp"
+#include "solver/sweeps/lanes.hpp"
 
 namespace dmp {
 
@@ -33,25 +35,31 @@ bool may_meet(ParticleKind own, ParticleKind other) {
 template <int D>
 void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, const ParticleGroup& others,
                            double reach, List& list) {
-    // Unused places repeat the first particle.
-    std::array<std::array<double, cluster_size>, D> member{};
+    constexpr std::size_t halves = cluster_size / Lanes::width;
+    std::array<std::array<Lanes, D>, halves> member;
     std::array<const double*, D> x{};
     for (int axis = 0; axis < D; ++axis) {
         const double* own = group.data(Field::position, axis) + cluster.first;
-        for (int k = 0; k < cluster_size; ++k) member[axis][k] = own[k < cluster.count ? k : 0];
+        // Unused lanes repeat the first particle.
+        for (std::size_t k = 0; k < cluster_size; ++k)
+            member[k / Lanes::width][axis].set(k % Lanes::width,
+                                               own[k < static_cast<std::size_t>(cluster.count) ? k : 0]);
         x[axis] = others.data(Field::position, axis);
     }
     std::size_t kept = list.first.back();
     for (std::size_t n = kept; n < list.neighbours.size(); ++n) {
         const std::int32_t j = list.neighbours[n];
-        std::array<double, cluster_size> square{};
-        for (int axis = 0; axis < D; ++axis)
-            for (int k = 0; k < cluster_size; ++k) {
-                const double d = member[axis][k] - x[axis][j];
-                square[k] += d * d;
+        Lanes nearest(HUGE_VAL);
+        for (const auto& half : member) {
+            Lanes square = 0.0;
+            for (int axis = 0; axis < D; ++axis) {
+                const Lanes d = half[axis] - x[axis][j];
+                square += d * d;
             }
+            nearest = min(nearest, square);
+        }
         list.neighbours[kept] = j;
-        kept += *std::min_element(square.begin(), square.end()) < reach * reach ? 1 : 0;
+        kept += least(nearest) < reach * reach ? 1 : 0;
     }
     list.neighbours.resize(kept);
 }

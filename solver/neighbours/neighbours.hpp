@@ -16,8 +16,11 @@ class Neighbours {
     /// `support` radius [m].
     Neighbours(const Ranks& ranks, const ParticleSpace& space, double support, int threads);
 
-    /// Particles have moved by at most this much more [m]; the same on all ranks.
-    void moved(double distance) { moved_ += distance; }
+    /// Particles have moved by at most this much more [m] in half a step; the same on all ranks.
+    void moved(double distance) {
+        moved_ += distance;
+        ++half_steps_;
+    }
     /// Whether the list may miss pairs.
     [[nodiscard]] bool outdated() const { return list_.empty() || moved_ >= skin_ / 2; }
     /// Particles are no longer those that were listed.
@@ -29,17 +32,22 @@ class Neighbours {
 
     [[nodiscard]] const ClusterList& list() const { return list_; }
     [[nodiscard]] const Ranks& ranks() const { return *ranks_; }
+    /// Distance by which two particles may approach each other before the list is out of date [m].
+    [[nodiscard]] double skin() const { return skin_; }
     /// Times the list was made.
     [[nodiscard]] long renewals() const { return renewals_; }
 
   private:
+    [[nodiscard]] double best_skin() const;
+
     const Ranks* ranks_;
-    double spacing_, skin_, reach_;
+    double spacing_, support_, skin_;
     int threads_;
     Domain domain_;
     std::array<Halo, 3> halos_;
     ClusterList list_;
     double moved_ = 0;
+    long half_steps_ = 0;  ///< since the list was made
     long renewals_ = 0;
 };
 

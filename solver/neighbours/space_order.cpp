@@ -16,12 +16,13 @@ constexpr int cells_a_column = 64;
 /// side.
 class Cells {
   public:
-    Cells(const ParticleGroup& group, double size) : inverse_size_(1 / size) {
+    /// Half a spacing of room below, so that the rows of a lattice fall into the cells two by two.
+    Cells(const ParticleGroup& group, double spacing) : inverse_size_(0.5 / spacing) {
         for (int axis = 0; axis < group.dimension(); ++axis) {
             const double* x = group.data(Field::position, axis);
             const auto [low, high] = std::minmax_element(x, x + group.owned());
-            low_[axis] = *low;
-            count_[axis] = static_cast<std::int64_t>((*high - *low) * inverse_size_) + 1;
+            low_[axis] = *low - spacing / 2;
+            count_[axis] = static_cast<std::int64_t>((*high - low_[axis]) * inverse_size_) + 1;
         }
         columns_ = (count_[0] + cells_a_column - 1) / cells_a_column;
     }
@@ -84,7 +85,7 @@ std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int thr
         group.reorder({});
         return clusters;
     }
-    const Cells cells(group, 2 * spacing);
+    const Cells cells(group, spacing);
     std::array<const double*, 3> x{};
     for (int axis = 0; axis < group.dimension(); ++axis) x[axis] = group.data(Field::position, axis);
     std::vector<std::int64_t> cell(owned);

@@ -55,6 +55,12 @@ class BasicLanes {
         return BasicLanes(x.raw_ < y.raw_ ? a.raw_ : b.raw_);
     }
 
+    friend double least(BasicLanes a) {
+        double value = a.raw_[0];
+        for (std::size_t k = 1; k < width; ++k) value = a.raw_[k] < value ? a.raw_[k] : value;
+        return value;
+    }
+
   private:
     using Raw [[gnu::vector_size(VectorBytes)]] = Real;
     explicit BasicLanes(Raw values) : raw_(values) {}

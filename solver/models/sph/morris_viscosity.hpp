@@ -12,7 +12,7 @@ namespace dmp {
 struct MorrisViscosity {
     template <class P>
     static auto law(const P& p) {
-        return (p.i.volume * p.j.volume * (p.i.viscosity + p.j.viscosity) * p.slope) * (p.i.velocity - p.j.velocity);
+        return (p.weight() * (p.i.viscosity + p.j.viscosity)) * (p.i.velocity - p.j.velocity);
     }
 };
 

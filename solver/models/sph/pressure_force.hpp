@@ -11,7 +11,7 @@ namespace dmp {
 struct PressureForce {
     template <class P>
     static auto law(const P& p) {
-        return (-1.0 * p.i.volume * p.j.volume * (p.i.pressure + p.j.pressure) * p.slope) * p.separation;
+        return (-1.0 * p.weight() * (p.i.pressure + p.j.pressure)) * p.separation;
     }
 };
 

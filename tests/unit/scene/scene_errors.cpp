@@ -83,9 +83,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"other_schema", "schema = 1", "schema = 2",
               "scene.toml:1:10: schema: found 2, expected 1\n"
               "  this dmp reads schema = 1"},
-        Fault{"third_dimension", "schema = 1", "schema = 1\ndimension = 3",
-              "scene.toml:2:13: dimension: found 3, expected 2\n"
-              "  3-D is not there yet: write dimension = 2"},
+        Fault{"fourth_dimension", "schema = 1", "schema = 1\ndimension = 4",
+              "scene.toml:2:13: dimension: found 4, expected 2 to 3\n"
+              "  XX"},
         Fault{"text_for_whole_number", "schema = 1", "schema = \"1\"",
               "scene.toml:1:10: schema: found \"1\" (text), expected a whole number, only 1\n"
               "  give schema a whole number, only 1"},
