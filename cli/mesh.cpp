@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "base/safe_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/output_folder.hpp"
@@ -8,7 +9,6 @@
 #include "cli/prepare.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
-#include "base/safe_file.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "scene/read_scene.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "cli/commands.hpp"
 #include "mesher/mesh.hpp"
-#include "postproc/run_label.hpp"
 #include "scene/scene.hpp"
+#include "solver/run_label.hpp"
 
 namespace dmp::cli {
 

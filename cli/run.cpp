@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
 #include "cli/chosen.hpp"
 #include "cli/commands.hpp"
 #include "cli/dry_run.hpp"
@@ -13,7 +14,6 @@
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "postproc/pictures.hpp"
-#include "base/safe_file.hpp"
 #include "postproc/tables.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "scene/read_scene.hpp"
