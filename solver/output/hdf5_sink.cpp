@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/output/hdf5_sink.hpp"
 
+#include <iterator>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -13,10 +14,30 @@ namespace dmp {
 
 namespace fs = std::filesystem;
 
-Hdf5Sink::Hdf5Sink(fs::path folder, RunLabel label, long kept) : folder_(std::move(folder)), label_(std::move(label)) {
+Hdf5Sink::Hdf5Sink(fs::path folder, RunLabel label) : folder_(std::move(folder)), label_(std::move(label)) {
     make_folder(folder_);
     make_folder(frame_folder(folder_));
-    if (kept > 0) read_index(kept);
+}
+
+void Hdf5Sink::go_on(long frames) {
+    entries_.clear();
+    if (frames == 0) return;  // a run that was stopped before its first frame may have left no index
+    const fs::path file = folder_ / frame_index_name;
+    try {
+        const auto index = nlohmann::json::parse(read_file(file));
+        for (const auto& entry : index.at("frames")) {
+            if (std::ssize(entries_) == frames) break;
+            entries_.push_back({entry.at("file"), entry.at("time"), entry.at("step")});
+        }
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(Place{file.string(), 0, 0}, std::string("not an index of frames: ") + error.what(),
+                         "Restore it from a copy, or run the scene from its start.");
+    }
+    for (long number = 0; number < frames; ++number)
+        if (number >= std::ssize(entries_) || !fs::exists(frame_path(folder_, number)))
+            throw InputError(Place{folder_.string(), 0, 0},
+                             "frame " + std::to_string(number) + " of the run to go on with is missing",
+                             "Restore the folder from a copy, or run the scene from its start.");
 }
 
 void Hdf5Sink::write(const Frame& frame) {
@@ -36,25 +57,6 @@ std::vector<std::string> Hdf5Sink::files() const {
     std::vector<std::string> names;
     if (!entries_.empty()) names = {frame_folder("").string(), frame_index_name};
     return names;
-}
-
-void Hdf5Sink::read_index(long kept) {
-    const fs::path file = folder_ / frame_index_name;
-    try {
-        const auto index = nlohmann::json::parse(read_file(file));
-        for (const auto& entry : index.at("frames")) {
-            if (frames() == kept) break;
-            entries_.push_back({entry.at("file"), entry.at("time"), entry.at("step")});
-        }
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(Place{file.string(), 0, 0}, std::string("not an index of frames: ") + error.what(),
-                         "Restore it from a copy, or run the scene from its start.");
-    }
-    for (long number = 0; number < kept; ++number)
-        if (number >= frames() || !fs::exists(frame_path(folder_, number)))
-            throw InputError(Place{folder_.string(), 0, 0},
-                             "frame " + std::to_string(number) + " of the run to go on with is missing",
-                             "Restore the folder from a copy, or run the scene from its start.");
 }
 
 void Hdf5Sink::write_index() const {

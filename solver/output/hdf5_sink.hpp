@@ -20,9 +20,12 @@ inline constexpr const char* frame_index_name = "frames.json";
 /// A folder holds one run: the first frame removes the frames an earlier run left there.
 class Hdf5Sink : public FrameSink {
   public:
-    /// Makes the folder if need be. `kept`: a run that is taken up again keeps that many frames of its first part, and
-    /// later ones go. Throws InputError when the folder cannot be made or written to, or does not hold the kept frames.
-    Hdf5Sink(std::filesystem::path folder, RunLabel label, long kept = 0);
+    /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
+    Hdf5Sink(std::filesystem::path folder, RunLabel label);
+
+    /// Takes up the frames of the run that is in the folder after its first `frames` ones; later ones go. Throws
+    /// InputError when they are not all there.
+    void go_on(long frames);
 
     /// Throws ResourceError when the disk does not take it; the frames before it stay, with their index.
     void write(const Frame& frame) override;
@@ -38,7 +41,6 @@ class Hdf5Sink : public FrameSink {
         long step;
     };
 
-    void read_index(long kept);
     void write_index() const;
 
     std::filesystem::path folder_;

@@ -68,8 +68,8 @@ class Hdf5Frames : public ::testing::Test {
         return nlohmann::json::parse(bytes_of(folder_.path() / "frames.json"));
     }
     /// Writes `count` frames, the first with walls, at the times 0, 1, ...
-    void write_run(int count, long kept = 0) const {
-        Hdf5Sink sink(folder_.path(), label, kept);
+    void write_run(int count) const {
+        Hdf5Sink sink(folder_.path(), label);
         for (int n = 0; n < count; ++n) sink.write(channel_frame(n, n == 0));
     }
 
@@ -129,7 +129,8 @@ TEST_F(Hdf5Frames, OfAnEarlierRunDoNotMixWithTheNew) {
 
 TEST_F(Hdf5Frames, OfARunThatIsTakenUpAgainAreKept) {
     write_run(4);
-    Hdf5Sink sink(folder_.path(), label, 2);
+    Hdf5Sink sink(folder_.path(), label);
+    sink.go_on(2);
     EXPECT_EQ(sink.frames(), 2);
     sink.write(channel_frame(7, false));
     EXPECT_THAT(frames(), ElementsAre("frame_000000.h5", "frame_000001.h5", "frame_000002.h5"));
@@ -141,15 +142,19 @@ TEST_F(Hdf5Frames, OfARunThatIsTakenUpAgainAreKept) {
 
 TEST_F(Hdf5Frames, ToKeepThatAreNotThereAreAnInputError) {
     write_run(2);
-    EXPECT_THAT(text_thrown<InputError>([&] { write_run(1, 3); }), HasSubstr("frame 2 of the run to go on with"));
+    Hdf5Sink sink(folder_.path(), label);
+    EXPECT_THAT(text_thrown<InputError>([&] { sink.go_on(3); }), HasSubstr("frame 2 of the run to go on with"));
     fs::remove(frame_path(folder_.path(), 0));
-    EXPECT_THAT(text_thrown<InputError>([&] { write_run(1, 2); }), HasSubstr("frame 0 of the run to go on with"));
+    EXPECT_THAT(text_thrown<InputError>([&] { sink.go_on(2); }), HasSubstr("frame 0 of the run to go on with"));
     for (const char* wrong : {"{\"frames\": [", "{\"frames\": [{\"file\": 3}]}", "[]"}) {
         put_bytes(folder_.path() / "frames.json", wrong);
-        EXPECT_THAT(text_thrown<InputError>([&] { write_run(1, 1); }), HasSubstr("not an index of frames")) << wrong;
+        EXPECT_THAT(text_thrown<InputError>([&] { sink.go_on(1); }), HasSubstr("not an index of frames")) << wrong;
     }
     fs::remove(folder_.path() / "frames.json");
-    EXPECT_THROW(write_run(1, 1), InputError);
+    EXPECT_THROW(sink.go_on(1), InputError);
+    sink.go_on(0);
+    sink.write(channel_frame(0, true));
+    EXPECT_THAT(frames(), ElementsAre("frame_000000.h5"));
 }
 
 TEST_F(Hdf5Frames, ThatDoNotFitAreRefused) {
