@@ -92,13 +92,22 @@ class Parser {
         run_app_->add_option("--until", run_.until, "Stop at this time instead of the scene's duration, e.g. \"0.2 s\"")
             ->type_name("TIME");
         add_threads(*run_app_, run_.threads);
+        run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
+        run_app_
+            ->add_option("--checkpoint-every", run_.checkpoint_every,
+                         "Wall time between checkpoints; default: \"10 min\"; \"0 s\": only when stopped")
+            ->type_name("TIME");
+        run_app_
+            ->add_option("--wall-limit", run_.wall_limit,
+                         "Wall time after which to write a checkpoint and leave, e.g. \"11.5 h\"")
+            ->type_name("TIME");
         run_app_->add_flag("--dry-run", run_.dry_run,
                            "Only say what the run would take: particles, memory, time steps, measured time");
         run_app_->footer(
             examples(program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
                                 "run cases/vein_valve --out /tmp/soft --set part.leaflets.bending_stiffness="
                                 "\"1e-6 N*m^2\"",
-                                "run my_scene.toml --until \"0.2 s\" --threads 1"}));
+                                "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume"}));
     }
 
     void add_mesh() {

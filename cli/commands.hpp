@@ -20,6 +20,9 @@ struct RunCommand {
     std::string until;  ///< a time with its unit; empty: the scene's duration
     int threads = 0;    ///< 0: as the scene says
     bool dry_run = false;
+    bool resume = false;
+    std::string checkpoint_every;  ///< wall time with its unit; empty: ten minutes
+    std::string wall_limit;        ///< wall time with its unit; empty: none
 };
 
 /// `dmp mesh`: the particles and their quality report.

@@ -1,10 +1,13 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/failure.hpp"
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "cli/exit_codes.hpp"
@@ -82,6 +85,29 @@ int exit_code_of(const std::function<int()>& action) {
                       "This is a bug in dmp, not in your input. Please report it with the scene, the drawing,\n"
                       "the command line and what 'dmp doctor' prints.");
     }
+}
+
+int on_all_ranks(const MpiSession& session, const std::function<int()>& action) {
+    const Ranks ranks = session.ranks();
+    if (ranks.size() == 1) return action();
+    int code = exit_bug;
+    bool failed = true;
+    const int reported = exit_code_of([&] {
+        try {
+            code = action();
+            failed = false;
+        } catch (...) {
+            // What all ranks run into the first one tells; the others speak only when it does not end them first.
+            if (!ranks.is_first()) std::this_thread::sleep_for(std::chrono::seconds(1));
+            throw;
+        }
+        return code;
+    });
+    if (failed) session.end_all(reported);
+    // mpirun takes a rank's code for a failure of the program; all ranks leave with the first one's.
+    std::vector<int> codes{code};
+    ranks.broadcast(codes);
+    return codes.front();
 }
 
 }  // namespace dmp::cli

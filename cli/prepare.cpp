@@ -12,6 +12,7 @@
 #include "cli/version.hpp"
 #include "geometry/geometry.hpp"
 #include "scene/read_scene.hpp"
+#include "solver/store/share_particles.hpp"
 
 namespace dmp::cli {
 
@@ -54,6 +55,17 @@ Prepared prepare(const SceneChoice& choice) {
     return {std::move(scene), std::move(result)};
 }
 
+Prepared prepare(const SceneChoice& choice, const Ranks& ranks) {
+    if (ranks.is_first()) {
+        Prepared prepared = prepare(choice);
+        share_particles(prepared.mesh.particles, ranks);
+        return prepared;
+    }
+    Prepared prepared{read_scene(choice.path, choice.overrides), {}};
+    share_particles(prepared.mesh.particles, ranks);
+    return prepared;
+}
+
 int threads_for(const Scene& scene, int asked) { return asked > 0 ? asked : *scene.run.threads; }
 
 RunLabel label_of(const Scene& scene) { return {scene.title, scene.hash, build_facts().version}; }
@@ -79,8 +91,9 @@ void refuse_several_ranks() {
     for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
         const char* ranks = std::getenv(variable);
         if (ranks != nullptr && std::atoi(ranks) > 1) {
-            throw InputError(fmt::format("dmp was started on {} MPI ranks, and it runs on one for now", ranks),
-                             "Start it without mpirun and use --threads N.");
+            throw InputError(
+                fmt::format("this command was started on {} MPI ranks, and only 'dmp run' makes use of them", ranks),
+                "Start it without mpirun.");
         }
     }
 }

@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "mesher/mesh.hpp"
 #include "scene/scene.hpp"
+#include "solver/parallel/ranks.hpp"
 #include "solver/run_label.hpp"
 
 namespace dmp::cli {
@@ -19,6 +20,8 @@ struct Prepared {
 
 /// Scene to particles. Throws InputError.
 [[nodiscard]] Prepared prepare(const SceneChoice& choice);
+/// The same under mpirun: the first rank makes the particles, all have them; the report is the first rank's.
+[[nodiscard]] Prepared prepare(const SceneChoice& choice, const Ranks& ranks);
 
 /// Threads to use: as asked for on the command line, else as the scene says (0: all the machine has).
 [[nodiscard]] int threads_for(const Scene& scene, int asked);

@@ -1,4 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
@@ -7,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/failure.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
@@ -28,16 +31,19 @@ namespace fs = std::filesystem;
 /// Wall time of the trial that a dry run's estimate rests on [s].
 constexpr double trial_seconds = 1.0;
 
-/// The time to stop at [s].
-double end_time(const Scene& scene, const std::string& until) {
-    if (until.empty()) return scene.run.duration;
-    const Place place{"--until", 0, 0};
-    const double time = read_quantity(until, "s", place);
-    if (!(time > 0)) {
-        throw InputError(place, "'" + until + "' is no time to run to", "Give a time after 0, e.g. --until \"0.2 s\".");
+/// A time from the command line [s], or what holds when it was not given.
+double time_of(const std::string& option, const std::string& text, double otherwise, bool may_be_zero = false) {
+    if (text.empty()) return otherwise;
+    const Place place{option, 0, 0};
+    const double time = read_quantity(text, "s", place);
+    if (!(time > 0 || (may_be_zero && time == 0))) {
+        throw InputError(place, "'" + text + "' is no time for this",
+                         "Give a time after 0, e.g. " + option + " \"0.2 s\".");
     }
     return time;
 }
+
+constexpr double seconds_between_checkpoints = 600;
 
 Pictures draw(const Scene& scene, const fs::path& folder, ProgressLine& line) {
     if (!*scene.output.pictures) return {};
@@ -78,38 +84,51 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
     return files;
 }
 
-}  // namespace
+/// Makes room for a new run, or finds where to go on; what it says is printed.
+std::optional<FoundCheckpoint> open_folder(const RunCommand& command, const fs::path& folder,
+                                           const std::string& scene) {
+    if (!command.resume) {
+        const std::string removed = prepare_folder(folder);
+        if (!removed.empty()) print(removed + "\n");
+        print("Writing to " + folder.string() + "\n\n");
+        return std::nullopt;
+    }
+    FoundCheckpoint found = checkpoint_to_resume(folder, scene);
+    for (const std::string& message : found.messages)
+        print(Style(Stream::output).warning("warning: ") + message + "\n");
+    print("Going on in " + folder.string() + " from step " + std::to_string(found.step) + "\n\n");
+    return found;
+}
 
-int execute(const RunCommand& command) {
-    refuse_several_ranks();
-    Prepared prepared = prepare(command.scene);
+/// The first rank, which speaks, writes and draws.
+int run_as_first(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options) {
     const Scene& scene = prepared.scene;
-    const double until = end_time(scene, command.until);
-    const int threads = threads_for(scene, command.threads);
     const std::string head = heading(prepared);
-
     const ParticleSet particles = command.dry_run ? prepared.mesh.particles : ParticleSet{};
-    Simulation simulation(scene, std::move(prepared.mesh.particles), threads);
+    Simulation simulation(scene, prepared.mesh.particles, resources);
+    prepared.mesh.particles = {};
     const Plan plan = simulation.plan();
     print(head + "\n" + chosen_text(scene, plan, prepared.mesh.report) + "\n");
     if (command.dry_run) {
         flush_output();
-        print(dry_run_text(scene, plan, try_out(scene, particles, threads, until, trial_seconds), until));
+        print(dry_run_text(scene, plan, try_out(scene, particles, resources.threads, options.until, trial_seconds),
+                           options.until));
         return exit_done;
     }
 
     const fs::path folder = output_folder(command.out, scene_name(scene));
-    const std::string removed = prepare_folder(folder);
-    if (!removed.empty()) print(removed + "\n");
-    print("Writing to " + folder.string() + "\n\n");
+    options.checkpoints.scene = resolved_scene(scene);
+    options.checkpoints.folder = folder;
+    const auto found = open_folder(command, folder, options.checkpoints.scene);
     flush_output();
-
-    write_file(folder / resolved_scene_name, resolved_scene(scene));
     VtkSink sink(folder, label_of(scene));
+    std::string checkpoint = found ? found->file.string() : "";
+    resources.ranks.broadcast(checkpoint);
+    if (found) sink.go_on(simulation.resume(checkpoint));
+
+    write_file(folder / resolved_scene_name, options.checkpoints.scene);
     ProgressLine line;
     const StopSignals signals;
-    RunOptions options;
-    options.until = until;
     options.sink = &sink;
     options.progress = [&line](const RunProgress& progress) { line.show(progress); };
     options.stop = &signals.flag();
@@ -120,7 +139,49 @@ int execute(const RunCommand& command) {
     flush_output();
     const auto files = write_results(folder, scene, summary, sink, line);
     print("\n" + results_text(folder, files));
+    if (summary.interrupted)
+        print("Stopped before its end" + std::string(summary.out_of_time ? ", out of its wall time" : "") +
+              ". Go on with the same command and --resume.\n");
+    if (summary.out_of_time) return exit_out_of_resource;
     return summary.interrupted ? signals.exit_code() : exit_done;
+}
+
+/// Any other rank.
+int run_as_one_of_many(const RunCommand& command, const Prepared& prepared, const Resources& resources,
+                       RunOptions options) {
+    Simulation simulation(prepared.scene, prepared.mesh.particles, resources);
+    if (command.dry_run) return exit_done;
+    options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
+    std::string checkpoint;
+    resources.ranks.broadcast(checkpoint);
+    if (!checkpoint.empty()) simulation.resume(checkpoint);
+    const StopSignals signals;
+    options.stop = &signals.flag();
+    simulation.run(options);
+    return exit_done;
+}
+
+}  // namespace
+
+int execute(const RunCommand& command) {
+    const MpiSession session;
+    return on_all_ranks(session, [&] {
+        Resources resources;
+        resources.ranks = session.ranks();
+        Prepared prepared = prepare(command.scene, resources.ranks);
+        const Scene& scene = prepared.scene;
+        resources.threads = threads_for(scene, command.threads);
+        // Ranks that share a machine share its processors.
+        if (resources.threads == 0 && resources.ranks.size() > 1) resources.threads = 1;
+
+        RunOptions options;
+        options.until = time_of("--until", command.until, scene.run.duration);
+        options.wall_limit = time_of("--wall-limit", command.wall_limit, 0);
+        options.checkpoints.every =
+            time_of("--checkpoint-every", command.checkpoint_every, seconds_between_checkpoints, true);
+        return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options)
+                                          : run_as_one_of_many(command, prepared, resources, options);
+    });
 }
 
 }  // namespace dmp::cli

@@ -4,15 +4,18 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <fstream>
+#include <regex>
 #include <string_view>
 
 #include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "base/errors.hpp"
+#include "base/safe_file.hpp"
 #include "postproc/paraview_script.hpp"
 #include "postproc/polydata.hpp"
-#include "base/safe_file.hpp"
 #include "postproc/vtk_messages.hpp"
 
 namespace dmp {
@@ -74,6 +77,32 @@ void remove_earlier_run(const fs::path& folder) {
 VtkSink::VtkSink(fs::path folder, RunLabel label) : folder_(std::move(folder)), label_(std::move(label)) {
     make_folder(folder_);
     make_folder(folder_ / frames_folder);
+}
+
+void VtkSink::go_on(long frames) {
+    for (const char* name : {"fluid", "solid"}) {
+        std::ifstream file(folder_ / (std::string(name) + ".pvd"));
+        static const std::regex entry("timestep=\"([^\"]+)\".* file=\"([^\"]+)\"");
+        std::smatch match;
+        for (std::string line; std::getline(file, line);) {
+            if (!std::regex_search(line, match, entry)) continue;
+            const std::string frame = match[2];
+            if (frame >= frame_file(name, frames)) {
+                fs::remove(folder_ / frame);
+                continue;
+            }
+            if (!fs::exists(folder_ / frame))
+                throw InputError({(folder_ / frame).string()}, "a frame of the run is missing",
+                                 "A run can only go on where its frames are; start it anew in another folder.");
+            series_[name].push_back({std::stod(match[1]), frame});
+        }
+        if (series_.contains(name) && static_cast<long>(series_[name].size()) != frames)
+            throw InputError({(folder_ / (std::string(name) + ".pvd")).string()},
+                             "the series names fewer frames than the run has written",
+                             "A run can only go on where its frames are; start it anew in another folder.");
+    }
+    frames_ = frames;
+    walls_written_ = fs::exists(folder_ / "walls.vtp");
 }
 
 void VtkSink::start(const Frame& frame) {

@@ -26,6 +26,10 @@ class VtkSink : public FrameSink {
     /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
     VtkSink(std::filesystem::path folder, RunLabel label);
 
+    /// Takes up the series of the run that is in the folder after its first `frames` frames; later ones go. Throws
+    /// InputError when they are not all there.
+    void go_on(long frames);
+
     /// Throws ResourceError when the disk does not take it. Empty groups are skipped.
     void write(const Frame& frame) override;
 

@@ -32,7 +32,7 @@ double sound_speed(const Scene& scene) {
     return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value : 10 * scene.flow.largest_speed;
 }
 
-PairSettings pair_settings(const Scene& scene, int threads) {
+PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
     settings.kernel = scene.accuracy.kernel;
     settings.walls = scene.accuracy.walls;
@@ -41,24 +41,27 @@ PairSettings pair_settings(const Scene& scene, int threads) {
     settings.sound_speed = sound_speed(scene);
     settings.density_diffusion = scene.accuracy.density_diffusion;
     settings.shifting = scene.accuracy.shifting;
+    settings.density = largest_density(scene);
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        settings.viscosity = std::max(settings.viscosity, part->viscosity.value);
     if (scene.contact.range > 0) {
         const double range = scene.contact.range * scene.particles.spacing;
         // Automatic strength: a small part of the fluid's energy rho c0^2 r*^2. At 0.9 r* it then pushes like a
         // pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not exceed, and it never rules the step.
-        settings.repulsion_strength =
-            scene.contact.strength > 0
-                ? scene.contact.strength.value
-                : 0.002 * largest_density(scene) * settings.sound_speed * settings.sound_speed * range * range;
+        settings.repulsion_strength = scene.contact.strength > 0 ? scene.contact.strength.value
+                                                                 : 0.002 * settings.density * settings.sound_speed *
+                                                                       settings.sound_speed * range * range;
     }
-    settings.threads = threads > 0 ? threads : omp_get_num_procs();
+    settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
+    settings.vector_unit = resources.vector_unit;
     return settings;
 }
 
-std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSet& set) {
+std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSpace& space) {
     const auto fluids = scene.parts_of(PartKind::fluid);
     const double first_density = fluids.empty() ? 1 : fluids.front()->density.value;
     std::vector<TaitEquation> equations;
-    for (const auto& part : set.parts) {
+    for (const auto& part : space.parts) {
         const bool is_fluid = part.kind == ParticleKind::fluid;
         equations.push_back(
             {sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density});
@@ -66,21 +69,32 @@ std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleS
     return equations;
 }
 
+std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
+    std::vector<double> densities;
+    for (const TaitEquation& state : equations_of_state(scene, set)) densities.push_back(state.rest_density);
+    return densities;
+}
+
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
-    const auto equations = equations_of_state(scene, set);
+    const std::vector<double> densities = rest_densities(scene, set);
+    std::vector<double> viscosities;
+    for (const auto& part : set.parts)
+        viscosities.push_back(part.kind == ParticleKind::fluid ? part_named(scene, part.name).viscosity.value : 0);
     const double range = scene.contact.range * scene.particles.spacing;
-    const bool with_surface = particles.has(Field::wall_normal);
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        const auto part = static_cast<std::size_t>(set.part[i]);
-        particles.data(Field::density)[i] = equations[part].rest_density;
-        if (set.kind(i) == ParticleKind::fluid)
-            particles.data(Field::viscosity)[i] = part_named(scene, set.parts[part].name).viscosity;
-        particles.data(Field::contact_range)[i] = range;
-        particles.data(Field::wall_contact_range)[i] = set.seated[i] ? 0 : range;
-        if (!with_surface) continue;
-        particles.data(Field::wall_distance)[i] = set.wall_distance[i];
+    for (ParticleGroup& group : particles.groups()) {
+        const auto fill = [&](Field field, int axis, const auto& value_of) {
+            if (!group.has(field)) return;
+            for (std::size_t i = 0; i < group.owned(); ++i)
+                group.data(field, axis)[i] =
+                    value_of(group.tags()[i].part, static_cast<std::size_t>(group.tags()[i].id));
+        };
+        fill(Field::density, 0, [&](std::size_t part, std::size_t) { return densities[part]; });
+        fill(Field::viscosity, 0, [&](std::size_t part, std::size_t) { return viscosities[part]; });
+        fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
+        fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
+        fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
         for (int axis = 0; axis < set.dimension; ++axis)
-            particles.data(Field::wall_normal, axis)[i] = set.wall_normal[i][axis];
+            fill(Field::wall_normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
     }
 }
 

@@ -12,14 +12,16 @@ namespace dmp {
 /// c0: the scene's, or ten times the largest speed it expects, which keeps density within about 1 % [m/s].
 double sound_speed(const Scene& scene);
 
-/// What the pair terms need; "auto" values decided. threads = 0: all the machine has.
-PairSettings pair_settings(const Scene& scene, int threads);
+/// What the pair terms need; "auto" values decided.
+PairSettings pair_settings(const Scene& scene, const Resources& resources);
 
 /// Equation of state by part number; solids stand in for the first fluid part.
-std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSet& set);
+std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSpace& space);
 
-/// Writes the fluid's density and viscosity, wall surfaces and contact ranges into the store. The fields must have been
-/// declared.
+/// By part number: of the liquid that a particle is, or stands in for [kg/m^3].
+std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set);
+
+/// Writes the fluid's density and viscosity, wall surfaces and contact ranges into the fields that the store has.
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles);
 
 /// What the fluid step depends on.

@@ -9,9 +9,11 @@
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/setup.hpp"
+#include "solver/state/checkpoints.hpp"
 #include "solver/state/state_hash.hpp"
 #include "solver/state/watch.hpp"
 #include "solver/time/fluid_step.hpp"
+#include "solver/time/schedule.hpp"
 
 namespace dmp {
 
@@ -21,126 +23,170 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The times k * every, k = 0, 1, ..., one after another, without drift.
-class Schedule {
-  public:
-    explicit Schedule(double every) : every_(every) {}
-    [[nodiscard]] double next() const { return static_cast<double>(count_) * every_; }
-    /// True when `time` has reached the next of them (within rounding), which is then ticked off.
-    bool due(double time) {
-        if (time < next() - 1e-9 * every_) return false;
-        ++count_;
-        return true;
-    }
-
-  private:
-    double every_;
-    long count_ = 0;
-};
-
 constexpr int steps_between_looks = 50;
+
+/// Of the ranks' texts, the lowest rank's that is not empty.
+std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
+    const std::vector<char> own(text.begin(), text.end());
+    const std::int64_t mine = text.empty() ? ranks.size() : ranks.rank();
+    const auto speaker = static_cast<std::int64_t>(ranks.smallest(static_cast<double>(mine)));
+    const auto all = ranks.all_gather(speaker == ranks.rank() ? own : std::vector<char>());
+    return {all.begin(), all.end()};
+}
 
 }  // namespace
 
 struct Simulation::State {
-    State(Scene s, ParticleSet p, int threads)
+    State(Scene s, const ParticleSet& set, const Resources& resources)
         : scene(std::move(s)),
-          set(std::move(p)),
-          particles(set),
-          settings(pair_settings(scene, threads)),
-          fluid(scene, set, particles, settings, equations_of_state(scene, set)),
+          ranks(resources.ranks),
+          particles(set, rest_densities(scene, set), ranks),
+          settings(pair_settings(scene, resources)),
+          fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
-          watch(set, settings.sound_speed, settings.support) {
+          measures(scene, set, settings, ranks),
+          watch(particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
+          frame_times(scene.output.every),
+          measure_times(scene.output.measure_every > 0 ? scene.output.measure_every.value : scene.output.every / 4) {
+        for (std::size_t i = 0; i < set.size(); ++i) ++count[word(static_cast<PartKind>(set.kind(i)))];
         fill_store(scene, set, particles);
+        at_start = conserved();
     }
 
+    void archive(Archive& file);
+
     [[nodiscard]] Conserved conserved() const;
-    [[nodiscard]] std::vector<StepLimit> limits_now(double time, double largest_speed) const;
-    [[nodiscard]] double next_step(double time, double target, double largest_speed) const;
-    void write_frame(FrameSink* sink, double time, long step);
+    [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
+    [[nodiscard]] double next_step(double target, double largest_speed) const;
+    void write_frame(FrameSink* sink);
     /// The same for a state that may hold anything: no neighbours are searched.
-    void write_as_it_is(FrameSink* sink, double time, long step);
-    [[noreturn]] void diverged(FrameSink* sink, double time, long step, const std::string& problem,
-                               const std::string& what_to_do);
-    void stop_if_diverged(const RunOptions& options, double time, long step, const FluidExtremes& extremes);
+    void write_as_it_is(FrameSink* sink);
+    void write_what_is_due(FrameSink* sink);
+    [[noreturn]] void diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do);
+    void stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes);
+    /// One step, towards `until` or the next time at which something is due.
+    void advance(const RunOptions& options, double until, FluidExtremes& extremes);
+    [[nodiscard]] RunSummary summary() const;
 
     Scene scene;
-    ParticleSet set;
+    Ranks ranks;
+    std::map<std::string, std::size_t> count;  ///< particles of all ranks by kind
     ParticleStore particles;
     PairSettings settings;
     FluidStep fluid;
     StepScales scales;
+    Measures measures;
     Watch watch;
-    long frames = 0;
-    double last_frame = 0;  ///< time of the last frame [s]
+
+    double time = 0;  ///< [s]
+    std::int64_t step = 0;
+    Schedule frame_times, measure_times;
+    std::int64_t frames = 0;
+    double last_frame = 0;                                                           ///< time of the last frame [s]
+    double density_low = std::numeric_limits<double>::infinity(), density_high = 0;  ///< so far, relative
+    Conserved at_start;
 };
 
 Conserved Simulation::State::conserved() const {
-    Conserved sum;
-    const double* mass = particles.data(Field::mass);
-    for (std::size_t i = 0; i < particles.owned(); ++i) {
-        if (set.fixed[i]) continue;
-        sum.mass += mass[i];
-        if (set.kind(i) == ParticleKind::springs) continue;  // the bodies know their momentum
-        for (int axis = 0; axis < set.dimension; ++axis)
-            sum.momentum[axis] += mass[i] * particles.data(Field::velocity, axis)[i];
+    const ParticleGroup& liquid = particles.fluid();
+    ExactSum mass;
+    std::array<ExactSum, 3> momentum;
+    for (std::size_t i = 0; i < liquid.owned(); ++i) {
+        const double m = liquid.data(Field::mass)[i];
+        mass.add(m);
+        for (int axis = 0; axis < liquid.dimension(); ++axis)
+            momentum[axis].add(m * liquid.data(Field::velocity, axis)[i]);
     }
-    for (const SpringBody& body : fluid.springs().bodies())
-        for (int axis = 0; axis < 2; ++axis) sum.momentum[axis] += body.momentum()[axis];
+    ranks.sum(mass);
+    for (ExactSum& axis : momentum) ranks.sum(axis);
+    // Every rank holds all bodies.
+    Conserved sum;
+    for (const SpringBody& body : fluid.springs().bodies()) {
+        mass.add(body.free_mass());
+        for (int axis = 0; axis < 2; ++axis) momentum[axis].add(body.momentum()[axis]);
+    }
+    sum.mass = mass.value();
+    for (int axis = 0; axis < 3; ++axis) sum.momentum[axis] = momentum[axis].value();
     return sum;
 }
 
-std::vector<StepLimit> Simulation::State::limits_now(double time, double largest_speed) const {
+std::vector<StepLimit> Simulation::State::limits_now(double largest_speed) const {
     double g = 0;
     for (const double axis : fluid.body_acceleration(time)) g = std::hypot(g, axis);
     return fluid_step_limits(scales, largest_speed, g);
 }
 
-double Simulation::State::next_step(double time, double target, double largest_speed) const {
-    const double longest = ruling_limit(limits_now(time, largest_speed)).dt;
+double Simulation::State::next_step(double target, double largest_speed) const {
+    const double longest = ruling_limit(limits_now(largest_speed)).dt;
     // Equal steps up to the next time something has to be written.
     return (target - time) / std::max(1.0, std::ceil((target - time) / longest * (1 - 1e-12)));
 }
 
-void Simulation::State::write_frame(FrameSink* sink, double time, long step) {
-    if (sink == nullptr) return;
-    fluid.update_pressure();
-    fluid.refresh_neighbours();
-    write_as_it_is(sink, time, step);
+void Simulation::State::archive(Archive& file) {
+    file("time", time);
+    file("step", step);
+    frame_times.archive(file, "frames_due");
+    measure_times.archive(file, "measures_due");
+    file("frames", frames);
+    file("last_frame", last_frame);
+    file("density_low", density_low);
+    file("density_high", density_high);
+    file("mass_at_start", at_start.mass);
+    file("momentum_at_start", at_start.momentum);
+    measures.archive(file);
+    for (ParticleGroup& group : particles.groups()) file(std::string(word(static_cast<PartKind>(group.kind()))), group);
+    fluid.archive(file);
 }
 
-void Simulation::State::write_as_it_is(FrameSink* sink, double time, long step) {
-    if (sink == nullptr || (frames > 0 && time <= last_frame)) return;  // no time twice
-    sink->write(make_frame(scene, set, particles, fluid, time, step, frames == 0));
+void Simulation::State::write_frame(FrameSink* sink) {
+    fluid.update_pressure();
+    fluid.refresh_neighbours();
+    write_as_it_is(sink);
+}
+
+void Simulation::State::write_as_it_is(FrameSink* sink) {
+    if (frames > 0 && time <= last_frame) return;  // no time twice
+    const Frame frame = make_frame(scene, particles, fluid, time, step, frames == 0);
+    if (sink != nullptr && ranks.is_first()) sink->write(frame);
     ++frames;
     last_frame = time;
 }
 
-void Simulation::State::stop_if_diverged(const RunOptions& options, double time, long step,
-                                         const FluidExtremes& extremes) {
-    const auto finding = watch.look(particles, extremes);
-    if (!finding) return;
-    diverged(options.sink, time, step, finding->problem, finding->what_to_do);
+void Simulation::State::write_what_is_due(FrameSink* sink) {
+    if (measure_times.due(time)) {
+        fluid.update_pressure();
+        measures.take(time, particles, fluid);
+    }
+    if (frame_times.due(time)) write_frame(sink);
 }
 
-void Simulation::State::diverged(FrameSink* sink, double time, long step, const std::string& problem,
-                                 const std::string& what_to_do) {
-    write_as_it_is(sink, time, step);
+void Simulation::State::stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes) {
+    const auto finding = watch.look(particles, extremes);
+    // The lowest rank that found something speaks for all.
+    const std::string found =
+        first_that_is_not_empty(ranks, finding ? finding->problem + '\n' + finding->what_to_do : "");
+    if (found.empty()) return;
+    const auto end = found.find('\n');
+    diverged(sink, found.substr(0, end), found.substr(end + 1));
+}
+
+void Simulation::State::diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do) {
+    write_as_it_is(sink);
     throw DivergenceError(
         "the simulation diverged at t = " + std::to_string(time) + " s, step " + std::to_string(step) + ": " + problem,
         what_to_do);
 }
 
-Simulation::Simulation(const Scene& scene, ParticleSet particles, int threads)
-    : state_(std::make_unique<State>(scene, std::move(particles), threads)) {}
+Simulation::Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources)
+    : state_(std::make_unique<State>(scene, particles, resources)) {}
 
 Simulation::~Simulation() = default;
 
 Plan Simulation::plan() const {
     const State& s = *state_;
     Plan plan;
-    for (std::size_t i = 0; i < s.set.size(); ++i) ++plan.particles[word(static_cast<PartKind>(s.set.kind(i)))];
-    plan.bytes_per_particle = s.particles.bytes_per_particle();
+    plan.particles = s.count;
+    plan.bytes_per_particle = s.particles.bytes() / std::max<std::size_t>(1, s.particles.owned());
     plan.sound_speed = s.settings.sound_speed;
     plan.largest_speed = s.scene.flow.largest_speed;
     double g = 0;  // largest over one run, sampled
@@ -161,82 +207,106 @@ Plan Simulation::plan() const {
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     plan.models = models_in_use(s.scene);
-    for (const Field field : s.particles.declared()) {
-        const auto bytes = (info(field).is_vector ? static_cast<std::size_t>(s.set.dimension) : 1) * sizeof(double);
-        plan.fields.push_back(std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+    for (const ParticleGroup& group : s.particles.groups()) {
+        if (group.empty()) continue;
+        for (const Field field : group.declared()) {
+            const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
+            plan.fields.push_back(word(static_cast<PartKind>(group.kind())) + std::string(": ") +
+                                  std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+        }
     }
     return plan;
+}
+
+long Simulation::resume(const std::filesystem::path& checkpoint) {
+    State& s = *state_;
+    // The first rank has checked the file's seal before it was chosen.
+    const Hdf5Reader file(checkpoint);
+    Archive archive(s.ranks, file);
+    s.archive(archive);
+    return static_cast<long>(s.frames);
+}
+
+void Simulation::State::advance(const RunOptions& options, double until, FluidExtremes& extremes) {
+    const double target = std::min({until, frame_times.next(), measure_times.next()});
+    const double dt = next_step(target, extremes.largest_speed);
+    try {
+        fluid.advance(time, dt);
+    } catch (const DivergenceError& error) {
+        time += dt;
+        ++step;
+        diverged(options.sink, error.problem(), error.what_to_do());
+    }
+    time = target - time <= 1.5 * dt ? target : time + dt;
+    ++step;
+
+    extremes = fluid.extremes();
+    density_low = std::min(density_low, extremes.density_low);
+    density_high = std::max(density_high, extremes.density_high);
+    const bool unwell = !(extremes.largest_speed < settings.sound_speed);
+    if (unwell || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
+    write_what_is_due(options.sink);
 }
 
 RunSummary Simulation::run(const RunOptions& options) {
     State& s = *state_;
     const double until = options.until > 0 ? options.until : s.scene.run.duration.value;
-    const double measure_every =
-        s.scene.output.measure_every > 0 ? s.scene.output.measure_every.value : s.scene.output.every / 4;
-    Schedule frame_times(s.scene.output.every), measure_times(measure_every);
-    Measures measures(s.scene, s.set, s.settings);
-
-    RunSummary summary;
-    summary.start = s.conserved();
-    summary.density_low = std::numeric_limits<double>::infinity();
-    FluidExtremes extremes = s.fluid.extremes();
-    double time = 0;
-    long step = 0;
+    Checkpoints checkpoints(s.ranks, options.checkpoints);
+    const auto save = [&] { checkpoints.save(s.step, [&](Archive& file) { s.archive(file); }); };
+    const std::int64_t first_step = s.step;
     const auto start = Clock::now();
     auto last_progress = start;
+    bool interrupted = false, out_of_time = false;
 
-    const auto output_if_due = [&] {
-        if (measure_times.due(time)) {
-            s.fluid.update_pressure();
-            measures.take(time, s.particles, s.fluid);
-        }
-        if (frame_times.due(time)) s.write_frame(options.sink, time, step);
-    };
     s.fluid.refresh_neighbours();
-    output_if_due();
-
+    FluidExtremes extremes = s.fluid.extremes();
+    if (s.step == 0) s.write_what_is_due(options.sink);
     const double end = until * (1 - 1e-12);
-    while (time < end) {
-        if (options.stop != nullptr && *options.stop) {
-            summary.interrupted = true;
-            s.write_frame(options.sink, time, step);
+    while (s.time < end) {
+        interrupted = s.ranks.any(options.stop != nullptr && *options.stop);
+        out_of_time = s.ranks.any(options.wall_limit > 0 && seconds_since(start) > options.wall_limit);
+        if (interrupted || out_of_time) {
+            if (checkpoints.wanted()) save();
+            s.write_frame(options.sink);
             break;
         }
-        const double target = std::min({until, frame_times.next(), measure_times.next()});
-        const double dt = s.next_step(time, target, extremes.largest_speed);
-        try {
-            s.fluid.advance(time, dt);
-        } catch (const DivergenceError& error) {
-            s.diverged(options.sink, time + dt, step + 1, error.problem(), error.what_to_do());
-        }
-        time = target - time <= 1.5 * dt ? target : time + dt;
-        ++step;
-
-        extremes = s.fluid.extremes();
-        summary.density_low = std::min(summary.density_low, extremes.density_low);
-        summary.density_high = std::max(summary.density_high, extremes.density_high);
-        const bool unwell = !(extremes.largest_speed < s.settings.sound_speed);
-        if (unwell || step % steps_between_looks == 0) s.stop_if_diverged(options, time, step, extremes);
-        output_if_due();
-
-        if (options.progress && seconds_since(last_progress) > 0.2) {
+        if (s.ranks.any(checkpoints.due())) save();
+        s.advance(options, until, extremes);
+        if (options.progress && s.ranks.is_first() && seconds_since(last_progress) > 0.2) {
             last_progress = Clock::now();
-            options.progress({time, until, step, dt, extremes.largest_speed, s.frames});
+            const double dt = ruling_limit(s.limits_now(extremes.largest_speed)).dt;
+            options.progress(
+                {s.time, until, static_cast<long>(s.step), dt, extremes.largest_speed, static_cast<long>(s.frames)});
         }
     }
-
-    summary.wall_s = seconds_since(start);
-    for (std::size_t i = 0; i < s.set.size(); ++i) ++summary.particles[word(static_cast<PartKind>(s.set.kind(i)))];
-    summary.steps = step;
-    summary.simulated_s = time;
-    summary.particle_steps_per_s = static_cast<double>(step) * static_cast<double>(s.set.size()) / summary.wall_s;
-    summary.threads = s.settings.threads;
+    const double wall = seconds_since(start);
+    s.fluid.refresh_neighbours();
+    RunSummary summary = s.summary();
     const Plan plan = this->plan();
     summary.limits = plan.limits;
     summary.ruling_limit = plan.ruling_limit;
-    summary.sound_speed = s.settings.sound_speed;
-    summary.end = s.conserved();
-    const OutsideImpulses& given = s.fluid.impulses();
+    summary.wall_s = wall;
+    std::size_t all = 0;
+    for (const auto& [kind, count] : s.count) all += count;
+    summary.particle_steps_per_s = static_cast<double>(s.step - first_step) * static_cast<double>(all) / wall;
+    summary.interrupted = interrupted || out_of_time;
+    summary.out_of_time = out_of_time;
+    summary.first_step = static_cast<long>(first_step);
+    return summary;
+}
+
+RunSummary Simulation::State::summary() const {
+    RunSummary summary;
+    summary.start = at_start;
+    summary.particles = count;
+    summary.steps = static_cast<long>(step);
+    summary.simulated_s = time;
+    summary.threads = settings.threads;
+    summary.ranks = ranks.size();
+    summary.vector_unit = word(chosen_vector_unit(settings.vector_unit));
+    summary.sound_speed = settings.sound_speed;
+    summary.end = conserved();
+    const OutsideImpulses& given = fluid.impulses();
     summary.impulse_of_body_forces = given.of_body_forces;
     summary.impulse_of_fixed = given.of_fixed;
     summary.impulse_of_drag = given.of_drag;
@@ -247,13 +317,13 @@ RunSummary Simulation::run(const RunOptions& options) {
         scale += std::abs(given.of_body_forces[axis]) + std::abs(given.of_fixed[axis]) + std::abs(given.of_drag[axis]);
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
-    const double rest_density = equations_of_state(s.scene, s.set).front().rest_density;
-    summary.density_low *= rest_density;
-    summary.density_high *= rest_density;
-    s.fluid.refresh_neighbours();
-    summary.lost = s.watch.lost(s.particles, s.fluid.list());
-    summary.state_hash = state_hash(s.particles);
-    summary.seconds_by_stage = s.fluid.timer().seconds();
+    const double rest_density = equations_of_state(scene, particles.space()).front().rest_density;
+    summary.density_low = density_low * rest_density;
+    summary.density_high = density_high * rest_density;
+    summary.lost = static_cast<std::size_t>(
+        ranks.sum(static_cast<std::int64_t>(watch.lost(particles, fluid.neighbours().list()))));
+    summary.state_hash = state_hash(particles, ranks);
+    summary.seconds_by_stage = fluid.timer().seconds();
     summary.measures = measures.series();
     return summary;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,6 +12,8 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/resources.hpp"
+#include "solver/state/checkpoints.hpp"
 
 namespace dmp {
 
@@ -71,7 +74,10 @@ struct RunSummary {
     std::string state_hash;  ///< of final positions, velocities, densities in id order, 16 hex digits
     std::map<std::string, double> seconds_by_stage;
     MeasureSeries measures;
-    bool interrupted = false;
+    std::string_view vector_unit;  ///< of the loops over pairs
+    long first_step = 0;           ///< that this process made; 0 unless it resumed
+    bool interrupted = false;      ///< left before its end
+    bool out_of_time = false;      ///< by the wall time's limit
 };
 
 struct RunProgress {
@@ -87,18 +93,25 @@ struct RunOptions {
     FrameSink* sink = nullptr;
     std::function<void(const RunProgress&)> progress;  ///< called a few times a second at most
     const std::atomic<bool>* stop = nullptr;           ///< set from a signal handler: finish the step, write, leave
+    double wall_limit = 0;                             ///< wall time after which to write and leave [s]; 0: none
+    CheckpointOptions checkpoints;
 };
 
 /// A scene's particles in motion.
 class Simulation {
   public:
-    /// threads = 0: all the machine has. Throws InputError when scene and particles do not fit together.
-    Simulation(const Scene& scene, ParticleSet particles, int threads = 0);
+    /// Throws InputError when scene and particles do not fit together, ResourceError when the machine lacks what is
+    /// asked of it.
+    Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources = {});
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
     [[nodiscard]] Plan plan() const;
+
+    /// Takes up the state of a checkpoint of the same scene; on any number of ranks and threads. Throws InputError when
+    /// it does not fit. Returns the number of frames that were written by then.
+    long resume(const std::filesystem::path& checkpoint);
 
     /// Runs to the end. Throws DivergenceError (after writing a snapshot to the sink) and ResourceError.
     RunSummary run(const RunOptions& options);

@@ -2,163 +2,131 @@
 #include "solver/neighbours/cluster_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "particles/cell_grid.hpp"
+#include "solver/neighbours/search_grid.hpp"
 
 namespace dmp {
 
 namespace {
 
-using Point = std::array<double, 3>;
+/// The smallest box around a cluster.
+struct Bounds {
+    std::array<double, 3> low{}, high{};
 
-Point point_of(const ParticleStore& particles, int i) {
-    Point point{};
-    for (int axis = 0; axis < particles.dimension(); ++axis) point[axis] = particles.data(Field::position, axis)[i];
-    return point;
-}
-
-/// Cuts particles into clusters: strips two spacings high (and deep), sorted along x, eight at a time; a new cluster
-/// starts at a new strip and after a gap, so that clusters stay small in space.
-void cut_into_clusters(const ParticleStore& particles, std::span<const int> ids, double spacing,
-                       std::vector<Cluster>& clusters) {
-    struct Key {
-        int z, y;
-        double x;
-        int id;
-        bool operator<(const Key& other) const {
-            return std::tie(z, y, x, id) < std::tie(other.z, other.y, other.x, other.id);
+    Bounds(const ParticleGroup& group, const Cluster& cluster) {
+        for (int axis = 0; axis < group.dimension(); ++axis) {
+            const double* x = group.data(Field::position, axis) + cluster.first;
+            const auto [least, most] = std::minmax_element(x, x + cluster.count);
+            low[axis] = *least;
+            high[axis] = *most;
         }
-    };
-    std::vector<Key> keys;
-    keys.reserve(ids.size());
-    const double strip = 2 * spacing;
-    for (const int id : ids) {
-        const Point p = point_of(particles, id);
-        keys.push_back(
-            {static_cast<int>(std::floor(p[2] / strip)), static_cast<int>(std::floor(p[1] / strip)), p[0], id});
     }
-    std::sort(keys.begin(), keys.end());
-    const double longest = spacing * static_cast<double>(Lanes::width);
-    for (std::size_t k = 0; k < keys.size();) {
-        Cluster cluster;
-        const Key& first = keys[k];
-        while (k < keys.size() && cluster.count < Lanes::width && keys[k].y == first.y && keys[k].z == first.z &&
-               keys[k].x - first.x < longest)
-            cluster.member[cluster.count++] = keys[k++].id;
-        std::fill(cluster.member.begin() + static_cast<std::ptrdiff_t>(cluster.count), cluster.member.end(), first.id);
-        clusters.push_back(cluster);
-    }
-}
-
-/// Particles of one kind by body: springs one group a body, the others one group.
-std::vector<std::vector<int>> groups_of(const ParticleStore& particles, const ParticleSet& set, ParticleKind kind) {
-    std::vector<std::vector<int>> groups;
-    for (const int id : particles.ids(kind)) {
-        const auto group = static_cast<std::size_t>(kind == ParticleKind::springs ? set.body[id] : 0);
-        if (group >= groups.size()) groups.resize(group + 1);
-        groups[group].push_back(id);
-    }
-    return groups;
-}
-
-/// Finds the neighbours of one cluster after another and appends them to a list of its own.
-class Finder {
-  public:
-    Finder(const ParticleStore& particles, const ParticleSet& set, const CellGrid& grid, double reach)
-        : particles_(particles), set_(set), grid_(grid), reach_(reach) {}
-
-    void find(Cluster& cluster) {
-        const int self = cluster.member[0];
-        const ParticleKind own_kind = particles_.kind(self);
-        Point low = point_of(particles_, self), high = low;
-        Vector lanes;
-        for (int axis = 0; axis < particles_.dimension(); ++axis) {
-            const double* x = particles_.data(Field::position, axis);
-            lanes[axis] = Lanes::gather(x, cluster.member.data());
-            for (std::size_t k = 1; k < cluster.count; ++k) {
-                low[axis] = std::min(low[axis], x[cluster.member[k]]);
-                high[axis] = std::max(high[axis], x[cluster.member[k]]);
-            }
-            low[axis] -= reach_;
-            high[axis] += reach_;
-        }
-        for (auto& kind : by_kind_) kind.clear();
-        grid_.for_each_near(low, high, [&](int j) {
-            if (nearest_square(lanes, j) >= reach_ * reach_) return;
-            const int source = particles_.source(j);
-            const ParticleKind kind = particles_.kind(source);
-            const bool never_interact =
-                kind == own_kind && (kind == ParticleKind::rigid ||
-                                     (kind == ParticleKind::springs && set_.body[source] == set_.body[self]));
-            if (never_interact) return;
-            by_kind_[static_cast<std::size_t>(kind)].push_back(j);
-        });
-        for (std::size_t kind = 0; kind < by_kind_.size(); ++kind) {
-            cluster.first[kind] = static_cast<int>(found.size());
-            found.insert(found.end(), by_kind_[kind].begin(), by_kind_[kind].end());
-        }
-        cluster.first[by_kind_.size()] = static_cast<int>(found.size());
-    }
-
-    std::vector<int> found;
-
-  private:
-    using Vector = std::array<Lanes, 3>;
-
-    /// Square of the distance between particle j and the nearest member.
-    [[nodiscard]] double nearest_square(const Vector& members, int j) const {
-        Lanes square = 0.0;
-        for (int axis = 0; axis < particles_.dimension(); ++axis) {
-            const Lanes d = members[axis] - particles_.data(Field::position, axis)[j];
-            square += d * d;
-        }
-        double nearest = square.raw[0];
-        for (std::size_t k = 1; k < Lanes::width; ++k) nearest = std::min(nearest, square.raw[k]);
-        return nearest;
-    }
-
-    const ParticleStore& particles_;
-    const ParticleSet& set_;
-    const CellGrid& grid_;
-    double reach_;
-    std::array<std::vector<int>, 3> by_kind_;
 };
+
+/// Kinds that clusters of `kind` may have to do with: walls do not act on walls.
+bool may_meet(ParticleKind own, ParticleKind other) {
+    return own != ParticleKind::rigid || other != ParticleKind::rigid;
+}
 
 }  // namespace
 
-void ClusterList::build(const ParticleStore& particles, const ParticleSet& set, double reach, int threads) {
-    Coordinates points;
-    for (int axis = 0; axis < particles.dimension(); ++axis) {
-        const double* x = particles.data(Field::position, axis);
-        points[axis].assign(x, x + particles.with_images());
+template <int D>
+void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, const ParticleGroup& others,
+                           double reach, List& list) {
+    // Unused places repeat the first particle.
+    std::array<std::array<double, cluster_size>, D> member{};
+    std::array<const double*, D> x{};
+    for (int axis = 0; axis < D; ++axis) {
+        const double* own = group.data(Field::position, axis) + cluster.first;
+        for (int k = 0; k < cluster_size; ++k) member[axis][k] = own[k < cluster.count ? k : 0];
+        x[axis] = others.data(Field::position, axis);
     }
-    const CellGrid grid(points, particles.with_images(), particles.dimension(), 0.5 * reach);
-
-    std::vector<Cluster*> all;
-    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs}) {
-        auto& clusters = clusters_[static_cast<std::size_t>(kind)];
-        clusters.clear();
-        for (const auto& group : groups_of(particles, set, kind))
-            cut_into_clusters(particles, group, set.spacing, clusters);
-        for (auto& cluster : clusters) all.push_back(&cluster);
+    std::size_t kept = list.first.back();
+    for (std::size_t n = kept; n < list.neighbours.size(); ++n) {
+        const std::int32_t j = list.neighbours[n];
+        std::array<double, cluster_size> square{};
+        for (int axis = 0; axis < D; ++axis)
+            for (int k = 0; k < cluster_size; ++k) {
+                const double d = member[axis][k] - x[axis][j];
+                square[k] += d * d;
+            }
+        list.neighbours[kept] = j;
+        kept += *std::min_element(square.begin(), square.end()) < reach * reach ? 1 : 0;
     }
+    list.neighbours.resize(kept);
+}
 
-    // As many runs of clusters as threads, each listed on its own; the lists are then joined in order.
-    std::vector<Finder> finders(static_cast<std::size_t>(threads), Finder(particles, set, grid, reach));
-    const auto run = [&](int t) {
-        return all.size() * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
-    };
+template <int D>
+void ClusterList::find(const ParticleStore& particles, double reach, int threads) {
+    std::vector<SearchGrid> grids;
+    for (const ParticleKind kind : all_kinds) grids.emplace_back(particles.of(kind), 2 * particles.space().spacing);
+
+    for (const ParticleKind own : all_kinds) {
+        const ParticleGroup& group = particles.of(own);
+        const auto& clusters = clusters_[static_cast<std::size_t>(own)];
+        List& list = lists_[static_cast<std::size_t>(own)];
+        // As many runs of clusters as threads, each listed on its own; the lists are then joined.
+        std::vector<List> parts(static_cast<std::size_t>(threads));
+        const auto run = [&](int t) {
+            return clusters.size() * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
+        };
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int t = 0; t < threads; ++t)
-        for (std::size_t c = run(t); c < run(t + 1); ++c) finders[t].find(*all[c]);
-    neighbours_.clear();
-    for (int t = 0; t < threads; ++t) {
-        const int offset = static_cast<int>(neighbours_.size());
-        for (std::size_t c = run(t); c < run(t + 1); ++c)
-            for (int& first : all[c]->first) first += offset;
-        neighbours_.insert(neighbours_.end(), finders[t].found.begin(), finders[t].found.end());
+        for (int t = 0; t < threads; ++t) {
+            List& part = parts[t];
+            if (threads == 1) part.neighbours.swap(list.neighbours);  // memory that is there already
+            part.neighbours.clear();
+            for (std::size_t c = run(t); c < run(t + 1); ++c) {
+                const Bounds bounds(group, clusters[c]);
+                for (const ParticleKind other : all_kinds) {
+                    part.first.push_back(part.neighbours.size());
+                    if (!may_meet(own, other)) continue;
+                    grids[static_cast<std::size_t>(other)].append_near<D>(bounds.low, bounds.high, reach,
+                                                                          part.neighbours);
+                    drop_far<D>(group, clusters[c], particles.of(other), reach, part);
+                    if (own != ParticleKind::springs || other != own) continue;
+                    const std::int32_t body = group.tags()[clusters[c].first].body;
+                    const auto mine = [&](std::int32_t j) { return group.tags()[j].body == body; };
+                    const auto begin = part.neighbours.begin() + static_cast<std::ptrdiff_t>(part.first.back());
+                    part.neighbours.erase(std::remove_if(begin, part.neighbours.end(), mine), part.neighbours.end());
+                }
+            }
+        }
+        list.first.clear();
+        if (threads == 1) {
+            list = std::move(parts[0]);
+        } else {
+            list.neighbours.clear();
+            for (const List& part : parts) {
+                for (const std::size_t first : part.first) list.first.push_back(first + list.neighbours.size());
+                list.neighbours.insert(list.neighbours.end(), part.neighbours.begin(), part.neighbours.end());
+            }
+        }
+        list.first.push_back(list.neighbours.size());
     }
+}
+
+void ClusterList::build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach,
+                        int threads) {
+    clusters_ = std::move(clusters);
+    if (particles.dimension() == 3) {
+        find<3>(particles, reach, threads);
+    } else {
+        find<2>(particles, reach, threads);
+    }
+    built_ = true;
+}
+
+std::size_t ClusterList::size() const {
+    std::size_t entries = 0;
+    for (const List& list : lists_) entries += list.neighbours.size();
+    return entries;
+}
+
+std::size_t ClusterList::bytes() const {
+    std::size_t bytes = 0;
+    for (const List& list : lists_)
+        bytes += list.neighbours.capacity() * sizeof(std::int32_t) + list.first.capacity() * sizeof(std::size_t);
+    return bytes;
 }
 
 }  // namespace dmp

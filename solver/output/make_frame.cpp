@@ -1,107 +1,139 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/output/make_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 
+#include "particles/periodic_images.hpp"
 #include "solver/output/velocity_gradient.hpp"
 
 namespace dmp {
 
 namespace {
 
-FrameGroup group_of(const std::string& name, const ParticleSet& set, const ParticleStore& particles,
-                    ParticleKind kind) {
-    FrameGroup group;
-    group.name = name;
-    for (const int i : particles.ids(kind)) {
-        for (int axis = 0; axis < 3; ++axis)
-            group.position.push_back(
-                axis < particles.dimension() ? static_cast<float>(particles.data(Field::position, axis)[i]) : 0.0F);
-        group.id.push_back(i);
-        group.part.push_back(set.part[i]);
-    }
-    return group;
-}
-
-FrameField stored_field(const ParticleStore& particles, ParticleKind kind, Field field) {
+/// Fields over this rank's particles of one kind, in the store's order.
+FrameField stored_field(const ParticleGroup& particles, Field field) {
     const FieldInfo& about = info(field);
     FrameField out{std::string(about.name), std::string(about.unit), about.is_vector ? 3 : 1, {}};
-    for (const int i : particles.ids(kind))
+    for (std::size_t i = 0; i < particles.owned(); ++i)
         for (int axis = 0; axis < out.components; ++axis)
             out.values.push_back(
                 axis == 0 || axis < particles.dimension() ? static_cast<float>(particles.data(field, axis)[i]) : 0.0F);
     return out;
 }
 
+FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space) {
+    FrameGroup group;
+    group.name = name;
+    for (std::size_t i = 0; i < particles.owned(); ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+            double x = axis < space.dimension ? particles.data(Field::position, axis)[i] : 0;
+            if (space.periodic[axis]) x = wrapped(x, space.box.low[axis], space.box.high[axis]);
+            group.position.push_back(static_cast<float>(x));
+        }
+    for (const ParticleTag& tag : particles.tags().first(particles.owned())) {
+        group.id.push_back(tag.id);
+        group.part.push_back(tag.part);
+    }
+    return group;
+}
+
 FrameField fluid_field(FluidField field, const ParticleStore& particles, const FluidStep& fluid) {
     switch (field) {
         case FluidField::velocity:
-            return stored_field(particles, ParticleKind::fluid, Field::velocity);
+            return stored_field(particles.fluid(), Field::velocity);
         case FluidField::pressure:
-            return stored_field(particles, ParticleKind::fluid, Field::pressure);
+            return stored_field(particles.fluid(), Field::pressure);
         case FluidField::density:
-            return stored_field(particles, ParticleKind::fluid, Field::density);
+            return stored_field(particles.fluid(), Field::density);
         case FluidField::shear_stress:
             break;
     }
     FrameField out{"shear_stress", "Pa", 1, {}};
-    for (const double stress : shear_stress(particles, fluid.list(), fluid.sweeps()))
+    for (const double stress : shear_stress(particles, fluid.neighbours().list(), fluid.sweeps()))
         out.values.push_back(static_cast<float>(stress));
     return out;
 }
 
-void add_springs(FrameGroup& group, const ParticleSet& set, const ParticleStore& particles, const FluidStep& fluid) {
-    std::vector<Vec> displacement(set.size(), Vec::Zero());
-    for (const SpringBody& body : fluid.springs().bodies())
-        for (std::size_t n = 0; n < body.ids().size(); ++n) {
-            const int i = body.ids()[n];
-            for (int axis = 0; axis < 2; ++axis)
-                displacement[i][axis] = body.positions()[n][axis] - set.position[i][axis];
-        }
-    FrameField moved{"displacement", "m", 3, {}};
-    std::vector<std::int32_t> index_in_group(set.size(), -1);
-    const auto& ids = particles.ids(ParticleKind::springs);
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        index_in_group[ids[k]] = static_cast<std::int32_t>(k);
-        for (int axis = 0; axis < 3; ++axis) moved.values.push_back(static_cast<float>(displacement[ids[k]][axis]));
-    }
-    group.fields.push_back(std::move(moved));
+template <class T>
+std::vector<T> in_order(const std::vector<T>& values, const std::vector<std::size_t>& order) {
+    const std::size_t components = order.empty() ? 0 : values.size() / order.size();
+    std::vector<T> sorted;
+    sorted.reserve(values.size());
+    for (const std::size_t k : order)
+        for (std::size_t c = 0; c < components; ++c) sorted.push_back(values[k * components + c]);
+    return sorted;
+}
 
+/// The particles of all ranks on the first one, in the order of their ids.
+void collect(FrameGroup& group, const Ranks& ranks) {
+    group.id = ranks.gather_to_first(group.id);
+    group.part = ranks.gather_to_first(group.part);
+    group.position = ranks.gather_to_first(group.position);
+    for (FrameField& field : group.fields) field.values = ranks.gather_to_first(field.values);
+    if (!ranks.is_first()) return;
+
+    std::vector<std::size_t> order(group.id.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return group.id[a] < group.id[b]; });
+    group.id = in_order(group.id, order);
+    group.part = in_order(group.part, order);
+    group.position = in_order(group.position, order);
+    for (FrameField& field : group.fields) field.values = in_order(field.values, order);
+}
+
+/// What spring bodies alone know; the group is complete and in the order of ids.
+void add_springs(FrameGroup& group, const SpringBodies& springs) {
+    std::unordered_map<std::int64_t, std::int32_t> index_of;
+    for (std::size_t k = 0; k < group.id.size(); ++k) index_of[group.id[k]] = static_cast<std::int32_t>(k);
+    FrameField displacement{"displacement", "m", 3, std::vector<float>(3 * group.id.size(), 0.0F)};
     FrameField strain{"strain", "1", 1, {}}, force{"force", "N", 1, {}};
-    for (const Bond& bond : set.bonds) {
-        group.bond_ends.push_back(index_in_group[bond.a]);
-        group.bond_ends.push_back(index_in_group[bond.b]);
-        const Vec ends = set.position[bond.a] + displacement[bond.a] - set.position[bond.b] - displacement[bond.b];
-        const double stretch = ends.norm() - bond.rest_length;
-        strain.values.push_back(static_cast<float>(stretch / bond.rest_length));
-        force.values.push_back(static_cast<float>(2 * bond.stiffness * stretch));
+    for (const SpringBody& body : springs.bodies()) {
+        const auto& position = body.positions();
+        for (std::size_t n = 0; n < body.ids().size(); ++n)
+            for (int axis = 0; axis < 2; ++axis)
+                displacement.values[3 * index_of.at(body.ids()[n]) + axis] =
+                    static_cast<float>(position[n][axis] - body.positions_at_rest()[n][axis]);
+        for (const Bond& bond : body.bonds()) {
+            group.bond_ends.push_back(index_of.at(body.ids()[bond.a]));
+            group.bond_ends.push_back(index_of.at(body.ids()[bond.b]));
+            const auto ends = position[bond.a] - position[bond.b];
+            const double stretch = std::sqrt(dot(ends, ends)) - bond.rest_length;
+            strain.values.push_back(static_cast<float>(stretch / bond.rest_length));
+            force.values.push_back(static_cast<float>(2 * bond.stiffness * stretch));
+        }
     }
+    group.fields.push_back(std::move(displacement));
     group.bond_fields = {std::move(strain), std::move(force)};
 }
 
 }  // namespace
 
-Frame make_frame(const Scene& scene, const ParticleSet& set, const ParticleStore& particles, const FluidStep& fluid,
-                 double time, long step, bool with_walls) {
+Frame make_frame(const Scene& scene, const ParticleStore& particles, const FluidStep& fluid, double time, long step,
+                 bool with_walls) {
     Frame frame;
     frame.time = time;
     frame.step = step;
-    frame.spacing = set.spacing;
-    for (const auto& part : set.parts) frame.parts.push_back(part.name);
+    frame.spacing = particles.space().spacing;
+    for (const auto& part : particles.space().parts) frame.parts.push_back(part.name);
 
-    if (!particles.ids(ParticleKind::fluid).empty()) {
-        FrameGroup group = group_of("fluid", set, particles, ParticleKind::fluid);
-        for (const FluidField field : scene.output.fields) group.fields.push_back(fluid_field(field, particles, fluid));
-        frame.groups.push_back(std::move(group));
-    }
-    if (!particles.ids(ParticleKind::springs).empty()) {
-        FrameGroup group = group_of("solid", set, particles, ParticleKind::springs);
-        group.fields.push_back(stored_field(particles, ParticleKind::springs, Field::velocity));
-        add_springs(group, set, particles, fluid);
-        frame.groups.push_back(std::move(group));
-    }
-    if (with_walls && !particles.ids(ParticleKind::rigid).empty())
-        frame.groups.push_back(group_of("walls", set, particles, ParticleKind::rigid));
+    const Ranks& ranks = fluid.neighbours().ranks();
+    const auto add = [&](FrameGroup group) {
+        collect(group, ranks);
+        if (!group.id.empty()) frame.groups.push_back(std::move(group));
+    };
+    FrameGroup liquid = group_of("fluid", particles.fluid(), particles.space());
+    for (const FluidField field : scene.output.fields) liquid.fields.push_back(fluid_field(field, particles, fluid));
+    add(std::move(liquid));
+
+    FrameGroup solid = group_of("solid", particles.of(ParticleKind::springs), particles.space());
+    solid.fields.push_back(stored_field(particles.of(ParticleKind::springs), Field::velocity));
+    add(std::move(solid));
+    if (!frame.groups.empty() && frame.groups.back().name == "solid") add_springs(frame.groups.back(), fluid.springs());
+
+    if (with_walls) add(group_of("walls", particles.of(ParticleKind::rigid), particles.space()));
     return frame;
 }
 

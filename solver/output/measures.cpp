@@ -48,8 +48,8 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
 
 }  // namespace
 
-Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings)
-    : set_(set), settings_(settings) {
+Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
+    : space_(set), settings_(settings), ranks_(ranks) {
     const auto column = [&](const std::string& name, const char* unit) {
         series_.names.push_back(name);
         series_.units.emplace_back(unit);
@@ -92,7 +92,7 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
                 row.push_back(flux(*measure, particles));
                 break;
             case MeasureKind::gap:
-                row.push_back(gap(*measure, particles));
+                row.push_back(gap(*measure, fluid.springs()));
                 break;
             case MeasureKind::largest_speed:
                 row.push_back(fluid.extremes().largest_speed);
@@ -117,15 +117,43 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
     series_.rows.push_back(std::move(row));
 }
 
-Vec Measures::nearest_offset(const ParticleStore& particles, int i, const Vec& from) const {
-    Vec offset = Vec::Zero();
-    for (int axis = 0; axis < set_.dimension; ++axis) {
-        offset[axis] = particles.data(Field::position, axis)[i] - from[axis];
-        if (!set_.periodic[axis]) continue;
-        const double period = set_.box.high[axis] - set_.box.low[axis];
+void Measures::archive(Archive& file) {
+    std::vector<double> values;
+    for (const auto& row : series_.rows) values.insert(values.end(), row.begin(), row.end());
+    file("measures/time", series_.time);
+    file("measures/values", values);
+    if (!file.loading()) return;
+    const std::size_t columns = series_.names.size();
+    if (values.size() != columns * series_.time.size())
+        throw InputError("the checkpoint's measures are not those of the scene", "start the run anew");
+    series_.rows.clear();
+    for (std::size_t row = 0; row < series_.time.size(); ++row)
+        series_.rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
+                                  values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
+}
+
+Vec Measures::nearest(Vec offset) const {
+    for (int axis = 0; axis < space_.dimension; ++axis) {
+        if (!space_.periodic[axis]) continue;
+        const double period = space_.box.high[axis] - space_.box.low[axis];
         offset[axis] -= period * std::round(offset[axis] / period);
     }
     return offset;
+}
+
+template <class Visit>
+void Measures::for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const {
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        Vec offset = Vec::Zero();
+        for (int axis = 0; axis < space_.dimension; ++axis)
+            offset[axis] = fluid.data(Field::position, axis)[i] - from[axis];
+        visit(i, nearest(offset));
+    }
+}
+
+double Measures::over_all_ranks(ExactSum sum) const {
+    ranks_.sum(sum);
+    return sum.value();
 }
 
 double Measures::flux(const Measure& measure, const ParticleStore& particles) const {
@@ -135,67 +163,70 @@ double Measures::flux(const Measure& measure, const ParticleStore& particles) co
     const Vec normal(tangent[1], -tangent[0], 0);
     const Vec middle = 0.5 * (measure.from.value + measure.to.value);
     const double half_width = settings_.support;
-    double sum = 0;
-    for (const int i : particles.ids(ParticleKind::fluid)) {
-        const Vec offset = nearest_offset(particles, i, middle);
+    const ParticleGroup& fluid = particles.fluid();
+    ExactSum sum;
+    for_each_offset(fluid, middle, [&](std::size_t i, const Vec& offset) {
         const double across = std::abs(offset.dot(normal));
-        if (across >= half_width || std::abs(offset.dot(tangent)) > length / 2) continue;
+        if (across >= half_width || std::abs(offset.dot(tangent)) > length / 2) return;
         double speed = 0;
-        for (int axis = 0; axis < set_.dimension; ++axis)
-            speed += normal[axis] * particles.data(Field::velocity, axis)[i];
-        sum += particles.data(Field::volume)[i] * speed * (1 - across / half_width) / half_width;
-    }
-    return sum;
+        for (int axis = 0; axis < space_.dimension; ++axis)
+            speed += normal[axis] * fluid.data(Field::velocity, axis)[i];
+        sum.add(fluid.data(Field::volume)[i] * speed * (1 - across / half_width) / half_width);
+    });
+    return over_all_ranks(sum);
 }
 
-double Measures::gap(const Measure& measure, const ParticleStore& particles) const {
-    std::vector<int> ids;
-    for (const int i : particles.ids(ParticleKind::springs))
-        if (set_.parts[set_.part[i]].name == measure.part.value) ids.push_back(i);
+double Measures::gap(const Measure& measure, const SpringBodies& springs) const {
+    std::vector<const SpringBody*> bodies;
+    for (const SpringBody& body : springs.bodies())
+        if (body.part() == measure.part.value) bodies.push_back(&body);
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t a = 0; a < ids.size(); ++a) {
-        Vec here = Vec::Zero();
-        for (int axis = 0; axis < set_.dimension; ++axis) here[axis] = particles.data(Field::position, axis)[ids[a]];
-        for (std::size_t b = a + 1; b < ids.size(); ++b)
-            if (set_.body[ids[a]] != set_.body[ids[b]])
-                smallest = std::min(smallest, nearest_offset(particles, ids[b], here).squaredNorm());
-    }
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+        for (std::size_t b = a + 1; b < bodies.size(); ++b)
+            for (const auto& here : bodies[a]->positions())
+                for (const auto& there : bodies[b]->positions())
+                    smallest =
+                        std::min(smallest, nearest(Vec(here[0] - there[0], here[1] - there[1], 0)).squaredNorm());
     return std::sqrt(smallest);
 }
 
 std::vector<double> Measures::probe(const Measure& measure, const ParticleStore& particles,
-                                    const FluidStep& fluid) const {
+                                    const FluidStep& step) const {
     const FluidField field = measure.field;
-    const auto& ids = particles.ids(ParticleKind::fluid);
+    const ParticleGroup& fluid = particles.fluid();
     const std::vector<double> stress = field == FluidField::shear_stress
-                                           ? shear_stress(particles, fluid.list(), fluid.sweeps())
+                                           ? shear_stress(particles, step.neighbours().list(), step.sweeps())
                                            : std::vector<double>();
-    std::vector<double> sum(field == FluidField::velocity ? static_cast<std::size_t>(set_.dimension) : 1, 0.0);
-    double weights = 0;
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        const int i = ids[k];
-        const double distance = nearest_offset(particles, i, measure.point).norm();
-        if (distance >= settings_.support) continue;
-        const double weight = particles.data(Field::volume)[i] * fluid.sweeps().kernel_value(distance);
-        weights += weight;
+    std::vector<ExactSum> sums(field == FluidField::velocity ? static_cast<std::size_t>(space_.dimension) : 1);
+    ExactSum weights;
+    for_each_offset(fluid, measure.point, [&](std::size_t i, const Vec& offset) {
+        const double distance = offset.norm();
+        if (distance >= settings_.support) return;
+        const double weight = fluid.data(Field::volume)[i] * step.sweeps().kernel_value(distance);
+        weights.add(weight);
         switch (field) {
             case FluidField::velocity:
-                for (std::size_t axis = 0; axis < sum.size(); ++axis)
-                    sum[axis] += weight * particles.data(Field::velocity, static_cast<int>(axis))[i];
+                for (std::size_t axis = 0; axis < sums.size(); ++axis)
+                    sums[axis].add(weight * fluid.data(Field::velocity, static_cast<int>(axis))[i]);
                 break;
             case FluidField::pressure:
-                sum[0] += weight * particles.data(Field::pressure)[i];
+                sums[0].add(weight * fluid.data(Field::pressure)[i]);
                 break;
             case FluidField::density:
-                sum[0] += weight * particles.data(Field::density)[i];
+                sums[0].add(weight * fluid.data(Field::density)[i]);
                 break;
             case FluidField::shear_stress:
-                sum[0] += weight * stress[k];
+                sums[0].add(weight * stress[i]);
         }
-    }
+    });
+    const double all_weights = over_all_ranks(weights);
+    std::vector<double> values;
     // No fluid there now: not a number, which the tables write as empty.
-    for (double& value : sum) value = weights > 0 ? value / weights : std::numeric_limits<double>::quiet_NaN();
-    return sum;
+    for (const ExactSum& sum : sums) {
+        const double value = over_all_ranks(sum);
+        values.push_back(all_weights > 0 ? value / all_weights : std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
 }
 
 }  // namespace dmp

@@ -16,22 +16,29 @@ namespace dmp {
 ///   probe          a fluid field at a point (Shepard interpolation); velocity has one column an axis
 class Measures {
   public:
-    Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings);
+    Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks);
 
     /// Adds a row. Throws InputError when a probe finds no fluid in the first one.
     void take(double time, const ParticleStore& particles, const FluidStep& fluid);
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
+    void archive(Archive& file);
 
   private:
+    /// The shortest of an offset's periodic images.
+    [[nodiscard]] Vec nearest(Vec offset) const;
+    /// Calls visit(i, nearest offset from `from`) for this rank's fluid.
+    template <class Visit>
+    void for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const;
+    [[nodiscard]] double over_all_ranks(ExactSum sum) const;
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
-    [[nodiscard]] double gap(const Measure& measure, const ParticleStore& particles) const;
+    [[nodiscard]] double gap(const Measure& measure, const SpringBodies& springs) const;
     [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,
-                                            const FluidStep& fluid) const;
-    [[nodiscard]] Vec nearest_offset(const ParticleStore& particles, int i, const Vec& from) const;
+                                            const FluidStep& step) const;
 
-    const ParticleSet& set_;
+    ParticleSpace space_;
     PairSettings settings_;
+    const Ranks& ranks_;
     std::vector<const Measure*> measures_;
     MeasureSeries series_;
 };

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double lowest_density = 0.5, highest_density = 1.5;
 
-double speed_of(const ParticleStore& particles, int i) {
+double speed_of(const ParticleGroup& group, std::size_t i) {
     double square = 0;
-    for (int axis = 0; axis < particles.dimension(); ++axis) {
-        const double v = particles.data(Field::velocity, axis)[i];
+    for (int axis = 0; axis < group.dimension(); ++axis) {
+        const double v = group.data(Field::velocity, axis)[i];
         square += v * v;
     }
     return std::sqrt(square);
@@ -25,74 +25,78 @@ double speed_of(const ParticleStore& particles, int i) {
 std::optional<Watch::Finding> Watch::look(const ParticleStore& particles, const FluidExtremes& extremes) const {
     const bool fluid_is_well = extremes.largest_speed < sound_speed_ && extremes.density_low > lowest_density &&
                                extremes.density_high < highest_density;
-    if (!fluid_is_well) {
-        const double* density = particles.data(Field::density);
-        const double* mass = particles.data(Field::mass);
-        int worst = -1;
-        double worst_speed = -1;
-        for (const int i : particles.ids(ParticleKind::fluid)) {
-            const double speed = speed_of(particles, i);
-            if (!std::isfinite(speed) || !std::isfinite(density[i])) return describe(particles, i, "is not finite");
-            const double relative = density[i] * set_.volume[i] / mass[i];
-            if (relative <= lowest_density || relative >= highest_density)
-                return describe(particles, i, "has a density outside 0.5 to 1.5 times the rest density");
-            if (speed > worst_speed) {
-                worst = i;
-                worst_speed = speed;
-            }
+    if (!fluid_is_well) return worst_of_fluid(particles.fluid());
+    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::springs}) {
+        const ParticleGroup& group = particles.of(kind);
+        for (std::size_t i = 0; i < group.owned(); ++i) {
+            if (!std::isfinite(speed_of(group, i))) return describe(group, i, "is not finite");
+            if (outside_box(group, i)) return describe(group, i, "has left the domain");
         }
-        return describe(particles, worst, "is faster than sound");
     }
-    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::springs})
-        for (const int i : particles.ids(kind)) {
-            if (!std::isfinite(speed_of(particles, i))) return describe(particles, i, "is not finite");
-            if (outside_box(particles, i)) return describe(particles, i, "has left the domain");
-        }
     return std::nullopt;
 }
 
-Watch::Finding Watch::describe(const ParticleStore& particles, int i, const std::string& limit) const {
+std::optional<Watch::Finding> Watch::worst_of_fluid(const ParticleGroup& fluid) const {
+    std::size_t worst = 0;
+    double worst_speed = -1;
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        const double speed = speed_of(fluid, i), density = fluid.data(Field::density)[i];
+        if (!std::isfinite(speed) || !std::isfinite(density)) return describe(fluid, i, "is not finite");
+        const double relative = density / rest_density_[fluid.tags()[i].part];
+        if (relative <= lowest_density || relative >= highest_density)
+            return describe(fluid, i, "has a density outside 0.5 to 1.5 times the rest density");
+        if (speed > worst_speed) {
+            worst = i;
+            worst_speed = speed;
+        }
+    }
+    if (!(worst_speed >= sound_speed_)) return std::nullopt;  // another rank has it
+    return describe(fluid, worst, "is faster than sound");
+}
+
+Watch::Finding Watch::describe(const ParticleGroup& group, std::size_t i, const std::string& limit) const {
+    const ParticleTag& tag = group.tags()[i];
     std::ostringstream text;
-    text << "particle " << i << " of '" << set_.parts[set_.part[i]].name << "' at (";
-    for (int axis = 0; axis < particles.dimension(); ++axis)
-        text << (axis > 0 ? ", " : "") << particles.data(Field::position, axis)[i] << " m";
-    text << ") " << limit << ": speed " << speed_of(particles, i) << " m/s, sound speed " << sound_speed_
-         << " m/s, density " << particles.data(Field::density)[i] << " kg/m^3";
+    text << "particle " << tag.id << " of '" << space_.parts[tag.part].name << "' at (";
+    for (int axis = 0; axis < group.dimension(); ++axis)
+        text << (axis > 0 ? ", " : "") << group.data(Field::position, axis)[i] << " m";
+    text << ") " << limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_ << " m/s";
+    if (group.has(Field::density)) text << ", density " << group.data(Field::density)[i] << " kg/m^3";
     return {text.str(),
             "likely causes: flow.largest_speed is below what the drive produces (the sound speed follows it), "
             "accuracy.step_factor is too large, or a spring part is stiffer than accuracy.spring_step_factor allows. "
             "The last frame shows the state"};
 }
 
-bool Watch::outside_box(const ParticleStore& particles, int i) const {
-    for (int axis = 0; axis < particles.dimension(); ++axis) {
-        if (set_.periodic[axis]) continue;
-        const double x = particles.data(Field::position, axis)[i];
-        if (x < set_.box.low[axis] - support_ || x > set_.box.high[axis] + support_) return true;
+bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
+    for (int axis = 0; axis < group.dimension(); ++axis) {
+        if (space_.periodic[axis]) continue;
+        const double x = group.data(Field::position, axis)[i];
+        if (x < space_.box.low[axis] - support_ || x > space_.box.high[axis] + support_) return true;
     }
     return false;
 }
 
 std::size_t Watch::lost(const ParticleStore& particles, const ClusterList& list) const {
     std::size_t count = 0;
-    for (const Cluster& cluster : list.clusters(ParticleKind::fluid))
-        for (std::size_t k = 0; k < cluster.count; ++k) {
-            const int i = cluster.member[k];
+    const ParticleGroup& fluid = particles.fluid();
+    const ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    const auto clusters = list.clusters(ParticleKind::fluid);
+    for (std::size_t c = 0; c < clusters.size(); ++c)
+        for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
             double nearest = std::numeric_limits<double>::infinity(), in_front = 0;
-            for (const int j : list.neighbours(cluster, ParticleKind::rigid)) {
-                const int wall = particles.source(j);
+            for (const std::int32_t j : list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid)) {
                 double square = 0, along_normal = 0;
                 for (int axis = 0; axis < particles.dimension(); ++axis) {
-                    const double d =
-                        particles.data(Field::position, axis)[i] - particles.data(Field::position, axis)[j];
+                    const double d = fluid.data(Field::position, axis)[i] - walls.data(Field::position, axis)[j];
                     square += d * d;
-                    along_normal += d * set_.wall_normal[wall][axis];
+                    along_normal += d * walls.data(Field::wall_normal, axis)[j];
                 }
                 if (square >= nearest) continue;
                 nearest = square;
-                in_front = along_normal - set_.wall_distance[wall];
+                in_front = along_normal - walls.data(Field::wall_distance)[j];
             }
-            if (in_front < -set_.spacing || outside_box(particles, i)) ++count;
+            if (in_front < -space_.spacing || outside_box(fluid, static_cast<std::size_t>(i))) ++count;
         }
     return count;
 }

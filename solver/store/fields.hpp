@@ -49,7 +49,7 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"wall_distance", "m", false, true},
     {"contact_range", "m", false, true},
     {"wall_contact_range", "m", false, true},
-    {"volume", "m^3", false, false},
+    {"volume", "m^3", false, true},
     {"pressure", "Pa", false, false},
     {"force", "N", true, false},
     {"shift", "1/m", true, false},

@@ -3,59 +3,41 @@
 
 namespace dmp {
 
-ParticleStore::ParticleStore(const ParticleSet& particles) : dimension_(particles.dimension) {
-    kind_.reserve(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        kind_.push_back(particles.kind(i));
-        ids_[static_cast<std::size_t>(kind_.back())].push_back(static_cast<int>(i));
+ParticleStore::ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks)
+    : quantum_(set),
+      space_(with_whole_periods(set, quantum_)),
+      groups_{ParticleGroup(ParticleKind::fluid, set.dimension), ParticleGroup(ParticleKind::rigid, set.dimension),
+              ParticleGroup(ParticleKind::springs, set.dimension)} {
+    const auto rank = static_cast<std::size_t>(ranks.rank()), size = static_cast<std::size_t>(ranks.size());
+    const std::size_t begin = set.size() * rank / size, end = set.size() * (rank + 1) / size;
+    std::array<std::size_t, 3> count{};
+    for (std::size_t i = begin; i < end; ++i) ++count[static_cast<std::size_t>(set.kind(i))];
+    for (ParticleGroup& group : groups_) {
+        group.declare({Field::position, Field::velocity, Field::mass, Field::volume, Field::force});
+        group.resize(count[static_cast<std::size_t>(group.kind())], 0);
     }
-    declare({Field::position, Field::velocity, Field::force, Field::mass, Field::volume});
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        for (int axis = 0; axis < dimension_; ++axis) array(Field::position, axis)[i] = particles.position[i][axis];
-        array(Field::mass, 0)[i] = particles.mass[i];
-        array(Field::volume, 0)[i] = particles.volume[i];
+    std::array<std::size_t, 3> next{};
+    for (std::size_t i = begin; i < end; ++i) {
+        ParticleGroup& group = of(set.kind(i));
+        const std::size_t k = next[static_cast<std::size_t>(group.kind())]++;
+        group.tags()[k] = {static_cast<std::int64_t>(i), set.body[i], static_cast<std::uint16_t>(set.part[i])};
+        for (int axis = 0; axis < dimension(); ++axis)
+            group.data(Field::position, axis)[k] = quantum_.round(set.position[i][axis]);
+        group.data(Field::mass)[k] = density[set.part[i]] * set.volume[i];
+        group.data(Field::volume)[k] = set.volume[i];
     }
 }
 
-void ParticleStore::declare(std::initializer_list<Field> fields) {
-    for (const Field field : fields)
-        for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(with_images(), 0.0);
+std::size_t ParticleStore::owned() const {
+    std::size_t count = 0;
+    for (const ParticleGroup& group : groups_) count += group.owned();
+    return count;
 }
 
-void ParticleStore::renew_images(const Box& box, const std::array<bool, 3>& periodic, double reach) {
-    Coordinates& position = arrays_[static_cast<std::size_t>(Field::position)];
-    for (int axis = 0; axis < dimension_; ++axis)
-        if (periodic[axis])
-            for (std::size_t i = 0; i < owned(); ++i)
-                position[axis][i] = wrapped(position[axis][i], box.low[axis], box.high[axis]);
-    images_ = periodic_images(position, owned(), box, periodic, reach);
-    for (const Field field : declared())
-        for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(with_images());
-    for (const Field field : declared()) refresh_images({field});
-}
-
-void ParticleStore::refresh_images(std::initializer_list<Field> fields) {
-    for (const Field field : fields)
-        for (int axis = 0; axis < axes(field); ++axis) {
-            double* values = data(field, axis);
-            double* image_values = values + owned();
-            for (std::size_t k = 0; k < images_.size(); ++k) image_values[k] = values[images_[k].source];
-            if (field != Field::position) continue;
-            for (std::size_t k = 0; k < images_.size(); ++k) image_values[k] += images_[k].shift[axis];
-        }
-}
-
-std::size_t ParticleStore::bytes_per_particle() const {
-    std::size_t bytes = sizeof(ParticleKind) + sizeof(int);
-    for (const Field field : declared()) bytes += static_cast<std::size_t>(axes(field)) * sizeof(double);
+std::size_t ParticleStore::bytes() const {
+    std::size_t bytes = 0;
+    for (const ParticleGroup& group : groups_) bytes += group.bytes();
     return bytes;
-}
-
-std::vector<Field> ParticleStore::declared() const {
-    std::vector<Field> fields;
-    for (std::size_t f = 0; f < arrays_.size(); ++f)
-        if (!arrays_[f][0].empty()) fields.push_back(static_cast<Field>(f));
-    return fields;
 }
 
 }  // namespace dmp

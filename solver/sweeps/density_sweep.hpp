@@ -4,83 +4,102 @@
 #include "solver/models/sph/continuity.hpp"
 #include "solver/models/sph/density_diffusion.hpp"
 #include "solver/models/sph/shifting.hpp"
+#include "solver/sweeps/cluster_loop.hpp"
+#include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
 namespace dmp {
 
-/// Sums the density rate and the shifting vector over the neighbours of each cluster.
-template <int D, class Kernel, bool WithDiffusion, bool WithShifting>
+/// What the sums of a density sweep are rounded to.
+struct DensityRounding {
+    OrderFree rate, shift;
+};
+
+/// Sums the density rate and the shifting vector over the neighbours of each cluster, L of its particles at a time.
+template <class L, int D, class Kernel, class Solid, bool WithDiffusion, bool WithShifting>
 class DensitySweep {
   public:
     DensitySweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
-                 const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting, double solid_weight, int threads)
+                 const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting, const DensityRounding& order_free,
+                 int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           diffusion_(diffusion),
           shifting_(shifting),
-          solid_weight_(solid_weight),
+          order_free_(order_free),
           threads_(threads),
-          read_(particles) {}
+          fluid_(particles.fluid()),
+          rigid_(particles.of(ParticleKind::rigid)),
+          springs_(particles.of(ParticleKind::springs)) {}
 
-    void fluid() {
-        sweep(ParticleKind::fluid, [this](const Cluster& cluster) {
-            const auto i = read_.fluid(cluster);
-            Sum sum{0.0, Vector<Lanes, D>::zero()};
-            for (const int index : list_.neighbours(cluster, ParticleKind::fluid))
-                add<true>(i, read_.fluid(index), sum);
-            for (const ParticleKind kind : {ParticleKind::rigid, ParticleKind::springs})
-                for (const int index : list_.neighbours(cluster, kind))
-                    add<false>(i, read_.template solid<false>(index), sum);
-            if constexpr (WithShifting) store<D>(sum.shift, particles_, Field::shift, cluster);
-            return sum.rate;
-        });
-    }
-
-    /// Plain walls carry a density that the fluid's motion changes.
-    void solids() {
-        for (const ParticleKind kind : {ParticleKind::rigid, ParticleKind::springs})
-            sweep(kind, [this](const Cluster& cluster) {
-                const auto i = read_.template solid<false>(cluster);
-                Lanes rate = 0.0;
-                for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) {
-                    const auto j = read_.fluid(index);
-                    rate += ContinuityRate::law(pair(i, j));
-                }
-                return rate;
-            });
+    void run() {
+        fluid();
+        if constexpr (Solid::needs_state) {  // these walls carry a density that the fluid's motion changes
+            solids(ParticleKind::rigid, rigid_);
+            solids(ParticleKind::springs, springs_);
+        }
     }
 
   private:
     struct Sum {
-        Lanes rate;
-        Vector<Lanes, D> shift;
+        L rate;
+        Vector<L, D> shift;
     };
 
-    template <class RateOf>
-    void sweep(ParticleKind kind, const RateOf& rate_of) {
-        const auto clusters = list_.clusters(kind);
-        const auto count = static_cast<std::ptrdiff_t>(clusters.size());
-        double* density_rate = particles_.data(Field::density_rate);
-#pragma omp parallel for num_threads(threads_) schedule(static)
-        for (std::ptrdiff_t c = 0; c < count; ++c)
-            rate_of(clusters[c]).scatter(density_rate, clusters[c].member.data(), clusters[c].count);
+    void fluid() {
+        ParticleGroup& group = particles_.fluid();
+        for_each_cluster<L::width>(list_, ParticleKind::fluid, threads_, [&](const Neighbourhood& near) {
+            const Sum sum = around_fluid(near);
+            if constexpr (WithShifting) store<L, D>(sum.shift, group, Field::shift, near.cluster);
+            store_rate(sum.rate, group, near.cluster);
+        });
     }
 
-    template <class I, class J>
-    auto pair(const I& i, const J& j) const {
-        const auto separation = i.position - j.position;
-        const Lanes distance = sqrt(dot(separation, separation));
-        return Pair{i, j, separation, distance, kernel_.slope(distance)};
+    template <class Reader>
+    void solids(ParticleKind kind, const Reader& read) {
+        for_each_cluster<L::width>(list_, kind, threads_, [&](const Neighbourhood& near) {
+            store_rate(rate_of_solid(near, read), particles_.of(kind), near.cluster);
+        });
+    }
+
+    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
+    [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
+        const auto i = fluid_(near.cluster);
+        Sum sum{0.0, Vector<L, D>::zero()};
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum);
+        for (const std::int32_t index : near.of(ParticleKind::rigid)) add<false>(i, rigid_(index), sum);
+        for (const std::int32_t index : near.of(ParticleKind::springs)) add<false>(i, springs_(index), sum);
+        return sum;
+    }
+
+    template <class Reader>
+    [[nodiscard, gnu::flatten]] L rate_of_solid(const Neighbourhood& near, const Reader& read) const {
+        const auto i = read(near.cluster);
+        L rate = 0.0;
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+            const auto j = fluid_(index);
+            const auto separation = i.position - j.position;
+            const L distance = sqrt(dot(separation, separation));
+            rate += order_free_.rate(ContinuityRate::law(Pair{i, j, separation, distance, kernel_.slope(distance)}));
+        }
+        return rate;
+    }
+
+    static void store_rate(const L& rate, ParticleGroup& group, const Cluster& cluster) {
+        rate.store(group.data(Field::density_rate) + cluster.first, static_cast<std::size_t>(cluster.count));
     }
 
     template <bool BothFluid, class I, class J>
     void add(const I& i, const J& j, Sum& sum) const {
-        const auto p = pair(i, j);
-        const auto rate = ContinuityRate::law(p);
-        sum.rate += BothFluid ? rate : solid_weight_ * rate;
-        if constexpr (BothFluid && WithDiffusion) sum.rate += diffusion_.law(p);
-        if constexpr (WithShifting) sum.shift += shifting_.law(p, kernel_);
+        const auto separation = i.position - j.position;
+        const L distance = sqrt(dot(separation, separation));
+        const Pair pair{i, j, separation, distance, kernel_.slope(distance)};
+        L rate = ContinuityRate::law(pair);
+        if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
+        if constexpr (BothFluid && WithDiffusion) rate += diffusion_.law(pair);
+        sum.rate += order_free_.rate(rate);
+        if constexpr (WithShifting) sum.shift += order_free_.shift(shifting_.law(pair, kernel_));
     }
 
     ParticleStore& particles_;
@@ -88,9 +107,10 @@ class DensitySweep {
     const Kernel& kernel_;
     const DensityDiffusion& diffusion_;
     const Shifting<Kernel>& shifting_;
-    double solid_weight_;  ///< what a solid's approach counts: see ExtrapolatedSolid::approach_weight
+    const DensityRounding& order_free_;
     int threads_;
-    PointReader<D> read_;
+    FluidReader<L, D> fluid_;
+    SolidReader<L, D, Solid::needs_state, false> rigid_, springs_;
 };
 
 }  // namespace dmp

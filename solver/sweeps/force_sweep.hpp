@@ -1,116 +1,114 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
-
 #include "solver/models/contact/repulsion.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/pressure_force.hpp"
 #include "solver/models/sph/walls.hpp"
+#include "solver/sweeps/cluster_loop.hpp"
+#include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
 namespace dmp {
 
-/// Sums pressure, viscous and contact forces over the neighbours of each cluster.
-template <int D, class Kernel, class Solid>
+/// Sums pressure, viscous and contact forces over the neighbours of each cluster, L of its particles at a time.
+template <class L, int D, class Kernel, class Solid, bool WithContact>
 class ForceSweep {
   public:
     ForceSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-               const Repulsion& repulsion, int threads)
+               const Repulsion& repulsion, const OrderFree& order_free, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           solid_(solid),
           repulsion_(repulsion),
-          with_contact_(repulsion.strength > 0),
+          order_free_(order_free),
           threads_(threads),
-          read_(particles),
-          range_(particles.data(Field::contact_range)),
-          wall_range_(particles.data(Field::wall_contact_range)) {}
+          fluid_(particles.fluid()),
+          rigid_(particles.of(ParticleKind::rigid)),
+          springs_(particles.of(ParticleKind::springs)) {}
 
     void run() {
-        sweep(ParticleKind::fluid, [this](const Cluster& cluster) { return force_on_fluid(cluster); });
-        sweep(ParticleKind::rigid, [this](const Cluster& cluster) { return force_on_rigid(cluster); });
-        sweep(ParticleKind::springs, [this](const Cluster& cluster) { return force_on_springs(cluster); });
+        sweep(ParticleKind::fluid, [this](const auto& near) { return force_on_fluid(near); });
+        sweep(ParticleKind::rigid, [this](const auto& near) { return force_on_rigid(near); });
+        sweep(ParticleKind::springs, [this](const auto& near) { return force_on_springs(near); });
     }
 
   private:
-    using Force = Vector<Lanes, D>;
+    using Force = Vector<L, D>;
 
     template <class ForceOn>
     void sweep(ParticleKind kind, const ForceOn& force_on) {
-        const auto clusters = list_.clusters(kind);
-        const auto count = static_cast<std::ptrdiff_t>(clusters.size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
-        for (std::ptrdiff_t c = 0; c < count; ++c)
-            store<D>(force_on(clusters[c]), particles_, Field::force, clusters[c]);
+        ParticleGroup& group = particles_.of(kind);
+        for_each_cluster<L::width>(list_, kind, threads_, [&](const Neighbourhood& near) {
+            store<L, D>(force_on(near), group, Field::force, near.cluster);
+        });
     }
 
-    Force force_on_fluid(const Cluster& cluster) const {
-        const auto i = read_.fluid(cluster);
-        const Lanes range = load(range_, cluster);
+    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
+    [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
+        const auto i = fluid_(near.cluster);
         Force force = Force::zero();
-        for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) {
-            const auto j = read_.fluid(index);
-            force += fluid_pair(i, j, i.position - j.position);
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+            const auto j = fluid_(index);
+            force += order_free_(fluid_pair(i, j, i.position - j.position));
         }
-        for (const int index : list_.neighbours(cluster, ParticleKind::rigid)) {
-            const auto wall = read_.template solid<Solid::needs_surface>(index);
-            const auto from_wall = i.position - wall.position;
-            force += fluid_pair(i, solid_.rigid(i, wall, from_wall), from_wall);
-            if (with_contact_) force += repulsion_.law(from_wall, min(range, Lanes(range_[index])));
+        for (const std::int32_t index : near.of(ParticleKind::rigid)) force += force_by<true>(i, rigid_(index));
+        for (const std::int32_t index : near.of(ParticleKind::springs)) force += force_by<false>(i, springs_(index));
+        return force + contact(near, ParticleKind::rigid, Field::contact_range) +
+               contact(near, ParticleKind::springs, Field::contact_range);
+    }
+
+    [[nodiscard, gnu::flatten]] Force force_on_rigid(const Neighbourhood& near) const {
+        return reaction_to_fluid<true>(near, rigid_) + contact(near, ParticleKind::springs, Field::wall_contact_range);
+    }
+
+    [[nodiscard, gnu::flatten]] Force force_on_springs(const Neighbourhood& near) const {
+        return reaction_to_fluid<false>(near, springs_) +
+               contact(near, ParticleKind::rigid, Field::wall_contact_range) +
+               contact(near, ParticleKind::springs, Field::contact_range);
+    }
+
+    /// On a fluid particle by a solid one, in whose place it sees liquid.
+    template <bool IsRigid, class F, class S>
+    [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
+        const auto separation = fluid.position - solid.position;
+        if constexpr (IsRigid) {
+            return order_free_(fluid_pair(fluid, solid_.rigid(fluid, solid, separation), separation));
+        } else {
+            return order_free_(fluid_pair(fluid, solid_.springs(fluid, solid, separation), separation));
         }
-        for (const int index : list_.neighbours(cluster, ParticleKind::springs)) {
-            const auto body = read_.template solid<false>(index);
-            const auto from_body = i.position - body.position;
-            force += fluid_pair(i, solid_.springs(i, body, from_body), from_body);
-            if (with_contact_) force += repulsion_.law(from_body, min(range, Lanes(range_[index])));
-        }
+    }
+
+    /// What the fluid feels, on the other side.
+    template <bool IsRigid, class Reader>
+    [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
+        const auto solid = read(near.cluster);
+        Force force = contact(near, ParticleKind::fluid, Field::contact_range);
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
         return force;
     }
 
-    /// The reaction to what the fluid feels, and contact with spring bodies.
-    Force force_on_rigid(const Cluster& cluster) const {
-        const auto wall = read_.template solid<Solid::needs_surface>(cluster);
-        Force force = contact(cluster, wall.position, ParticleKind::springs, wall_range_);
-        force += contact(cluster, wall.position, ParticleKind::fluid, range_);
-        for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) {
-            const auto j = read_.fluid(index);
-            const auto from_wall = j.position - wall.position;
-            force -= fluid_pair(j, solid_.rigid(j, wall, from_wall), from_wall);
-        }
-        return force;
-    }
-
-    Force force_on_springs(const Cluster& cluster) const {
-        const auto body = read_.template solid<false>(cluster);
-        Force force = contact(cluster, body.position, ParticleKind::fluid, range_);
-        force += contact(cluster, body.position, ParticleKind::rigid, wall_range_);
-        force += contact(cluster, body.position, ParticleKind::springs, range_);
-        for (const int index : list_.neighbours(cluster, ParticleKind::fluid)) {
-            const auto j = read_.fluid(index);
-            const auto from_body = j.position - body.position;
-            force -= fluid_pair(j, solid_.springs(j, body, from_body), from_body);
-        }
-        return force;
-    }
-
-    /// Repulsion by the particles of one kind; `ranges` holds r* by particle.
-    Force contact(const Cluster& cluster, const Vector<Lanes, D>& position, ParticleKind kind,
-                  const double* ranges) const {
-        const Lanes range = load(ranges, cluster);
+    /// Repulsion by the particles of one kind; `ranges` is the field with r* by particle.
+    [[nodiscard]] Force contact(const Neighbourhood& near, ParticleKind kind, Field ranges) const {
         Force force = Force::zero();
-        if (!with_contact_) return force;
-        for (const int index : list_.neighbours(cluster, kind)) {
-            const auto j = read_.template solid<false>(index);
-            force += repulsion_.law(position - j.position, min(range, Lanes(ranges[index])));
+        if constexpr (WithContact) {
+            const ParticleGroup& own = particles_.of(near.kind);
+            const ParticleGroup& others = particles_.of(kind);
+            const auto position = load_vector<L, D>(axes_of<D>(own, Field::position), near.cluster);
+            const auto other_position = axes_of<D>(others, Field::position);
+            const L range = load<L>(own.data(ranges), near.cluster);
+            const double* other_range = others.data(ranges);
+            for (const std::int32_t index : near.of(kind))
+                force += order_free_(repulsion_.law(position - load_vector<L, D>(other_position, index),
+                                                    min(range, L(load<L>(other_range, index)))));
         }
         return force;
     }
 
     template <class I, class J>
-    Force fluid_pair(const I& i, const J& j, const Vector<Lanes, D>& separation) const {
-        const Lanes distance = sqrt(dot(separation, separation));
+    [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
+        const L distance = sqrt(dot(separation, separation));
         const Pair pair{i, j, separation, distance, kernel_.slope(distance)};
         return PressureForce::law(pair) + MorrisViscosity::law(pair);
     }
@@ -120,10 +118,11 @@ class ForceSweep {
     const Kernel& kernel_;
     const Solid& solid_;
     const Repulsion& repulsion_;
-    bool with_contact_;
+    const OrderFree& order_free_;
     int threads_;
-    PointReader<D> read_;
-    const double *range_, *wall_range_;  ///< r* by particle: of any contact; between spring bodies and walls [m]
+    FluidReader<L, D> fluid_;
+    SolidReader<L, D, Solid::needs_state, Solid::needs_surface> rigid_;
+    SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 
 }  // namespace dmp

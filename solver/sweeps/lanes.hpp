@@ -2,49 +2,79 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 
 namespace dmp {
 
-/// Eight doubles that are worked on together: the particles of one cluster side by side. The compiler maps them to
-/// whatever vector unit the target has, so results do not depend on its width.
-struct Lanes {
-    static constexpr std::size_t width = 8;
-    using Raw = double __attribute__((vector_size(width * sizeof(double))));
-    Raw raw;
+/// As many numbers as a vector register of the processor holds, worked on together: particles of one cluster side by
+/// side. Results do not depend on how many there are.
+template <class Real, std::size_t VectorBytes>
+class BasicLanes {
+  public:
+    static constexpr std::size_t width = VectorBytes / sizeof(Real);
 
-    Lanes() = default;
-    Lanes(double value) : raw(value - Raw{}) {}  // NOLINT(google-explicit-constructor): broadcast reads as a number
-    explicit Lanes(Raw values) : raw(values) {}
+    BasicLanes() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): broadcast reads as a number
+    BasicLanes(double value) : raw_(static_cast<Real>(value) - Raw{}) {}
 
-    /// values[index[k]] for each lane k.
-    static Lanes gather(const double* values, const int* index) {
-        Lanes lanes;
-        for (std::size_t k = 0; k < width; ++k) lanes.raw[k] = values[index[k]];
+    Real operator[](std::size_t lane) const { return raw_[lane]; }
+    void set(std::size_t lane, Real value) { raw_[lane] = value; }
+
+    /// Values from memory, one after another. All of them must be there, also those behind a short cluster.
+    static BasicLanes load(const Real* values) {
+        BasicLanes lanes;
+        std::memcpy(&lanes.raw_, values, sizeof(Raw));
         return lanes;
     }
-    /// Writes the first `count` lanes to values[index[k]].
-    void scatter(double* values, const int* index, std::size_t count) const {
-        for (std::size_t k = 0; k < count; ++k) values[index[k]] = raw[k];
+    /// Writes the first `count` lanes.
+    void store(Real* values, std::size_t count) const {
+        if (count == width) {
+            std::memcpy(values, &raw_, sizeof(Raw));
+        } else {
+            for (std::size_t k = 0; k < count; ++k) values[k] = raw_[k];
+        }
     }
 
-    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.raw + b.raw); }
-    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.raw - b.raw); }
-    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.raw * b.raw); }
-    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.raw / b.raw); }
-    friend Lanes operator-(Lanes a) { return Lanes(-a.raw); }
-    Lanes& operator+=(Lanes b) { return *this = *this + b; }
-    Lanes& operator-=(Lanes b) { return *this = *this - b; }
+    friend BasicLanes operator+(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ + b.raw_); }
+    friend BasicLanes operator-(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ - b.raw_); }
+    friend BasicLanes operator*(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ * b.raw_); }
+    friend BasicLanes operator/(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ / b.raw_); }
+    friend BasicLanes operator-(BasicLanes a) { return BasicLanes(-a.raw_); }
+    BasicLanes& operator+=(BasicLanes b) { return *this = *this + b; }
+    BasicLanes& operator-=(BasicLanes b) { return *this = *this - b; }
 
-    friend Lanes max(Lanes a, Lanes b) { return Lanes(a.raw > b.raw ? a.raw : b.raw); }
-    friend Lanes min(Lanes a, Lanes b) { return Lanes(a.raw < b.raw ? a.raw : b.raw); }
-    friend Lanes sqrt(Lanes a) {
-        Lanes root;
-        for (std::size_t k = 0; k < width; ++k) root.raw[k] = __builtin_sqrt(a.raw[k]);
+    friend BasicLanes max(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ > b.raw_ ? a.raw_ : b.raw_); }
+    friend BasicLanes min(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ < b.raw_ ? a.raw_ : b.raw_); }
+    friend BasicLanes sqrt(BasicLanes a) {
+        BasicLanes root;
+        for (std::size_t k = 0; k < width; ++k) root.raw_[k] = root_of(a.raw_[k]);
         return root;
     }
     /// a where x < y, else b.
-    friend Lanes where_less(Lanes x, Lanes y, Lanes a, Lanes b) { return Lanes(x.raw < y.raw ? a.raw : b.raw); }
+    friend BasicLanes where_less(BasicLanes x, BasicLanes y, BasicLanes a, BasicLanes b) {
+        return BasicLanes(x.raw_ < y.raw_ ? a.raw_ : b.raw_);
+    }
+
+  private:
+    using Raw [[gnu::vector_size(VectorBytes)]] = Real;
+    explicit BasicLanes(Raw values) : raw_(values) {}
+
+    static double root_of(double value) { return __builtin_sqrt(value); }
+    static float root_of(float value) { return __builtin_sqrtf(value); }
+
+    Raw raw_;
 };
+
+/// Bytes in a vector register of what this file is compiled for.
+#if defined(__AVX512F__)
+inline constexpr std::size_t vector_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t vector_bytes = 32;
+#else
+inline constexpr std::size_t vector_bytes = 16;
+#endif
+
+using Lanes = BasicLanes<double, vector_bytes>;
 
 inline double where_less(double x, double y, double a, double b) { return x < y ? a : b; }
 

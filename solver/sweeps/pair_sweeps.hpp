@@ -6,6 +6,7 @@
 
 #include "scene/scene.hpp"
 #include "solver/neighbours/cluster_list.hpp"
+#include "solver/resources.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {
@@ -17,10 +18,13 @@ struct PairSettings {
     double spacing = 0;             ///< dx [m]
     double support = 0;             ///< support radius R [m]
     double sound_speed = 0;         ///< c0 [m/s]
+    double density = 0;             ///< largest rest density [kg/m^3]
+    double viscosity = 0;           ///< largest dynamic viscosity [Pa s]
     double density_diffusion = 0;   ///< delta [-]; 0: not there
     double shifting = 0;            ///< s [-]; 0: not there
     double repulsion_strength = 0;  ///< K [J]; 0: not there
     int threads = 1;
+    VectorUnit vector_unit = VectorUnit::widest;
 };
 
 /// The two sweeps over all pairs that one step makes. Each sweep visits every pair of a cluster and a neighbour once
@@ -49,7 +53,8 @@ class PairSweeps {
     [[nodiscard]] virtual double longest_shift() const = 0;
 };
 
-/// The sweeps for these settings in the plane. Declares the fields they need.
+/// The sweeps for these settings, in the plane or in space as the particles are. Declares the fields they need. Throws
+/// ResourceError when the processor lacks the vector unit.
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles);
 
 }  // namespace dmp

@@ -1,76 +1,110 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "solver/models/pair.hpp"
-#include "solver/neighbours/cluster_list.hpp"
-#include "solver/store/particle_store.hpp"
+#include "solver/neighbours/space_order.hpp"
+#include "solver/store/particle_group.hpp"
+#include "solver/sweeps/vector.hpp"
 
 namespace dmp {
 
 /// One value of a particle, or those of a cluster's members side by side.
-inline double load(const double* values, int index) { return values[index]; }
-inline Lanes load(const double* values, const Cluster& cluster) { return Lanes::gather(values, cluster.member.data()); }
-
-template <int D, class Index>
-auto load(const std::array<const double*, D>& values, const Index& at) {
-    Vector<decltype(load(values[0], at)), D> vector;
-    for (int axis = 0; axis < D; ++axis) vector[axis] = load(values[axis], at);
+template <class L>
+double load(const double* values, std::int32_t index) {
+    return values[index];
+}
+template <class L>
+L load(const double* values, const Cluster& cluster) {
+    return L::load(values + cluster.first);
+}
+template <class L, int D, class Index>
+auto load_vector(const std::array<const double*, D>& values, const Index& at) {
+    Vector<decltype(load<L>(values[0], at)), D> vector;
+    for (int axis = 0; axis < D; ++axis) vector[axis] = load<L>(values[axis], at);
     return vector;
 }
 
-template <int D>
-void store(const Vector<Lanes, D>& value, ParticleStore& particles, Field field, const Cluster& cluster) {
+template <class L, int D>
+void store(const Vector<L, D>& value, ParticleGroup& group, Field field, const Cluster& cluster) {
     for (int axis = 0; axis < D; ++axis)
-        value[axis].scatter(particles.data(field, axis), cluster.member.data(), cluster.count);
+        value[axis].store(group.data(field, axis) + cluster.first, static_cast<std::size_t>(cluster.count));
 }
 
-/// Reads particles from the store in the form that pair laws take.
 template <int D>
-class PointReader {
+std::array<const double*, D> axes_of(const ParticleGroup& group, Field field) {
+    std::array<const double*, D> axes{};
+    for (int axis = 0; axis < D; ++axis) axes[axis] = group.data(field, axis);
+    return axes;
+}
+
+/// Reads fluid particles in the form that pair laws take: one of them in numbers, a cluster in lanes L.
+template <class L, int D>
+class FluidReader {
   public:
-    explicit PointReader(const ParticleStore& particles)
-        : position_(vector(particles, Field::position)),
-          velocity_(vector(particles, Field::velocity)),
-          normal_(vector(particles, Field::wall_normal)),
-          volume_(particles.data(Field::volume)),
-          density_(particles.data(Field::density)),
-          pressure_(particles.data(Field::pressure)),
-          viscosity_(particles.data(Field::viscosity)),
-          depth_(particles.data(Field::wall_distance)) {}
+    explicit FluidReader(const ParticleGroup& fluid)
+        : position_(axes_of<D>(fluid, Field::position)),
+          velocity_(axes_of<D>(fluid, Field::velocity)),
+          volume_(fluid.data(Field::volume)),
+          density_(fluid.data(Field::density)),
+          pressure_(fluid.data(Field::pressure)),
+          viscosity_(fluid.data(Field::viscosity)) {}
 
     template <class Index>
-    [[nodiscard]] auto fluid(const Index& at) const {
-        using T = decltype(load(volume_, at));
-        return FluidPoint<T, D>{load<D>(position_, at), load<D>(velocity_, at), load(volume_, at),
-                                load(density_, at),     load(pressure_, at),    load(viscosity_, at)};
+    [[nodiscard]] auto operator()(const Index& at) const {
+        using T = decltype(load<L>(volume_, at));
+        return FluidPoint<T, D>{load_vector<L, D>(position_, at),
+                                load_vector<L, D>(velocity_, at),
+                                load<L>(volume_, at),
+                                load<L>(density_, at),
+                                load<L>(pressure_, at),
+                                load<L>(viscosity_, at)};
     }
-    /// `WithSurface`: also the wall's normal and depth (rigid particles of extrapolated walls).
-    template <bool WithSurface, class Index>
-    [[nodiscard]] auto solid(const Index& at) const {
-        using T = decltype(load(volume_, at));
-        SolidPoint<T, D> point{load<D>(position_, at),
-                               load<D>(velocity_, at),
-                               load(volume_, at),
-                               load(density_, at),
-                               load(pressure_, at),
+
+  private:
+    std::array<const double*, D> position_, velocity_;
+    const double *volume_, *density_, *pressure_, *viscosity_;
+};
+
+/// Reads particles of walls and spring bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
+/// also the wall's normal and depth (rigid particles of extrapolated walls).
+template <class L, int D, bool WithState, bool WithSurface>
+class SolidReader {
+  public:
+    explicit SolidReader(const ParticleGroup& solid)
+        : position_(axes_of<D>(solid, Field::position)),
+          velocity_(axes_of<D>(solid, Field::velocity)),
+          normal_(axes_of<D>(solid, Field::wall_normal)),
+          volume_(solid.data(Field::volume)),
+          density_(solid.data(Field::density)),
+          pressure_(solid.data(Field::pressure)),
+          depth_(solid.data(Field::wall_distance)) {}
+
+    template <class Index>
+    [[nodiscard]] auto operator()(const Index& at) const {
+        using T = decltype(load<L>(volume_, at));
+        SolidPoint<T, D> point{load_vector<L, D>(position_, at),
+                               load_vector<L, D>(velocity_, at),
+                               load<L>(volume_, at),
+                               T(0.0),
+                               T(0.0),
                                Vector<T, D>::zero(),
                                T(0.0)};
+        if constexpr (WithState) {
+            point.density = load<L>(density_, at);
+            point.pressure = load<L>(pressure_, at);
+        }
         if constexpr (WithSurface) {
-            point.normal = load<D>(normal_, at);
-            point.depth = load(depth_, at);
+            point.normal = load_vector<L, D>(normal_, at);
+            point.depth = load<L>(depth_, at);
         }
         return point;
     }
 
   private:
-    static std::array<const double*, D> vector(const ParticleStore& particles, Field field) {
-        std::array<const double*, D> axes{};
-        for (int axis = 0; axis < D; ++axis) axes[axis] = particles.data(field, axis);
-        return axes;
-    }
-
     std::array<const double*, D> position_, velocity_, normal_;
-    const double *volume_, *density_, *pressure_, *viscosity_, *depth_;
+    const double *volume_, *density_, *pressure_, *depth_;
 };
 
 }  // namespace dmp

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "solver/models/sph/tait.hpp"
-#include "solver/neighbours/cluster_list.hpp"
+#include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/fluid_passes.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 
@@ -34,20 +34,24 @@ struct FluidExtremes {
 class FluidStep {
   public:
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
-              std::vector<TaitEquation> state_of_part);
+              std::vector<TaitEquation> state_of_part, const Ranks& ranks);
 
     /// From time t to t + dt.
     void advance(double t, double dt);
 
-    /// Makes the neighbour list and images fit the present positions.
+    /// Makes the neighbour list and the copies fit the present positions.
     void refresh_neighbours();
-    /// Brings pressure (and volume) up to the present density.
+    /// Brings pressure (and volume) up to the present density, of copies too.
     void update_pressure();
 
+    /// All that the next steps depend on besides the particles.
+    void archive(Archive& file);
+
+    /// Of the fluid of all ranks, as it is now.
     [[nodiscard]] FluidExtremes extremes() const;
     [[nodiscard]] const OutsideImpulses& impulses() const { return impulses_; }
     [[nodiscard]] const StageTimer& timer() const { return timer_; }
-    [[nodiscard]] const ClusterList& list() const { return list_; }
+    [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
     [[nodiscard]] const SpringBodies& springs() const { return springs_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
@@ -55,24 +59,23 @@ class FluidStep {
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
 
   private:
-    void drift_fluid(double dt);
     void advance_springs(double dt);
-    void exchange_after_drift();
+    void exchange(const FieldList& fields);
     void kick(double t, double dt);
-    void shift(double dt);
-    [[nodiscard]] double moved_since_list() const;
+    void kick_by_place(double t, double dt);
+    void drift_to_end(double dt);
+    void add_impulses(double dt, const std::array<double, 3>& g);
 
-    const Scene& scene_;
-    const ParticleSet& set_;
     ParticleStore& particles_;
     PairSettings settings_;
-    std::vector<TaitEquation> state_of_part_;  ///< by part number (solids: the first fluid's)
+    const Ranks& ranks_;
     std::unique_ptr<PairSweeps> sweeps_;
+    FluidPasses passes_;
     SpringBodies springs_;
-    ClusterList list_;
-    std::array<std::vector<double>, 3> position_at_list_;
-    std::vector<int> with_density_;  ///< particles that integrate a density: fluid, with plain walls all
+    Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
+    bool depends_on_place_;  ///< the acceleration
+    double fluid_mass_;      ///< of all ranks [kg]
     double largest_speed_ = 0;
     OutsideImpulses impulses_;
     StageTimer timer_;

@@ -30,6 +30,17 @@ SpringBody::Impulses SpringBody::advance_implicit(double dt) {
     return impulses;
 }
 
+void SpringBody::archive(Archive& file, const std::string& name) {
+    const std::size_t nodes = ids_.size();
+    file(name + "/position", position_);
+    file(name + "/velocity", velocity_);
+    file(name + "/position_before", position_before_);
+    if (position_.size() != nodes || velocity_.size() != nodes || position_before_.size() != nodes)
+        throw InputError("the checkpoint's spring bodies are not those of the scene", "start the run anew");
+    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
+    system_->archive(file, name, *this);
+}
+
 void SpringBody::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
     if (solve_step(dt, impulses)) return;
     if (halvings_left == 0)

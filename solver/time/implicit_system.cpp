@@ -56,6 +56,7 @@ void SpringBody::ImplicitSystem::add(const std::array<int, 3>& nodes, int count,
 
 void SpringBody::ImplicitSystem::factorise(const SpringBody& body, const Vectors& position, double dt) {
     dt_ = dt;
+    position_ = position;
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
     for (std::size_t node = 0; node < unknown_.size(); ++node)
         for (int i = 0; i < 2 && unknown_[node] >= 0; ++i)
@@ -79,6 +80,14 @@ void SpringBody::ImplicitSystem::factorise(const SpringBody& body, const Vectors
     if (solver_.info() != Eigen::Success)
         throw DivergenceError("the stiffness of a spring body is no longer finite",
                               "lower accuracy.step_factor or check the drive");
+}
+
+void SpringBody::ImplicitSystem::archive(Archive& file, const std::string& name, const SpringBody& body) {
+    double dt = dt_;
+    Vectors position = position_;
+    file(name + "/factors_dt", dt);
+    file(name + "/factors_position", position);
+    if (file.loading() && dt > 0) factorise(body, position, dt);
 }
 
 double SpringBody::ImplicitSystem::correct(const Vectors& residual, double dt, Vectors& position, Vectors& velocity) {

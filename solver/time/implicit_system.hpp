@@ -22,6 +22,9 @@ class SpringBody::ImplicitSystem {
     /// True when the present factors serve for a step dt: corrections then converge nearly as fast as with its own.
     [[nodiscard]] bool fits(double dt) const { return std::abs(dt - dt_) < 1e-2 * dt_; }
     void factorise(const SpringBody& body, const Vectors& position, double dt);
+    /// The factors are what the past made them, and results depend on them in their last bits: they are made again from
+    /// the state they came from.
+    void archive(Archive& file, const std::string& name, const SpringBody& body);
 
     /// Solves A dv = residual, adds dv to the velocities and dt/2 dv to the positions of free nodes; returns the
     /// largest displacement [m].
@@ -39,6 +42,7 @@ class SpringBody::ImplicitSystem {
     Matrix matrix_;             ///< lower triangle
     Eigen::SimplicialLLT<Matrix> solver_;
     double dt_ = -1;
+    Vectors position_;  ///< that the factors were made for
 };
 
 }  // namespace dmp

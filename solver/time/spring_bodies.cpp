@@ -8,8 +8,8 @@
 
 namespace dmp {
 
-SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene)
-    : implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit) {
+SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks)
+    : ranks_(ranks), implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
     double shortest = std::numeric_limits<double>::infinity();
     for (int body = 0; body < count; ++body) {
@@ -33,6 +33,12 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene)
         }
     }
     largest_step_ = shortest * scene.accuracy.spring_step_factor;
+    first_node_.push_back(0);
+    for (int body = 0; body < count; ++body) {
+        const auto& ids = bodies_[body].ids();
+        for (std::size_t n = 0; n < ids.size(); ++n) by_id_[ids[n]] = {body, static_cast<int>(n)};
+        first_node_.push_back(first_node_.back() + ids.size());
+    }
 }
 
 int SpringBodies::substeps(double dt) const {
@@ -40,8 +46,46 @@ int SpringBodies::substeps(double dt) const {
     return implicit_ ? 1 : std::max(1, static_cast<int>(std::ceil(dt / largest_step_)));
 }
 
+void SpringBodies::archive(Archive& file) {
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
+        bodies_[body].archive(file, "springs/body_" + std::to_string(body));
+}
+
+void SpringBodies::find_nodes(const ParticleStore& particles) {
+    nodes_.clear();
+    for (const ParticleTag& tag : particles.of(ParticleKind::springs).tags()) nodes_.push_back(by_id_.at(tag.id));
+}
+
+SpringBodies::Vectors SpringBodies::collected_forces(const ParticleStore& particles) const {
+    struct NodeForce {
+        std::size_t node;
+        Vector<double, 2> force;
+    };
+    const ParticleGroup& group = particles.of(ParticleKind::springs);
+    std::vector<NodeForce> owned(group.owned());
+    for (std::size_t i = 0; i < owned.size(); ++i)
+        owned[i] = {first_node_[nodes_[i].body] + nodes_[i].index,
+                    {{group.data(Field::force, 0)[i], group.data(Field::force, 1)[i]}}};
+    Vectors force(first_node_.back());
+    for (const NodeForce& of : ranks_.all_gather(owned)) force[of.node] = of.force;
+    return force;
+}
+
+template <class ValueOf>
+void SpringBodies::show(ParticleStore& particles, Field field, const ValueOf& value_of) const {
+    ParticleGroup& group = particles.of(ParticleKind::springs);
+    for (std::size_t i = 0; i < group.total(); ++i) {
+        const auto value = value_of(bodies_[nodes_[i].body], static_cast<std::size_t>(nodes_[i].index));
+        for (int axis = 0; axis < 2; ++axis) {
+            double& shown = group.data(field, axis)[i];
+            shown = field == Field::position ? shown + value[axis] : value[axis];
+        }
+    }
+}
+
 SpringBody::Impulses SpringBodies::advance(ParticleStore& particles, double dt, int threads) {
     const int steps = substeps(dt);
+    const Vectors force = collected_forces(particles);
     std::vector<SpringBody::Impulses> impulses(bodies_.size());
     std::vector<std::exception_ptr> errors(bodies_.size());  // must not leave the parallel loop
     const auto count = static_cast<std::ptrdiff_t>(bodies_.size());
@@ -49,9 +93,9 @@ SpringBody::Impulses SpringBodies::advance(ParticleStore& particles, double dt, 
     for (std::ptrdiff_t b = 0; b < count; ++b) {
         try {
             SpringBody& body = bodies_[b];
-            body.kick_from_outside(particles, dt);
+            const auto of_holders = body.kick_from_outside(std::span(force).subspan(first_node_[b]), dt);
             impulses[b] = implicit_ ? body.advance_implicit(dt) : body.advance_subcycled(dt, steps);
-            body.show_mean_velocity(particles, dt);
+            impulses[b].of_anchors += of_holders;
         } catch (...) {
             errors[b] = std::current_exception();
         }
@@ -63,11 +107,28 @@ SpringBody::Impulses SpringBodies::advance(ParticleStore& particles, double dt, 
         sum.of_anchors += impulse.of_anchors;
         sum.of_drag += impulse.of_drag;
     }
+    show(particles, Field::velocity,
+         [dt](const SpringBody& body, std::size_t node) { return body.mean_velocity(node, dt); });
     return sum;
 }
 
-void SpringBodies::show_positions(ParticleStore& particles) const {
-    for (const SpringBody& body : bodies_) body.show_position(particles);
+double SpringBodies::show_positions(ParticleStore& particles) const {
+    const PositionQuantum& quantum = particles.quantum();
+    double farthest = 0;
+    // The store's positions may have been moved by whole periods: hand on the displacement.
+    show(particles, Field::position, [&](const SpringBody& body, std::size_t node) {
+        Vector<double, 2> way{};
+        for (int axis = 0; axis < 2; ++axis)
+            way[axis] =
+                quantum.round(body.positions()[node][axis]) - quantum.round(body.positions_before()[node][axis]);
+        return way;
+    });
+    for (const SpringBody& body : bodies_)
+        for (std::size_t node = 0; node < body.ids().size(); ++node) {
+            const auto way = body.positions()[node] - body.positions_before()[node];
+            farthest = std::max(farthest, dot(way, way));
+        }
+    return std::sqrt(farthest);
 }
 
 }  // namespace dmp

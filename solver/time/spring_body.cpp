@@ -8,7 +8,8 @@
 
 namespace dmp {
 
-SpringBody::SpringBody(const ParticleSet& set, const Part& part, int body) : drag_(part.drag), spacing_(set.spacing) {
+SpringBody::SpringBody(const ParticleSet& set, const Part& part, int body)
+    : part_(part.name), drag_(part.drag), spacing_(set.spacing) {
     std::unordered_map<int, int> local;
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.body[i] != body) continue;
@@ -20,12 +21,13 @@ SpringBody::SpringBody(const ParticleSet& set, const Part& part, int body) : dra
     }
     velocity_.assign(ids_.size(), {});
     force_.assign(ids_.size(), {});
-    position_before_ = position_;
+    position_before_ = position_at_rest_ = position_;
     for (const Bond& bond : set.bonds) {
         if (set.body[bond.a] != body) continue;
         const double reduced = set.mass[bond.a] * set.mass[bond.b] / (set.mass[bond.a] + set.mass[bond.b]);
         bonds_.push_back({local.at(bond.a), local.at(bond.b),
                           BondForce<2>(bond.rest_length, bond.stiffness, part.bond_damping, reduced)});
+        drawn_bonds_.push_back({local.at(bond.a), local.at(bond.b), bond.rest_length, bond.stiffness});
     }
     for (const Hinge& hinge : set.hinges) {
         if (set.body[hinge.centre] != body) continue;
@@ -60,27 +62,22 @@ void SpringBody::drift(double h) {
         if (!fixed_[n]) position_[n] += h * velocity_[n];
 }
 
-void SpringBody::kick_from_outside(const ParticleStore& particles, double dt) {
-    const double* fx = particles.data(Field::force, 0);
-    const double* fy = particles.data(Field::force, 1);
-    for (std::size_t n = 0; n < ids_.size(); ++n)
-        if (!fixed_[n]) velocity_[n] += (dt / mass_[n]) * Vector<double, 2>{{fx[ids_[n]], fy[ids_[n]]}};
+Vector<double, 2> SpringBody::kick_from_outside(std::span<const Vector<double, 2>> force, double dt) {
+    Vector<double, 2> of_holders{};
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        if (fixed_[n]) {
+            of_holders -= dt * force[n];
+        } else {
+            velocity_[n] += (dt / mass_[n]) * force[n];
+        }
+    }
+    return of_holders;
 }
 
-void SpringBody::show_mean_velocity(ParticleStore& particles, double dt) const {
-    for (int axis = 0; axis < 2; ++axis) {
-        double* v = particles.data(Field::velocity, axis);
-        for (std::size_t n = 0; n < ids_.size(); ++n)
-            v[ids_[n]] = (position_[n][axis] - position_before_[n][axis]) / dt;
-    }
-}
-
-void SpringBody::show_position(ParticleStore& particles) const {
-    // The store's positions may have been wrapped by whole periods: hand on the displacement.
-    for (int axis = 0; axis < 2; ++axis) {
-        double* x = particles.data(Field::position, axis);
-        for (std::size_t n = 0; n < ids_.size(); ++n) x[ids_[n]] += position_[n][axis] - position_before_[n][axis];
-    }
+double SpringBody::free_mass() const {
+    double mass = 0;
+    for (std::size_t n = 0; n < ids_.size(); ++n) mass += fixed_[n] ? 0 : mass_[n];
+    return mass;
 }
 
 Vector<double, 2> SpringBody::momentum() const {

@@ -33,7 +33,7 @@ auto liquid_in_place_of(const S& solid, const F& fluid) {
 /// looks.
 template <int D>
 struct ExtrapolatedSolid {
-    static constexpr bool needs_surface = true;
+    static constexpr bool needs_surface = true, needs_state = false;
     /// In the density rate the wall's image approaches as fast as the fluid does (v_j = 2 v_w - v_i along the pair), so
     /// the relative velocity counts twice. It goes with the pressure, which acts twice too (p_j = p_i): the work of the
     /// forces is then the energy that the density stores.
@@ -71,7 +71,7 @@ struct ExtrapolatedSolid {
 /// Slip velocity stays at the wall (the no-slip plane lies near the first row of wall particles).
 template <int D>
 struct PlainSolid {
-    static constexpr bool needs_surface = false;
+    static constexpr bool needs_surface = false, needs_state = true;
     static constexpr double approach_weight = 1;  ///< the solid's own density takes up the other half
 
     template <class F, class S, class Separation>

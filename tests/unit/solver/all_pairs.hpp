@@ -2,70 +2,117 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <random>
 #include <vector>
 
-#include "solver/neighbours/cluster_list.hpp"
 #include "solver/store/particle_store.hpp"
-#include "solver/sweeps/vector.hpp"
 
 namespace dmp::testing_solver {
 
-/// A disordered crowd of all kinds of particles in a square of 20 x 20 spacings: fluid with a wall and two spring
-/// bodies strewn among it, all shaken by a third of a spacing.
-inline ParticleSet crowd(std::array<bool, 3> periodic, unsigned seed = 1) {
-    constexpr int side = 20;
+/// A disordered crowd of all kinds of particles, fluid with a wall and two spring bodies strewn among it, all shaken by
+/// a third of a spacing: 20 x 20 of them in the plane, 8 x 8 x 8 in space.
+inline ParticleSet crowd(int dimension, std::array<bool, 3> periodic, unsigned seed = 1) {
     constexpr double spacing = 0.1;
+    const int side = dimension == 3 ? 8 : 20;
     ParticleSet set;
+    set.dimension = dimension;
     set.spacing = spacing;
-    set.box = {Vec::Zero(), Vec(side * spacing, side * spacing, 0)};
     set.periodic = periodic;
     set.parts = {{"water", ParticleKind::fluid}, {"wall", ParticleKind::rigid}, {"flags", ParticleKind::springs}};
+    for (int axis = 0; axis < dimension; ++axis) set.box.high[axis] = side * spacing;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const double x = (column + 0.5 + 0.33 * unit(random)) * spacing;
-            const double y = (row + 0.5 + 0.33 * unit(random)) * spacing;
-            const int pick = static_cast<int>(random() % 8);
-            const int part = pick < 5 ? 0 : pick < 6 ? 1 : 2;
-            set.position.emplace_back(x, y, 0);
-            set.part.push_back(part);
-            set.body.push_back(part == 2 ? pick - 6 : -1);
-            set.volume.push_back(spacing * spacing * (1 + 0.1 * unit(random)));
-            set.mass.push_back(1000 * set.volume.back());
-            set.fixed.push_back(part == 1 ? 1 : 0);
-            set.seated.push_back(0);
-            const double angle = 3 * unit(random);
-            set.wall_normal.push_back(part == 1 ? Vec(std::cos(angle), std::sin(angle), 0) : Vec(Vec::Zero()));
-            set.wall_distance.push_back(part == 1 ? spacing * (1.5 + unit(random)) : 0);
+    const int count = dimension == 3 ? side * side * side : side * side;
+    for (int k = 0; k < count; ++k) {
+        const std::array<int, 3> cell{k % side, k / side % side, k / side / side};
+        Vec place = Vec::Zero(), normal = Vec::Zero();
+        for (int axis = 0; axis < dimension; ++axis) {
+            place[axis] = (cell[axis] + 0.5 + 0.33 * unit(random)) * spacing;
+            normal[axis] = unit(random);
         }
+        const int pick = static_cast<int>(random() % 8);
+        const int part = pick < 5 ? 0 : pick < 6 ? 1 : 2;
+        set.position.push_back(place);
+        set.part.push_back(part);
+        set.body.push_back(part == 2 ? pick - 6 : -1);
+        set.volume.push_back((dimension == 3 ? spacing : 1) * spacing * spacing * (1 + 0.1 * unit(random)));
+        set.mass.push_back(1000 * set.volume.back());
+        set.fixed.push_back(part == 1 ? 1 : 0);
+        set.seated.push_back(0);
+        set.wall_normal.push_back(part == 1 ? Vec(normal.normalized()) : Vec(Vec::Zero()));
+        set.wall_distance.push_back(part == 1 ? spacing * (1.5 + unit(random)) : 0);
+    }
     return set;
 }
 
-/// Calls visit(i, j, x_i - x_j) for every ordered pair of owned particles, once for each periodic image of j that lies
-/// within `reach`; a particle meets its own images but not itself. Slow and plain: the oracle of neighbour lists.
+/// Looks up the owned particles of a store by id, wherever they lie in it now.
+class ById {
+  public:
+    explicit ById(ParticleStore& particles) : places_(particles.owned()) {
+        for (ParticleGroup& group : particles.groups())
+            for (std::size_t i = 0; i < group.owned(); ++i)
+                places_.at(static_cast<std::size_t>(group.tags()[i].id)) = {&group, static_cast<std::int32_t>(i)};
+    }
+
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
+    [[nodiscard]] ParticleGroup& group(std::size_t id) const { return *places_[id].group; }
+    /// In its group.
+    [[nodiscard]] std::int32_t index(std::size_t id) const { return places_[id].index; }
+    [[nodiscard]] double& value(Field field, std::size_t id, int axis = 0) const {
+        return group(id).data(field, axis)[index(id)];
+    }
+    [[nodiscard]] Vec vector(Field field, std::size_t id) const {
+        Vec values = Vec::Zero();
+        for (int axis = 0; axis < group(id).dimension(); ++axis) values[axis] = value(field, id, axis);
+        return values;
+    }
+
+  private:
+    struct Place {
+        ParticleGroup* group = nullptr;
+        std::int32_t index = 0;
+    };
+    std::vector<Place> places_;
+};
+
+/// Two owned particles, by id, of which the second or an image of it is near the first.
+struct Meeting {
+    std::size_t i, j;
+    std::array<int, 3> periods;  ///< that the image of j was moved by
+    Vec separation;              ///< x_i - x_j, to the image
+};
+
+/// Calls visit(Meeting) for every ordered pair of owned particles, once for each periodic image of j that lies within
+/// `reach`; a particle meets its own images but not itself. Slow and plain: the oracle of neighbour lists.
 template <class Visit>
-void for_all_pairs(const ParticleStore& particles, const ParticleSet& set, double reach, const Visit& visit) {
-    const auto shifts = [&](int axis) { return set.periodic[axis] ? std::vector<int>{-1, 0, 1} : std::vector<int>{0}; };
-    const Vec period = set.box.extent();
-    const auto at = [&](std::size_t i, int axis) { return particles.data(Field::position, axis)[i]; };
-    for (std::size_t i = 0; i < particles.owned(); ++i)
-        for (std::size_t j = 0; j < particles.owned(); ++j)
-            for (const int x_shift : shifts(0))
-                for (const int y_shift : shifts(1)) {
-                    if (i == j && x_shift == 0 && y_shift == 0) continue;
-                    // The image's place is rounded as the store rounds it.
-                    const Vector<double, 2> separation{
-                        {at(i, 0) - (at(j, 0) + x_shift * period[0]), at(i, 1) - (at(j, 1) + y_shift * period[1])}};
-                    if (dot(separation, separation) < reach * reach)
-                        visit(static_cast<int>(i), static_cast<int>(j), separation);
-                }
+void for_all_pairs(ParticleStore& particles, double reach, const Visit& visit) {
+    const ParticleSpace& space = particles.space();
+    std::vector<std::array<int, 3>> shifts{{0, 0, 0}};
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        const auto before = shifts;
+        for (std::array<int, 3> shift : before)
+            for (const int periods : {-1, 1}) {
+                shift[axis] = periods;
+                if (space.periodic[axis]) shifts.push_back(shift);
+            }
+    }
+    const ById by_id(particles);
+    std::vector<Vec> place;
+    for (std::size_t id = 0; id < by_id.size(); ++id) place.push_back(by_id.vector(Field::position, id));
+    const Vec period = space.box.extent();
+    for (const std::array<int, 3>& shift : shifts) {
+        const Vec moved(shift[0] * period[0], shift[1] * period[1], shift[2] * period[2]);
+        for (std::size_t i = 0; i < place.size(); ++i)
+            for (std::size_t j = 0; j < place.size(); ++j) {
+                const Vec separation = place[i] - (place[j] + moved);
+                if (separation.squaredNorm() < reach * reach && !(i == j && moved.isZero(0)))
+                    visit(Meeting{i, j, shift, separation});
+            }
+    }
 }
 
 /// Two particles that the lists leave out: walls among themselves, and nodes of one spring body.
-inline bool never_meet(const ParticleSet& set, int i, int j) {
+inline bool never_meet(const ParticleSet& set, std::size_t i, std::size_t j) {
     if (set.kind(i) != set.kind(j)) return false;
     return set.kind(i) == ParticleKind::rigid || (set.kind(i) == ParticleKind::springs && set.body[i] == set.body[j]);
 }

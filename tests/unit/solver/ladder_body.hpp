@@ -25,6 +25,7 @@ struct LadderShape {
 inline ParticleSet ladder(const LadderShape& shape) {
     ParticleSet set;
     set.spacing = 1;
+    set.box = {Vec(-1, -1, 0), Vec(shape.cells + 1, 1, 0)};
     set.parts = {{"beam", ParticleKind::springs}};
     for (int column = 0; column <= shape.cells; ++column)
         for (const double y : {0.5, -0.5}) {

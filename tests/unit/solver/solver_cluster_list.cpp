@@ -1,139 +1,155 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <omp.h>
 
 #include "all_pairs.hpp"
+#include "solver/neighbours/neighbours.hpp"
 
 namespace dmp {
 namespace {
 
+using testing_solver::ById;
 using testing_solver::crowd;
 using testing_solver::for_all_pairs;
+using testing_solver::Meeting;
 using testing_solver::never_meet;
 
-constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
+/// A neighbour as its owner and the whole periods it is away: what is left when copies have no numbers.
+using Neighbour = std::pair<std::size_t, std::array<int, 3>>;
+using Clusters = std::array<std::vector<Cluster>, 3>;
 
-/// A neighbour as its owner and the whole periods it is away: what is left when images have no numbers.
-using Neighbour = std::tuple<int, int, int>;
+const Ranks ranks = Ranks::alone();
 
-class ClusterListIn : public testing::TestWithParam<std::array<bool, 3>> {
+std::size_t id_of(const ParticleGroup& group, std::int32_t index) {
+    return static_cast<std::size_t>(group.tags()[static_cast<std::size_t>(index)].id);
+}
+
+/// Sorts the particles and makes their copies.
+Clusters sorted_with_copies(ParticleStore& particles, double reach) {
+    Neighbours neighbours(ranks, particles.space(), reach, 1);
+    neighbours.renew(particles);
+    Clusters clusters;
+    for (const ParticleKind kind : all_kinds) {
+        const auto found = neighbours.list().clusters(kind);
+        clusters[static_cast<std::size_t>(kind)].assign(found.begin(), found.end());
+    }
+    return clusters;
+}
+
+struct Space {
+    int dimension;
+    std::array<bool, 3> periodic;
+};
+
+class ClusterListIn : public testing::TestWithParam<Space> {
   protected:
-    ClusterListIn() : set(crowd(GetParam())), particles(set) {
-        particles.renew_images(set.box, set.periodic, reach);
-        list.build(particles, set, reach, 1);
+    ClusterListIn() : set(crowd(GetParam().dimension, GetParam().periodic)), particles(set, {1000, 1000, 1000}) {
+        list.build(particles, clusters, reach, 1);
     }
 
-    [[nodiscard]] Neighbour named(int index) const {
-        const int source = particles.source(index);
-        std::array<int, 2> periods{};
-        for (int axis = 0; axis < 2; ++axis) {
-            const double* x = particles.data(Field::position, axis);
-            periods[axis] = static_cast<int>(std::lround((x[index] - x[source]) / set.box.extent()[axis]));
+    [[nodiscard]] Neighbour named(const ParticleGroup& group, std::int32_t index) {
+        const std::size_t id = id_of(group, index);
+        std::array<int, 3> periods{};
+        for (int axis = 0; axis < set.dimension; ++axis) {
+            const double moved = group.data(Field::position, axis)[index] - by_id.value(Field::position, id, axis);
+            periods[axis] = static_cast<int>(std::lround(moved / particles.space().box.extent()[axis]));
         }
-        return {source, periods[0], periods[1]};
+        return {id, periods};
     }
 
+    /// Calls visit(group, number, cluster) for all clusters of all kinds.
     template <class Visit>
     void for_each_cluster(const Visit& visit) const {
-        for (const ParticleKind kind : kinds)
-            for (const Cluster& cluster : list.clusters(kind)) visit(kind, cluster);
+        for (const ParticleKind kind : all_kinds)
+            for (std::size_t c = 0; c < list.clusters(kind).size(); ++c)
+                visit(particles.of(kind), c, list.clusters(kind)[c]);
     }
 
     static constexpr double reach = 0.34;
     ParticleSet set;
     ParticleStore particles;
+    Clusters clusters = sorted_with_copies(particles, reach);
     ClusterList list;
+    ById by_id{(particles)};
 };
 
-TEST_P(ClusterListIn, every_particle_is_in_one_cluster_of_its_kind) {
+TEST_P(ClusterListIn, every_particle_is_in_one_cluster_of_its_kind_and_body) {
     std::vector<int> times(set.size(), 0);
-    for_each_cluster([&](ParticleKind kind, const Cluster& cluster) {
-        ASSERT_GT(cluster.count, 0U);
-        for (std::size_t k = 0; k < Lanes::width; ++k) {
-            const int i = cluster.member[k];
-            EXPECT_EQ(set.kind(i), kind);
-            EXPECT_EQ(set.body[i], set.body[cluster.member[0]]);
-            if (k < cluster.count) {
-                ++times[i];
-            } else {
-                EXPECT_EQ(i, cluster.member[0]);
-            }
+    for_each_cluster([&](const ParticleGroup& group, std::size_t, const Cluster& cluster) {
+        ASSERT_GT(cluster.count, 0);
+        for (std::int32_t k = cluster.first; k < cluster.first + cluster.count; ++k) {
+            EXPECT_EQ(set.kind(id_of(group, k)), group.kind());
+            EXPECT_EQ(set.body[id_of(group, k)], set.body[id_of(group, cluster.first)]);
+            ++times[id_of(group, k)];
         }
     });
     EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(set.size()));
 }
 
 TEST_P(ClusterListIn, every_pair_within_reach_is_found_and_no_neighbour_comes_twice) {
-    std::map<int, std::set<Neighbour>> found;
-    for_each_cluster([&](ParticleKind, const Cluster& cluster) {
+    std::map<std::size_t, std::set<Neighbour>> found;
+    for_each_cluster([&](const ParticleGroup& group, std::size_t number, const Cluster& cluster) {
         std::set<Neighbour> neighbours;
-        for (const ParticleKind kind : kinds)
-            for (const int index : list.neighbours(cluster, kind)) {
-                EXPECT_EQ(set.kind(particles.source(index)), kind);
-                EXPECT_TRUE(neighbours.insert(named(index)).second) << "twice: " << particles.source(index);
-            }
-        for (std::size_t k = 0; k < cluster.count; ++k) found[cluster.member[k]] = neighbours;
+        for (const ParticleKind kind : all_kinds)
+            for (const std::int32_t index : list.neighbours(group.kind(), number, kind))
+                EXPECT_TRUE(neighbours.insert(named(particles.of(kind), index)).second);
+        for (std::int32_t k = 0; k < cluster.count; ++k) found[id_of(group, cluster.first + k)] = neighbours;
     });
+    EXPECT_EQ(found.size(), set.size());
     std::size_t pairs = 0;
-    for_all_pairs(particles, set, reach, [&](int i, int j, const Vector<double, 2>& separation) {
-        if (never_meet(set, i, j)) return;
+    for_all_pairs(particles, reach, [&](const Meeting& m) {
+        if (never_meet(set, m.i, m.j)) return;
         ++pairs;
-        std::array<int, 2> periods{};
-        for (int axis = 0; axis < 2; ++axis) {
-            const double* x = particles.data(Field::position, axis);
-            periods[axis] = static_cast<int>(std::lround((x[i] - separation[axis] - x[j]) / set.box.extent()[axis]));
-        }
-        EXPECT_TRUE(found[i].contains({j, periods[0], periods[1]})) << i << " does not see " << j;
+        EXPECT_TRUE(found[m.i].contains({m.j, m.periods})) << m.i << " does not see " << m.j;
     });
     EXPECT_GT(pairs, 5000U);
 }
 
 TEST_P(ClusterListIn, lists_nobody_who_is_out_of_reach_of_all_members_or_never_interacts) {
-    for_each_cluster([&](ParticleKind, const Cluster& cluster) {
-        for (const ParticleKind kind : kinds)
-            for (const int index : list.neighbours(cluster, kind)) {
+    for_each_cluster([&](const ParticleGroup& group, std::size_t number, const Cluster& cluster) {
+        for (const ParticleKind kind : all_kinds)
+            for (const std::int32_t index : list.neighbours(group.kind(), number, kind)) {
+                const ParticleGroup& others = particles.of(kind);
                 double nearest = 1e300;
-                for (std::size_t k = 0; k < cluster.count; ++k) {
+                for (std::int32_t k = cluster.first; k < cluster.first + cluster.count; ++k) {
                     double square = 0;
-                    for (int axis = 0; axis < 2; ++axis) {
-                        const double* x = particles.data(Field::position, axis);
-                        square += (x[index] - x[cluster.member[k]]) * (x[index] - x[cluster.member[k]]);
+                    for (int axis = 0; axis < set.dimension; ++axis) {
+                        const double d =
+                            others.data(Field::position, axis)[index] - group.data(Field::position, axis)[k];
+                        square += d * d;
                     }
                     nearest = std::min(nearest, square);
                 }
                 EXPECT_LT(nearest, reach * reach * (1 + 1e-12));
-                EXPECT_FALSE(never_meet(set, cluster.member[0], particles.source(index)));
+                EXPECT_FALSE(never_meet(set, id_of(group, cluster.first), id_of(others, index)));
             }
     });
 }
 
 void expect_equal(const ClusterList& a, const ClusterList& b) {
     ASSERT_EQ(a.size(), b.size());
-    for (const ParticleKind kind : kinds) {
+    for (const ParticleKind kind : all_kinds) {
         ASSERT_EQ(a.clusters(kind).size(), b.clusters(kind).size());
-        for (std::size_t c = 0; c < a.clusters(kind).size(); ++c) {
-            const Cluster &one = a.clusters(kind)[c], &other = b.clusters(kind)[c];
-            EXPECT_EQ(one.member, other.member);
-            EXPECT_EQ(one.count, other.count);
-            EXPECT_EQ(one.first, other.first);
-            for (const ParticleKind of : kinds) {
-                const auto x = a.neighbours(one, of), y = b.neighbours(other, of);
+        for (std::size_t c = 0; c < a.clusters(kind).size(); ++c)
+            for (const ParticleKind of : all_kinds) {
+                const auto x = a.neighbours(kind, c, of), y = b.neighbours(kind, c, of);
                 EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end()));
             }
-        }
     }
 }
 
 TEST_P(ClusterListIn, is_the_same_on_any_number_of_threads) {
     for (const int threads : {2, 3}) {
         ClusterList other;
-        other.build(particles, set, reach, threads);
+        other.build(particles, clusters, reach, threads);
         expect_equal(list, other);
     }
 }
@@ -145,35 +161,60 @@ TEST_P(ClusterListIn, is_the_same_when_fewer_threads_are_to_be_had_than_asked_fo
 #pragma omp parallel num_threads(2)
     {
 #pragma omp single
-        other.build(particles, set, reach, 3);
+        other.build(particles, clusters, reach, 3);
     }
     expect_equal(list, other);
 }
 
 TEST_P(ClusterListIn, can_be_built_again) {
     ClusterList other;
-    other.build(particles, set, 2 * reach, 1);
-    other.build(particles, set, reach, 1);
-    expect_equal(list, other);
+    for (const int threads : {1, 3}) {
+        other.build(particles, clusters, 2 * reach, threads);
+        other.build(particles, clusters, reach, threads);
+        expect_equal(list, other);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Periodic, ClusterListIn,
-                         testing::Values(std::array{false, false, false}, std::array{true, false, false},
-                                         std::array{false, true, false}, std::array{true, true, false}),
-                         [](const auto& periodic) {
-                             const std::string name =
-                                 std::string(periodic.param[0] ? "x" : "") + (periodic.param[1] ? "y" : "");
-                             return name.empty() ? "none" : name;
+                         testing::Values(Space{2, {false, false, false}}, Space{2, {true, false, false}},
+                                         Space{2, {false, true, false}}, Space{2, {true, true, false}},
+                                         Space{3, {false, false, false}}, Space{3, {false, false, true}},
+                                         Space{3, {true, true, false}}, Space{3, {true, true, true}}),
+                         [](const auto& space) {
+                             std::string name = std::to_string(space.param.dimension) + "d_";
+                             for (int axis = 0; axis < 3; ++axis)
+                                 name += space.param.periodic[axis] ? "xyz"[axis] : '_';
+                             return name;
                          });
 
 TEST(ClusterList, of_nobody_is_empty) {
     ParticleSet set;
     set.spacing = 0.1;
-    ParticleStore particles(set);
+    ParticleStore particles(set, {});
     ClusterList list;
-    list.build(particles, set, 0.3, 2);
+    EXPECT_TRUE(list.empty());
+    list.build(particles, {}, 0.3, 2);
+    EXPECT_FALSE(list.empty());
     EXPECT_EQ(list.size(), 0U);
-    for (const ParticleKind kind : kinds) EXPECT_TRUE(list.clusters(kind).empty());
+    for (const ParticleKind kind : all_kinds) EXPECT_TRUE(list.clusters(kind).empty());
+}
+
+TEST(ClusterList, of_one_kind_alone_leaves_the_others_empty) {
+    ParticleSet set = crowd(2, {false, false, false});
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        set.part[i] = 0;
+        set.body[i] = -1;
+    }
+    ParticleStore particles(set, {1000, 1000, 1000});
+    Neighbours neighbours(ranks, particles.space(), 0.3, 1);
+    neighbours.renew(particles);
+    const ClusterList& list = neighbours.list();
+    ASSERT_FALSE(list.clusters(ParticleKind::fluid).empty());
+    for (std::size_t c = 0; c < list.clusters(ParticleKind::fluid).size(); ++c) {
+        EXPECT_FALSE(list.neighbours(ParticleKind::fluid, c, ParticleKind::fluid).empty());
+        EXPECT_TRUE(list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid).empty());
+        EXPECT_TRUE(list.neighbours(ParticleKind::fluid, c, ParticleKind::springs).empty());
+    }
 }
 
 }  // namespace

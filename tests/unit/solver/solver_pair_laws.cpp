@@ -187,7 +187,7 @@ TEST(PlainSolid, shows_the_solid_as_it_is) {
     }
 }
 
-/// Eight random particles side by side, and the same one by one.
+/// Random particles side by side, as many as this machine's lanes hold, and the same one by one.
 class PairLawsOnLanes : public testing::Test {
   protected:
     using WidePoint = FluidPoint<Lanes, 2>;
@@ -203,13 +203,13 @@ class PairLawsOnLanes : public testing::Test {
                          100 * unit(random),
                          unit(random)};
             for (int a = 0; a < 2; ++a) {
-                wide.position[a].raw[k] = single[k].position[a];
-                wide.velocity[a].raw[k] = single[k].velocity[a];
+                wide.position[a].set(k, single[k].position[a]);
+                wide.velocity[a].set(k, single[k].velocity[a]);
             }
-            wide.volume.raw[k] = single[k].volume;
-            wide.density.raw[k] = single[k].density;
-            wide.pressure.raw[k] = single[k].pressure;
-            wide.viscosity.raw[k] = single[k].viscosity;
+            wide.volume.set(k, single[k].volume);
+            wide.density.set(k, single[k].density);
+            wide.pressure.set(k, single[k].pressure);
+            wide.viscosity.set(k, single[k].viscosity);
         }
     }
 
@@ -237,13 +237,13 @@ TEST_F(PairLawsOnLanes, give_what_they_give_on_numbers) {
     for (std::size_t k = 0; k < Lanes::width; ++k) {
         const auto q = single_pair(k);
         for (int a = 0; a < 2; ++a) {
-            expect_same(PressureForce::law(p)[a].raw[k], PressureForce::law(q)[a]);
-            expect_same(MorrisViscosity::law(p)[a].raw[k], MorrisViscosity::law(q)[a]);
-            expect_same(shifting.law(p, kernel)[a].raw[k], shifting.law(q, kernel)[a]);
+            expect_same(PressureForce::law(p)[a][k], PressureForce::law(q)[a]);
+            expect_same(MorrisViscosity::law(p)[a][k], MorrisViscosity::law(q)[a]);
+            expect_same(shifting.law(p, kernel)[a][k], shifting.law(q, kernel)[a]);
         }
-        EXPECT_NEAR(ContinuityRate::law(p).raw[k], ContinuityRate::law(q), 1e-12);
-        expect_same(diffusion.law(p).raw[k], diffusion.law(q));
-        EXPECT_NEAR(state.pressure(wide.density).raw[k], state.pressure(single[k].density), 1e-9);
+        EXPECT_NEAR(ContinuityRate::law(p)[k], ContinuityRate::law(q), 1e-12);
+        expect_same(diffusion.law(p)[k], diffusion.law(q));
+        EXPECT_NEAR(state.pressure(wide.density)[k], state.pressure(single[k].density), 1e-9);
     }
 }
 
@@ -253,10 +253,10 @@ TEST_F(PairLawsOnLanes, walls_give_what_they_give_on_numbers) {
     const auto ghost = law.rigid(wide, wall, wide.position - wall.position);
     for (std::size_t k = 0; k < Lanes::width; ++k) {
         const auto expected = law.rigid(single[k], wall, single[k].position - wall.position);
-        for (int a = 0; a < 2; ++a) EXPECT_NEAR(ghost.velocity[a].raw[k], expected.velocity[a], 1e-13);
-        EXPECT_NEAR(ghost.pressure.raw[k], expected.pressure, 1e-10);
-        EXPECT_EQ(Lanes(ghost.volume).raw[k], expected.volume);
-        EXPECT_EQ(ghost.density.raw[k], expected.density);
+        for (int a = 0; a < 2; ++a) EXPECT_NEAR(ghost.velocity[a][k], expected.velocity[a], 1e-13);
+        EXPECT_NEAR(ghost.pressure[k], expected.pressure, 1e-10);
+        EXPECT_EQ(Lanes(ghost.volume)[k], expected.volume);
+        EXPECT_EQ(ghost.density[k], expected.density);
     }
 }
 

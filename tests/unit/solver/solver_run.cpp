@@ -334,11 +334,37 @@ TEST(Plan, models_that_are_switched_off_do_not_run_and_have_no_fields) {
     const Plan without = Simulation(made.scene, made.particles, 1).plan();
     EXPECT_THAT(models(without),
                 ElementsAre("Tait equation of state", "continuity", "pressure force", "viscous force"));
-    EXPECT_THAT(with.fields, Contains("shift, 16 bytes"));
-    EXPECT_THAT(without.fields, testing::Not(Contains("shift, 16 bytes")));
-    EXPECT_EQ(with.bytes_per_particle, without.bytes_per_particle + 16);
+    EXPECT_THAT(with.fields, Contains("fluid: shift, 16 bytes"));
+    EXPECT_THAT(without.fields, testing::Not(Contains(HasSubstr("shift"))));
+    // An array has a vector's width of room behind its end: 80 numbers for 64 particles.
+    EXPECT_EQ(with.bytes_per_particle, without.bytes_per_particle + 20);
     EXPECT_THAT(limits(with), Contains("shifting"));
     EXPECT_THAT(limits(without), testing::Not(Contains("shifting")));
+}
+
+TEST(Plan, lists_the_fields_of_each_kind_which_exist_only_where_they_are_needed) {
+    const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm"});
+    const auto fields = Simulation(made.scene, made.particles, 1).plan().fields;
+    for (const std::string kind : {"fluid", "rigid", "springs"}) {
+        EXPECT_THAT(fields, testing::IsSupersetOf({kind + ": position, 16 bytes", kind + ": mass, 8 bytes"}));
+        const auto only_for = [&](const std::string& owner, const std::string& field) {
+            const auto listed = Contains(kind + ": " + field);
+            EXPECT_THAT(fields, testing::Conditional(kind == owner, listed, testing::Not(listed)));
+        };
+        only_for("fluid", "density, 8 bytes");
+        only_for("fluid", "density_rate, 8 bytes");
+        only_for("fluid", "viscosity, 8 bytes");
+        only_for("fluid", "shift, 16 bytes");
+        only_for("rigid", "wall_normal, 16 bytes");
+        only_for("rigid", "wall_distance, 8 bytes");
+    }
+}
+
+TEST(Plan, plain_walls_carry_a_density) {
+    const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm", "accuracy.walls=plain"});
+    const auto fields = Simulation(made.scene, made.particles, 1).plan().fields;
+    EXPECT_THAT(fields, testing::IsSupersetOf(
+                            {"fluid: density, 8 bytes", "rigid: density, 8 bytes", "springs: density, 8 bytes"}));
 }
 
 TEST(Setup, sound_speed_is_the_scenes_or_ten_times_the_largest_speed) {

@@ -62,14 +62,14 @@ TEST(Repulsion, does_the_same_on_lanes) {
     const Repulsion law{2.5};
     Vector<Lanes, 2> separation{};
     for (std::size_t k = 0; k < Lanes::width; ++k) {
-        separation[0].raw[k] = 0.1 * static_cast<double>(k);
-        separation[1].raw[k] = 0.2;
+        separation[0].set(k, 0.1 * static_cast<double>(k));
+        separation[1].set(k, 0.2);
     }
     const auto force = law.law(separation, Lanes(0.5));
     for (std::size_t k = 0; k < Lanes::width; ++k) {
-        const auto expected = law.law(V2{{separation[0].raw[k], 0.2}}, 0.5);
+        const auto expected = law.law(V2{{separation[0][k], 0.2}}, 0.5);
         for (int a = 0; a < 2; ++a)
-            EXPECT_NEAR(force[a].raw[k], expected[a], 1e-13 * std::abs(expected[a])) << "lane " << k;
+            EXPECT_NEAR(force[a][k], expected[a], 1e-13 * std::abs(expected[a])) << "lane " << k;
     }
 }
 

@@ -1,0 +1,30 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "solver/parallel/ranks.hpp"
+
+namespace dmp {
+
+/// The processor's vector instructions that the loops over pairs use. Results do not depend on it.
+enum class VectorUnit { widest, avx2, avx512, generic };
+
+std::string_view word(VectorUnit unit);
+/// Those that this processor has, narrowest first. Throws ResourceError when there are none.
+std::vector<VectorUnit> available_vector_units();
+/// `asked`, or the widest there is. Throws ResourceError when the processor lacks it.
+VectorUnit chosen_vector_unit(VectorUnit asked);
+
+/// What a run may use. Results do not depend on it.
+struct Resources {
+    // NOLINTNEXTLINE(google-explicit-constructor): most only say how many threads
+    Resources(int threads_of_a_rank = 0) : threads(threads_of_a_rank) {}
+
+    int threads;  ///< of each rank; 0: all the machine has
+    VectorUnit vector_unit = VectorUnit::widest;
+    Ranks ranks = Ranks::alone();
+};
+
+}  // namespace dmp

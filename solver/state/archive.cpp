@@ -1,0 +1,94 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/state/archive.hpp"
+
+#include <algorithm>
+
+namespace dmp {
+
+template <class T>
+void Archive::array(const std::string& name, std::vector<T>& values) {
+    if (loading()) {
+        values = reader_->array<T>(name);
+    } else if (writer_ != nullptr) {
+        writer_->write_array<T>(name, values);
+    }
+}
+
+void Archive::operator()(const std::string& name, double& value) {
+    if (loading()) {
+        value = reader_->number<double>(name);
+    } else if (writer_ != nullptr) {
+        writer_->write_number<double>(name, value);
+    }
+}
+
+void Archive::operator()(const std::string& name, std::int64_t& value) {
+    if (loading()) {
+        value = reader_->number<std::int64_t>(name);
+    } else if (writer_ != nullptr) {
+        writer_->write_number<std::int64_t>(name, value);
+    }
+}
+
+void Archive::operator()(const std::string& name, std::vector<double>& values) { array(name, values); }
+
+void Archive::operator()(const std::string& name, std::vector<Vector<double, 2>>& values) {
+    std::vector<double> flat;
+    for (const auto& value : values) flat.insert(flat.end(), {value[0], value[1]});
+    array(name, flat);
+    values.resize(flat.size() / 2);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = {{flat[2 * k], flat[2 * k + 1]}};
+}
+
+void Archive::operator()(const std::string& name, std::array<double, 3>& values) {
+    std::vector<double> three(values.begin(), values.end());
+    array(name, three);
+    if (three.size() != 3) reader_->refuse("'" + name + "' has not three numbers");
+    std::copy(three.begin(), three.end(), values.begin());
+}
+
+template <class T, class Of>
+void Archive::save_of_all(const std::string& name, std::size_t owned, const Of& of) {
+    std::vector<T> own(owned);
+    for (std::size_t i = 0; i < owned; ++i) own[i] = of(i);
+    std::vector<T> all = ranks_.gather_to_first(own);
+    array(name, all);
+}
+
+template <class T>
+std::vector<T> Archive::share(const std::string& name, std::uint64_t begin, std::uint64_t end) const {
+    if (reader_->length(name) < end) reader_->refuse("'" + name + "' is too short");
+    std::vector<T> values(end - begin);
+    reader_->read<T>(name, begin, std::span(values));
+    return values;
+}
+
+void Archive::operator()(const std::string& name, ParticleGroup& group) {
+    const auto array_name = [&](Field field, int axis) {
+        return name + "/" + std::string(info(field).name) + (info(field).is_vector ? "_" + std::to_string(axis) : "");
+    };
+    if (!loading()) {
+        const auto tags = group.tags();
+        save_of_all<std::int64_t>(name + "/id", group.owned(), [&](std::size_t i) { return tags[i].id; });
+        save_of_all<std::int32_t>(name + "/body", group.owned(), [&](std::size_t i) { return tags[i].body; });
+        save_of_all<std::uint16_t>(name + "/part", group.owned(), [&](std::size_t i) { return tags[i].part; });
+        for (const Field field : group.state())
+            for (int axis = 0; axis < group.axes(field); ++axis)
+                save_of_all<double>(array_name(field, axis), group.owned(),
+                                    [&](std::size_t i) { return group.data(field, axis)[i]; });
+        return;
+    }
+    const std::uint64_t count = reader_->length(name + "/id");
+    const auto rank = static_cast<std::uint64_t>(ranks_.rank()), ranks = static_cast<std::uint64_t>(ranks_.size());
+    const std::uint64_t begin = count * rank / ranks, end = count * (rank + 1) / ranks;
+    const auto id = share<std::int64_t>(name + "/id", begin, end);
+    const auto body = share<std::int32_t>(name + "/body", begin, end);
+    const auto part = share<std::uint16_t>(name + "/part", begin, end);
+    group.resize(end - begin, 0);
+    for (std::size_t i = 0; i < id.size(); ++i) group.tags()[i] = {id[i], body[i], part[i]};
+    for (const Field field : group.state())
+        for (int axis = 0; axis < group.axes(field); ++axis)
+            std::ranges::copy(share<double>(array_name(field, axis), begin, end), group.data(field, axis));
+}
+
+}  // namespace dmp

@@ -1,0 +1,50 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/hdf5_file.hpp"
+#include "solver/parallel/ranks.hpp"
+#include "solver/store/particle_store.hpp"
+#include "solver/sweeps/vector.hpp"
+
+namespace dmp {
+
+/// A state on its way into a checkpoint or out of one. Whoever has state names each value once, for both ways:
+///     void archive(Archive& file) { file("step", step_); file("time", time_); }
+/// Values are the same on all ranks, and all ranks call with the same names; particles are each rank's own. Saving, the
+/// first rank alone holds a file; loading, every rank reads.
+class Archive {
+  public:
+    /// `file` may be null on all ranks but the first.
+    Archive(const Ranks& ranks, Hdf5Writer* file) : ranks_(ranks), writer_(file) {}
+    Archive(const Ranks& ranks, const Hdf5Reader& file) : ranks_(ranks), reader_(&file) {}
+
+    [[nodiscard]] bool loading() const { return reader_ != nullptr; }
+
+    void operator()(const std::string& name, double& value);
+    void operator()(const std::string& name, std::int64_t& value);
+    void operator()(const std::string& name, std::vector<double>& values);
+    void operator()(const std::string& name, std::vector<Vector<double, 2>>& values);
+    void operator()(const std::string& name, std::array<double, 3>& values);
+    /// A group's owned particles, their tags and all they take along. Loading, each rank gets a share, wherever they
+    /// lie. Throws InputError when the group's fields are not those in the file.
+    void operator()(const std::string& name, ParticleGroup& group);
+
+  private:
+    template <class T>
+    void array(const std::string& name, std::vector<T>& values);
+    template <class T, class Of>
+    void save_of_all(const std::string& name, std::size_t owned, const Of& of);
+    template <class T>
+    std::vector<T> share(const std::string& name, std::uint64_t begin, std::uint64_t end) const;
+
+    const Ranks& ranks_;
+    Hdf5Writer* writer_ = nullptr;
+    const Hdf5Reader* reader_ = nullptr;
+};
+
+}  // namespace dmp

@@ -1,0 +1,100 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/state/checkpoints.hpp"
+
+#include <memory>
+#include <sstream>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "solver/state/checkpoint_file.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// The lines of a scene that results depend on.
+std::vector<std::string> lines_that_count(const std::string& scene) {
+    std::vector<std::string> lines;
+    std::istringstream text(scene);
+    for (std::string line; std::getline(text, line);)
+        if (!line.starts_with("threads = ")) lines.push_back(line);
+    return lines;
+}
+
+/// A few lines that are in one scene and not at their place in the other, with the table they stand in.
+std::string difference(const std::string& before, const std::string& now) {
+    const auto old_lines = lines_that_count(before), new_lines = lines_that_count(now);
+    constexpr int most = 5;
+    int shown = 0;
+    std::string text, table;
+    for (std::size_t k = 0; k < std::max(old_lines.size(), new_lines.size()); ++k) {
+        const std::string was = k < old_lines.size() ? old_lines[k] : "", is = k < new_lines.size() ? new_lines[k] : "";
+        if (is.starts_with("[")) table = is + " ";
+        if (was == is) continue;
+        if (++shown > most) return text + "\n  ...";
+        text += "\n  " + table + "was: " + was + "\n  " + table + "is:  " + is;
+    }
+    return text;
+}
+
+}  // namespace
+
+Checkpoints::Checkpoints(const Ranks& ranks, CheckpointOptions options)
+    : ranks_(ranks), options_(std::move(options)), folder_(options_.folder) {
+    if (wanted() && ranks_.is_first()) folder_.make();
+}
+
+bool Checkpoints::due() const {
+    return wanted() && options_.every > 0 &&
+           std::chrono::duration<double>(Clock::now() - last_).count() >= options_.every;
+}
+
+void Checkpoints::save(long step, const ArchiveAll& archive_all) {
+    std::string problem, what_to_do;
+    std::unique_ptr<CheckpointWriter> file;
+    // The other ranks must not wait for a first one that gave up: what it met is told to all at the end.
+    const auto on_first = [&](const auto& work) {
+        if (!ranks_.is_first() || !problem.empty()) return;
+        try {
+            work();
+        } catch (const ResourceError& error) {
+            problem = error.problem();
+            what_to_do = error.what_to_do();
+        }
+    };
+    on_first([&] {
+        file = std::make_unique<CheckpointWriter>(folder_.path_for(step));
+        file->contents().write_text("scene", options_.scene);
+    });
+    Archive archive(ranks_, file ? &file->contents() : nullptr);
+    try {
+        archive_all(archive);
+    } catch (const ResourceError& error) {
+        if (ranks_.size() > 1) throw;
+        problem = error.problem();
+        what_to_do = error.what_to_do();
+    }
+    on_first([&] {
+        file->finish();
+        folder_.keep_last_two(step);
+    });
+    ranks_.broadcast(problem);
+    ranks_.broadcast(what_to_do);
+    if (!problem.empty()) throw ResourceError(problem, what_to_do);
+    last_ = Clock::now();
+}
+
+FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const std::string& scene) {
+    const auto found = CheckpointFolder(folder).newest_good();
+    if (!found)
+        throw InputError("there is no checkpoint in " + folder.string() + " to resume from",
+                         "Leave out --resume to start the run, or give the folder of the run with --out.");
+    const std::string before = CheckpointReader(found->file).contents().text("scene");
+    if (lines_that_count(before) != lines_that_count(scene))
+        throw InputError({found->file.string()},
+                         "the scene is not the one this run was started with:" + difference(before, scene),
+                         "Resume with the scene as it was, or start a new run in another folder with --out.");
+    return *found;
+}
+
+}  // namespace dmp

@@ -1,0 +1,27 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/store/position_quantum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmp {
+
+PositionQuantum::PositionQuantum(const ParticleSpace& space) {
+    double farthest = space.spacing;
+    for (int axis = 0; axis < space.dimension; ++axis)
+        farthest = std::max({farthest, std::abs(space.box.low[axis]), std::abs(space.box.high[axis]),
+                             space.box.high[axis] - space.box.low[axis]});
+    // Eight times the farthest point is still below 2^51 quanta.
+    size_ = std::ldexp(1.0, std::ilogb(farthest) + 1 + 3 - 51);
+    magic_ = 1.5 * std::ldexp(size_, 52);
+}
+
+ParticleSpace with_whole_periods(ParticleSpace space, const PositionQuantum& quantum) {
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        space.box.low[axis] = quantum.round(space.box.low[axis]);
+        space.box.high[axis] = quantum.round(space.box.high[axis]);
+    }
+    return space;
+}
+
+}  // namespace dmp

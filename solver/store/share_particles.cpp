@@ -1,0 +1,63 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/store/share_particles.hpp"
+
+namespace dmp {
+
+namespace {
+
+struct SmallFacts {
+    int dimension;
+    double spacing;
+    std::array<double, 3> low, high;
+    std::array<bool, 3> periodic;
+};
+
+std::array<double, 3> three(const Vec& v) { return {v[0], v[1], v[2]}; }
+Vec vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+void share(std::vector<Vec>& vectors, const Ranks& ranks) {
+    std::vector<std::array<double, 3>> plain;
+    for (const Vec& v : vectors) plain.push_back(three(v));
+    ranks.broadcast(plain);
+    vectors.clear();
+    for (const auto& v : plain) vectors.push_back(vec(v));
+}
+
+void share_space(ParticleSpace& space, const Ranks& ranks) {
+    std::vector<SmallFacts> facts{
+        {space.dimension, space.spacing, three(space.box.low), three(space.box.high), space.periodic}};
+    ranks.broadcast(facts);
+    space.dimension = facts[0].dimension;
+    space.spacing = facts[0].spacing;
+    space.box = {vec(facts[0].low), vec(facts[0].high)};
+    space.periodic = facts[0].periodic;
+
+    std::vector<ParticleKind> kinds;
+    for (const auto& part : space.parts) kinds.push_back(part.kind);
+    ranks.broadcast(kinds);
+    space.parts.resize(kinds.size());
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        space.parts[k].kind = kinds[k];
+        ranks.broadcast(space.parts[k].name);
+    }
+}
+
+}  // namespace
+
+void share_particles(ParticleSet& particles, const Ranks& ranks) {
+    if (ranks.size() == 1) return;
+    share_space(particles, ranks);
+    share(particles.position, ranks);
+    share(particles.wall_normal, ranks);
+    ranks.broadcast(particles.volume);
+    ranks.broadcast(particles.mass);
+    ranks.broadcast(particles.part);
+    ranks.broadcast(particles.body);
+    ranks.broadcast(particles.fixed);
+    ranks.broadcast(particles.seated);
+    ranks.broadcast(particles.wall_distance);
+    ranks.broadcast(particles.bonds);
+    ranks.broadcast(particles.hinges);
+}
+
+}  // namespace dmp

@@ -1,0 +1,12 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/particle_set.hpp"
+#include "solver/parallel/ranks.hpp"
+
+namespace dmp {
+
+/// The first rank's particles on all ranks; each then takes up its share of them (ParticleStore).
+void share_particles(ParticleSet& particles, const Ranks& ranks);
+
+}  // namespace dmp

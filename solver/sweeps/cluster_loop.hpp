@@ -1,0 +1,38 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "solver/neighbours/cluster_list.hpp"
+
+namespace dmp {
+
+/// Particles that are worked on together, a cluster or the part of one that the lanes hold, and what is near them.
+struct Neighbourhood {
+    const ClusterList& list;
+    ParticleKind kind;   ///< of the cluster
+    std::size_t number;  ///< of the cluster
+    Cluster cluster;     ///< as much of it as the lanes hold
+
+    /// Indices into the group of `other`.
+    [[nodiscard]] std::span<const std::int32_t> of(ParticleKind other) const {
+        return list.neighbours(kind, number, other);
+    }
+};
+
+/// Calls visit(Neighbourhood) for every cluster of a kind, `width` of its particles at a time. Each particle is written
+/// by one thread alone.
+template <std::size_t Width, class Visit>
+void for_each_cluster(const ClusterList& list, ParticleKind kind, int threads, const Visit& visit) {
+    constexpr auto width = static_cast<std::int32_t>(Width);
+    const auto clusters = list.clusters(kind);
+    const auto count = static_cast<std::ptrdiff_t>(clusters.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t c = 0; c < count; ++c)
+        for (std::int32_t done = 0; done < clusters[c].count; done += width) {
+            const Cluster part{clusters[c].first + done, std::min(width, clusters[c].count - done)};
+            visit(Neighbourhood{list, kind, static_cast<std::size_t>(c), part});
+        }
+}
+
+}  // namespace dmp

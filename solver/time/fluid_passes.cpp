@@ -1,0 +1,174 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/time/fluid_passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dmp {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Calls visit(i) for the owned particles of a group.
+template <class Visit>
+void for_each_owned(const ParticleGroup& group, int threads, const Visit& visit) {
+    const auto count = static_cast<std::ptrdiff_t>(group.owned());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t i = 0; i < count; ++i) visit(i);
+}
+
+template <int D>
+std::array<double*, D> axes(ParticleGroup& group, Field field) {
+    std::array<double*, D> arrays{};
+    for (int axis = 0; axis < D; ++axis) arrays[axis] = group.data(field, axis);
+    return arrays;
+}
+
+/// Of a largest square that is infinite where a number was none.
+double root(double square) { return std::sqrt(square); }
+
+}  // namespace
+
+FluidPasses::FluidPasses(std::vector<TaitEquation> state_of_part, int threads)
+    : state_of_part_(std::move(state_of_part)), threads_(threads) {
+    one_state_ = std::all_of(state_of_part_.begin(), state_of_part_.end(), [&](const TaitEquation& state) {
+        return state.rest_density == state_of_part_.front().rest_density &&
+               state.sound_speed == state_of_part_.front().sound_speed;
+    });
+}
+
+void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
+    ParticleGroup& fluid = particles.fluid();
+    const PositionQuantum& quantum = particles.quantum();
+    for (int axis = 0; axis < particles.dimension(); ++axis) {
+        double* x = fluid.data(Field::position, axis);
+        const double* v = fluid.data(Field::velocity, axis);
+        for_each_owned(fluid, threads_, [=](std::ptrdiff_t i) { x[i] += quantum.round(dt * v[i]); });
+    }
+    for (ParticleGroup& group : particles.groups())
+        if (group.has(Field::density_rate)) {
+            update_density(group, dt);
+            update_pressure(group);
+        }
+}
+
+void FluidPasses::update_density(ParticleGroup& group, double dt) const {
+    double* density = group.data(Field::density);
+    const double* rate = group.data(Field::density_rate);
+    for_each_owned(group, threads_, [=](std::ptrdiff_t i) { density[i] += dt * rate[i]; });
+}
+
+void FluidPasses::update_pressure(ParticleGroup& group) const {
+    const double* density = group.data(Field::density);
+    const double* mass = group.data(Field::mass);
+    double* pressure = group.data(Field::pressure);
+    double* volume = group.data(Field::volume);
+    if (one_state_) {
+        const TaitEquation state = state_of_part_.front();
+        for_each_owned(group, threads_, [=](std::ptrdiff_t i) {
+            pressure[i] = state.pressure(density[i]);
+            volume[i] = mass[i] / density[i];
+        });
+    } else {
+        const auto tags = group.tags();
+        for_each_owned(group, threads_, [=, this](std::ptrdiff_t i) {
+            pressure[i] = state_of_part_[tags[i].part].pressure(density[i]);
+            volume[i] = mass[i] / density[i];
+        });
+    }
+}
+
+void FluidPasses::update_pressure(ParticleStore& particles) const {
+    for (ParticleGroup& group : particles.groups())
+        if (group.has(Field::density_rate)) update_pressure(group);
+}
+
+double FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    const double* mass = fluid.data(Field::mass);
+    std::array<double*, 3> v{};
+    std::array<const double*, 3> force{};
+    for (int axis = 0; axis < fluid.dimension(); ++axis) {
+        v[axis] = fluid.data(Field::velocity, axis);
+        force[axis] = fluid.data(Field::force, axis);
+    }
+    const auto pass = [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        double fastest = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest)
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            double square = 0;
+            for (int axis = 0; axis < D; ++axis) {
+                v[axis][i] += dt * (force[axis][i] / mass[i] + g[axis]);
+                square += v[axis][i] * v[axis][i];
+            }
+            fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
+        }
+        return fastest;
+    };
+    return root(fluid.dimension() == 3 ? pass(std::integral_constant<int, 3>{})
+                                       : pass(std::integral_constant<int, 2>{}));
+}
+
+template <int D>
+PassExtremes FluidPasses::drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const {
+    ParticleGroup& fluid = particles.fluid();
+    const PositionQuantum quantum = particles.quantum();
+    const auto x = axes<D>(fluid, Field::position), v = axes<D>(fluid, Field::velocity);
+    const bool shifts = shift.per_sum != 0;
+    const auto sum = axes<D>(fluid, shifts ? Field::shift : Field::velocity);
+    const double per_sum_square = shift.per_sum * shift.per_sum, longest_square = shift.longest * shift.longest;
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    double farthest = 0;
+    if (!shifts) {
+#pragma omp parallel for num_threads(threads_) schedule(static)
+        for (std::ptrdiff_t i = 0; i < count; ++i)
+            for (int axis = 0; axis < D; ++axis) x[axis][i] += quantum.round(dt * v[axis][i]);
+    } else {
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : farthest)
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            double square = 0;
+            for (int axis = 0; axis < D; ++axis) square += sum[axis][i] * sum[axis][i];
+            const double length_square = per_sum_square * square;
+            const double shortened = length_square > longest_square ? std::sqrt(longest_square / length_square) : 1;
+            for (int axis = 0; axis < D; ++axis)
+                x[axis][i] += quantum.round(dt * v[axis][i] + shortened * shift.per_sum * sum[axis][i]);
+            farthest = std::max(farthest, std::min(length_square, longest_square));
+        }
+    }
+    PassExtremes extremes;
+    extremes.longest_shift = std::sqrt(farthest);
+    return extremes;
+}
+
+PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const {
+    PassExtremes extremes = particles.dimension() == 3 ? drift_and_shift<3>(particles, dt, shift)
+                                                       : drift_and_shift<2>(particles, dt, shift);
+    for (ParticleGroup& group : particles.groups())
+        if (group.has(Field::density_rate)) update_density(group, dt);
+    return extremes;
+}
+
+PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    const double* density = fluid.data(Field::density);
+    std::array<const double*, 3> v{};
+    for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
+    const auto tags = fluid.tags();
+    double fastest = 0, low = infinity, high = -infinity;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest, high) reduction(min : low)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
+        fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
+        const TaitEquation& state = one_state_ ? state_of_part_.front() : state_of_part_[tags[i].part];
+        const double relative = density[i] / state.rest_density;
+        low = std::min(low, relative);
+        high = std::max(high, relative);
+    }
+    return {root(fastest), 0, low, high};
+}
+
+}  // namespace dmp

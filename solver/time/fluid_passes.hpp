@@ -1,0 +1,54 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/models/sph/tait.hpp"
+#include "solver/store/particle_store.hpp"
+
+namespace dmp {
+
+/// What a pass over the fluid found on the way.
+struct PassExtremes {
+    double largest_speed = 0;                  ///< [m/s]; infinite when any velocity is not finite
+    double longest_shift = 0;                  ///< [m]
+    double density_low = 0, density_high = 0;  ///< relative to the rest density [-]
+};
+
+/// How far shifting moves a particle for a unit of its sum.
+struct ShiftStep {
+    double per_sum = 0;  ///< [m^2]
+    double longest = 0;  ///< [m]
+};
+
+/// The passes over particles, one by one, that a fluid step makes between its sweeps over pairs. Each does in one go
+/// what it can while a particle's values are at hand: they cost memory traffic, not arithmetic.
+class FluidPasses {
+  public:
+    /// Equations of state by part number.
+    FluidPasses(std::vector<TaitEquation> state_of_part, int threads);
+
+    /// x += dt v, rho += dt drho/dt (also of solids that carry a density), then pressure and volume.
+    void drift_to_middle(ParticleStore& particles, double dt) const;
+    /// v += dt (F / m + g).
+    [[nodiscard]] double kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const;
+    /// x += dt v + shift, rho += dt drho/dt.
+    [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
+
+    /// Pressure and volume from density.
+    void update_pressure(ParticleStore& particles) const;
+    [[nodiscard]] PassExtremes extremes(const ParticleGroup& fluid) const;
+
+  private:
+    template <int D>
+    [[nodiscard]] PassExtremes drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const;
+    void update_density(ParticleGroup& group, double dt) const;
+    void update_pressure(ParticleGroup& group) const;
+
+    std::vector<TaitEquation> state_of_part_;
+    bool one_state_;  ///< all parts share one equation
+    int threads_;
+};
+
+}  // namespace dmp
