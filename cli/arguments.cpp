@@ -57,6 +57,7 @@ class Parser {
         app_.get_formatter()->column_width(26);
         add_run();
         add_mesh();
+        add_convert();
         add_explain();
         doctor_app_ = app_.add_subcommand("doctor", "Is this machine all right? What is slow, small or missing");
         for (CLI::App* command : app_.get_subcommands({})) command->group("Commands");
@@ -76,6 +77,7 @@ class Parser {
         }
         if (*run_app_) return run_;
         if (*mesh_app_) return mesh_;
+        if (*convert_app_) return convert_;
         if (*explain_app_) return explain_;
         if (*doctor_app_) return DoctorCommand{};
         return PrintCommand{help_of(app_)};
@@ -115,6 +117,15 @@ class Parser {
             ->type_name("DIR");
         mesh_app_->footer(
             examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\""}));
+    }
+
+    void add_convert() {
+        convert_app_ = app_.add_subcommand("convert", "Make ParaView's files of the HDF5 frames that a run left");
+        convert_app_
+            ->add_option("DIR", convert_.folder, "The run's folder, the one with frames/ in it; the files go there")
+            ->required()
+            ->type_name("");
+        convert_app_->footer(examples(program_, {"convert out/vein_valve"}));
     }
 
     void add_explain() {
@@ -169,6 +180,7 @@ class Parser {
     static std::string plain(const CLI::ParseError& error) {
         std::string text = error.what();
         if (text.starts_with("SCENE is required")) return "a scene is missing";
+        if (text.starts_with("DIR is required")) return "a folder is missing";
         if (text.starts_with("SCENE|KEY is required")) return "a scene or a key is missing";
         return text;
     }
@@ -201,10 +213,12 @@ class Parser {
     CLI::App app_;
     CLI::App* run_app_ = nullptr;
     CLI::App* mesh_app_ = nullptr;
+    CLI::App* convert_app_ = nullptr;
     CLI::App* explain_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
     RunCommand run_;
     MeshCommand mesh_;
+    ConvertCommand convert_;
     ExplainCommand explain_;
 };
 

@@ -31,6 +31,11 @@ struct MeshCommand {
     std::string out;  ///< empty: out/NAME_mesh below the current folder
 };
 
+/// `dmp convert`: ParaView's files from the HDF5 frames of a run.
+struct ConvertCommand {
+    std::string folder;  ///< of the run; the files go there
+};
+
 /// `dmp explain`: what a scene will run and why, or what a key means.
 struct ExplainCommand {
     SceneChoice subject;  ///< path: the scene or the key
@@ -45,11 +50,12 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, MeshCommand, ExplainCommand, DoctorCommand, PrintCommand>;
+using Command = std::variant<RunCommand, MeshCommand, ConvertCommand, ExplainCommand, DoctorCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
 int execute(const MeshCommand& command);
+int execute(const ConvertCommand& command);
 int execute(const ExplainCommand& command);
 int execute(const DoctorCommand& command);
 int execute(const PrintCommand& command);

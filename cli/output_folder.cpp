@@ -12,6 +12,8 @@
 #include "cli/text.hpp"
 #include "postproc/paraview_script.hpp"
 #include "postproc/tables.hpp"
+#include "solver/output/frame_file.hpp"
+#include "solver/output/hdf5_sink.hpp"
 
 namespace dmp::cli {
 
@@ -19,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> marks{"fluid.pvd", "solid.pvd", "walls.vtp", summary_file_name,
-                                                resolved_scene_name};
+constexpr std::array<std::string_view, 6> marks{"fluid.pvd",      "solid.pvd",       "walls.vtp",
+                                                frame_index_name, summary_file_name, resolved_scene_name};
 
 bool is_own(const fs::path& file) {
     const std::string name = file.filename().string();
@@ -37,7 +39,8 @@ bool is_of_dmp(const fs::path& folder) {
 
 /// Removes dmp's own files; a folder frames/ left empty goes too.
 std::size_t remove_own(const fs::path& folder) {
-    std::size_t removed = 0;
+    std::size_t removed = frame_files(folder).size();
+    remove_frames(folder, 0);
     for (const auto& place : {folder / "frames", folder}) {
         if (!fs::is_directory(place)) continue;
         for (const auto& entry : fs::directory_iterator(place)) {

@@ -6,9 +6,9 @@
 
 #include "cli/commands.hpp"
 #include "mesher/mesh.hpp"
-#include "postproc/run_label.hpp"
 #include "scene/scene.hpp"
 #include "solver/parallel/ranks.hpp"
+#include "solver/run_label.hpp"
 
 namespace dmp::cli {
 

@@ -17,6 +17,8 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 
+#include "solver/frame_check.hpp"
+
 namespace dmp {
 
 namespace {
@@ -42,30 +44,6 @@ vtkSmartPointer<vtkStringArray> named_strings(const std::string& name, const std
     array->SetName(name.c_str());
     for (const std::string& value : values) array->InsertNextValue(value);
     return array;
-}
-
-void check_length(const FrameGroup& group, const std::string& what, std::size_t found, std::size_t expected) {
-    if (found != expected)
-        throw std::invalid_argument("frame group '" + group.name + "': " + what + " has " + std::to_string(found) +
-                                    " values, expected " + std::to_string(expected));
-}
-
-void check(const FrameGroup& group) {
-    const auto check_field = [&](const FrameField& field, std::size_t count) {
-        if (field.components != 1 && field.components != 3)
-            throw std::invalid_argument("frame group '" + group.name + "': field " + field.name + " has " +
-                                        std::to_string(field.components) + " components, expected 1 or 3");
-        check_length(group, "field " + field.name, field.values.size(),
-                     count * static_cast<std::size_t>(field.components));
-    };
-    check_length(group, "position", group.position.size(), 3 * group.size());
-    check_length(group, "part", group.part.size(), group.size());
-    check_length(group, "bond_ends", group.bond_ends.size(), 2 * group.bonds());
-    for (const FrameField& field : group.fields) check_field(field, group.size());
-    for (const FrameField& field : group.bond_fields) check_field(field, group.bonds());
-    const auto outside = [&](std::int32_t end) { return end < 0 || static_cast<std::size_t>(end) >= group.size(); };
-    if (std::any_of(group.bond_ends.begin(), group.bond_ends.end(), outside))
-        throw std::invalid_argument("frame group '" + group.name + "': a bond names a particle outside the group");
 }
 
 /// Cells of `corners` points each, with 32 bit numbers: half the bytes.
@@ -146,7 +124,7 @@ std::string text_of(vtkFieldData& field_data, const std::string& name) {
 }
 
 vtkSmartPointer<vtkPolyData> to_polydata(const Frame& frame, const FrameGroup& group, const RunLabel& label) {
-    check(group);
+    if (const std::string problem = problem_with(group); !problem.empty()) throw std::invalid_argument(problem);
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     points->SetData(named_array<vtkFloatArray>("position", 3, group.position));

@@ -7,7 +7,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "postproc/run_label.hpp"
+#include "solver/run_label.hpp"
 #include "solver/frame.hpp"
 
 namespace dmp {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/run_label.hpp"
+#include "solver/run_label.hpp"
 #include "solver/frame.hpp"
 #include "solver/simulation.hpp"
 

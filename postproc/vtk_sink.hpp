@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/run_label.hpp"
+#include "solver/run_label.hpp"
 #include "solver/frame.hpp"
 
 namespace dmp {

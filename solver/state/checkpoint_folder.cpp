@@ -1,13 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/state/checkpoint_folder.hpp"
 
-#include <charconv>
-#include <iomanip>
-#include <sstream>
-#include <string_view>
-#include <system_error>
+#include <functional>
+#include <map>
 
 #include "base/errors.hpp"
+#include "base/numbered_files.hpp"
 #include "base/safe_file.hpp"
 #include "solver/state/checkpoint_file.hpp"
 
@@ -17,66 +15,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view prefix = "step_", ending = ".h5";
-
-std::string name_of(long step) {
-    std::ostringstream name;
-    name << prefix << std::setw(9) << std::setfill('0') << step << ending;
-    return name.str();
+const NumberedFiles& files() {
+    static const NumberedFiles kind("step_", 9, ".h5");
+    return kind;
 }
 
-/// The step that a file is named for; none for other files' names.
-std::optional<long> step_of(const std::string& name) {
-    if (!name.starts_with(prefix) || !name.ends_with(ending)) return {};
-    long step = 0;
-    const char* const last = name.data() + name.size() - ending.size();
-    const auto [end, failed] = std::from_chars(name.data() + prefix.size(), last, step);
-    if (failed != std::errc() || end != last || step < 0 || name != name_of(step)) return {};
-    return step;
-}
-
-/// Is this a file that a CheckpointWriter began and did not finish?
-bool is_unfinished(const fs::path& file) {
-    const auto finished = finished_name(file);
-    return finished && step_of(finished->filename().string());
-}
-
-[[noreturn]] void throw_folder_error(const fs::path& folder, const std::error_code& failed) {
-    throw InputError(Place{folder.string(), 0, 0}, "cannot be looked into: " + failed.message(),
-                     "Check that it is a folder and that you may read it.");
-}
-
-/// The files in the folder; none when there is no folder.
-std::vector<fs::path> files_in(const fs::path& folder) {
-    std::error_code failed;
-    std::vector<fs::path> files;
-    if (!fs::exists(folder, failed) && !failed) return files;
-    fs::directory_iterator entry(folder, failed);
-    for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) files.push_back(entry->path());
-    if (failed) throw_folder_error(folder, failed);
-    return files;
-}
-
-void remove_checkpoint(const fs::path& file) {
-    std::error_code failed;
-    fs::remove(file, failed);
-    if (failed)
-        throw ResourceError("cannot remove the old checkpoint '" + file.string() + "': " + failed.message(),
-                            "Check that you may write to its folder.");
+/// The checkpoints in a folder, by step.
+std::map<long, fs::path, std::greater<>> newest_first(const fs::path& folder) {
+    const auto found = files().in(folder);
+    return {found.begin(), found.end()};
 }
 
 }  // namespace
 
 void CheckpointFolder::make() const { make_folder(folder_); }
 
-fs::path CheckpointFolder::path_for(long step) const { return folder_ / name_of(step); }
-
-CheckpointFolder::NewestFirst CheckpointFolder::checkpoints() const {
-    NewestFirst found;
-    for (const fs::path& file : files_in(folder_))
-        if (const auto step = step_of(file.filename().string())) found.emplace(*step, file);
-    return found;
-}
+fs::path CheckpointFolder::path_for(long step) const { return folder_ / files().name(step); }
 
 std::string CheckpointFolder::problem_with(long step, const fs::path& file) {
     if (good_.contains(step)) return "";
@@ -96,8 +50,7 @@ std::optional<FoundCheckpoint> CheckpointFolder::newest_good() {
         std::string problem;
     };
     std::vector<Bad> bad;
-    const auto all = checkpoints();
-    for (const auto& [step, file] : all) {
+    for (const auto& [step, file] : newest_first(folder_)) {
         const std::string problem = problem_with(step, file);
         if (!problem.empty()) {
             bad.push_back({file, problem});
@@ -120,18 +73,16 @@ std::optional<FoundCheckpoint> CheckpointFolder::newest_good() {
 void CheckpointFolder::keep_last_two(long written) {
     good_.insert(written);
     std::optional<long> before;
-    const auto all = checkpoints();
-    for (const auto& [step, file] : all) {
+    for (const auto& [step, file] : newest_first(folder_)) {
         if (step == written) continue;
         if (step < written && !before && problem_with(step, file).empty()) {
             before = step;
             continue;
         }
         good_.erase(step);
-        remove_checkpoint(file);
+        remove_file(file);
     }
-    for (const fs::path& file : files_in(folder_))
-        if (is_unfinished(file)) remove_checkpoint(file);
+    for (const fs::path& file : files().unfinished_in(folder_)) remove_file(file);
 }
 
 }  // namespace dmp

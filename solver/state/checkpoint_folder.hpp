@@ -2,8 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -39,9 +37,6 @@ class CheckpointFolder {
     void keep_last_two(long written);
 
   private:
-    using NewestFirst = std::map<long, std::filesystem::path, std::greater<>>;
-
-    [[nodiscard]] NewestFirst checkpoints() const;
     /// What is wrong with it, "" if nothing; a good one is read once only.
     [[nodiscard]] std::string problem_with(long step, const std::filesystem::path& file);
 

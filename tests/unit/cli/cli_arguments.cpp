@@ -66,8 +66,9 @@ TEST(Arguments, ANegativeTimeReachesTheCommand) {
     EXPECT_EQ(std::get<RunCommand>(read({"run", "x", "--until", "-1 s"})).until, "-1 s");
 }
 
-TEST(Arguments, MeshExplainAndDoctor) {
+TEST(Arguments, MeshConvertExplainAndDoctor) {
     EXPECT_EQ(std::get<MeshCommand>(read({"mesh", "x", "--out", "y"})).out, "y");
+    EXPECT_EQ(std::get<ConvertCommand>(read({"convert", "out/x"})).folder, "out/x");
     EXPECT_EQ(std::get<ExplainCommand>(read({"explain", "particles.spacing"})).subject.path, "particles.spacing");
     EXPECT_TRUE(std::holds_alternative<DoctorCommand>(read({"doctor"})));
 }
@@ -82,7 +83,7 @@ TEST(Arguments, UnknownCommandNamesTheNearest) {
 TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
-    EXPECT_THAT(error.what_to_do(), HasSubstr("'run', 'mesh', 'explain' and 'doctor'"));
+    EXPECT_THAT(error.what_to_do(), HasSubstr("'run', 'mesh', 'convert', 'explain' and 'doctor'"));
 }
 
 TEST(Arguments, UnknownOptionNamesTheNearest) {
@@ -101,6 +102,7 @@ TEST(Arguments, AWordTooManyIsAnError) {
 TEST(Arguments, MissingSceneValueAndBadNumberAreErrors) {
     EXPECT_EQ(error_of({"run"}).problem(), "a scene is missing");
     EXPECT_EQ(error_of({"explain"}).problem(), "a scene or a key is missing");
+    EXPECT_EQ(error_of({"convert"}).problem(), "a folder is missing");
     EXPECT_THAT(error_of({"run", "x", "--out"}).problem(), HasSubstr("--out"));
     EXPECT_THAT(error_of({"run", "x", "--threads", "0"}).problem(), HasSubstr("--threads"));
     EXPECT_THAT(error_of({"run", "x", "--threads", "two"}).problem(), HasSubstr("two"));
@@ -109,7 +111,7 @@ TEST(Arguments, MissingSceneValueAndBadNumberAreErrors) {
 TEST(Arguments, HelpShowsCommandsExamplesAndExitCodes) {
     const std::string help = text_of({"--help"});
     for (const char* word :
-         {"run", "mesh", "explain", "doctor", "Examples:", "dmp run cases/vein_valve", "Exit codes:"}) {
+         {"run", "mesh", "convert", "explain", "doctor", "Examples:", "dmp run cases/vein_valve", "Exit codes:"}) {
         EXPECT_THAT(help, HasSubstr(word));
     }
     EXPECT_EQ(text_of({}), help);

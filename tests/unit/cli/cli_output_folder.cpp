@@ -63,6 +63,15 @@ TEST_F(OutputFolder, OfAnEarlierRunLosesThatRunsFilesOnly) {
     for (const char* name : {"notes.txt", "my_plot.png", "frames/other.vtp"}) EXPECT_TRUE(has(name)) << name;
 }
 
+TEST_F(OutputFolder, OfAnEarlierRunLosesItsHdf5Frames) {
+    for (const char* name : {"frames.json", "frames/frame_000000.h5", "frames/frame_000001.h5", "frames/mine.h5"})
+        put(name);
+    EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 3 files of an earlier run"));
+    for (const char* name : {"frames.json", "frames/frame_000000.h5", "frames/frame_000001.h5"})
+        EXPECT_FALSE(has(name)) << name;
+    EXPECT_TRUE(has("frames/mine.h5"));
+}
+
 TEST_F(OutputFolder, OfAnEarlierRunLosesItsEmptyFramesFolder) {
     put("fluid.pvd");
     put("frames/fluid_000001.vtp");
