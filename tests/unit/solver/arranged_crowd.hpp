@@ -32,8 +32,10 @@ struct Arrangement {
 };
 
 /// Pair terms as a scene may set them, for a crowd.
-inline PairSettings crowd_settings(const ParticleSet& set, bool with_extras) {
+inline PairSettings crowd_settings(const ParticleSet& set, bool with_extras,
+                                   WallModel walls = WallModel::extrapolated) {
     PairSettings settings;
+    settings.walls = walls;
     settings.spacing = set.spacing;
     settings.support = 3 * set.spacing;
     settings.sound_speed = 20;

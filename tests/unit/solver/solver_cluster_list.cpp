@@ -47,11 +47,20 @@ Clusters sorted_with_copies(ParticleStore& particles, double reach) {
 struct Space {
     int dimension;
     std::array<bool, 3> periodic;
+    bool strays = false;  ///< some particles stand far outside the box
 };
+
+ParticleSet crowd_in(const Space& space) {
+    ParticleSet set = crowd(space.dimension, space.periodic);
+    for (std::size_t i = 0; space.strays && i < 40; i += 10)
+        for (int axis = 0; axis < space.dimension; ++axis)
+            set.position[i][axis] += (axis == 1 ? -1e6 : 1e6) * set.spacing;
+    return set;
+}
 
 class ClusterListIn : public testing::TestWithParam<Space> {
   protected:
-    ClusterListIn() : set(crowd(GetParam().dimension, GetParam().periodic)), particles(set, {1000, 1000, 1000}) {
+    ClusterListIn() : set(crowd_in(GetParam())), particles(set, {1000, 1000, 1000}) {
         list.build(particles, clusters, reach, 1);
     }
 
@@ -179,12 +188,13 @@ INSTANTIATE_TEST_SUITE_P(Periodic, ClusterListIn,
                          testing::Values(Space{2, {false, false, false}}, Space{2, {true, false, false}},
                                          Space{2, {false, true, false}}, Space{2, {true, true, false}},
                                          Space{3, {false, false, false}}, Space{3, {false, false, true}},
-                                         Space{3, {true, true, false}}, Space{3, {true, true, true}}),
+                                         Space{3, {true, true, false}}, Space{3, {true, true, true}},
+                                         Space{2, {false, false, false}, true}, Space{3, {false, false, false}, true}),
                          [](const auto& space) {
                              std::string name = std::to_string(space.param.dimension) + "d_";
                              for (int axis = 0; axis < 3; ++axis)
                                  name += space.param.periodic[axis] ? "xyz"[axis] : '_';
-                             return name;
+                             return name + (space.param.strays ? "_strays" : "");
                          });
 
 TEST(ClusterList, of_nobody_is_empty) {

@@ -182,9 +182,8 @@ class PairSweepsOf : public testing::TestWithParam<Variant> {
   protected:
     PairSweepsOf()
         : set(crowd(std::get<int>(GetParam()), {true, false, std::get<int>(GetParam()) == 3}, 3)),
-          settings(crowd_settings(set, std::get<bool>(GetParam()))) {
+          settings(crowd_settings(set, std::get<bool>(GetParam()), std::get<WallModel>(GetParam()))) {
         settings.kernel = std::get<KernelKind>(GetParam());
-        settings.walls = std::get<WallModel>(GetParam());
     }
 
     ParticleSet set;
@@ -255,9 +254,7 @@ TEST(PairSweeps, declare_only_the_fields_they_need) {
     const ParticleSet set = crowd(2, {false, false, false});
     const auto declared = [&](WallModel walls, bool extras) {
         ParticleStore particles(set, {1000, 1000, 1000});
-        PairSettings settings = crowd_settings(set, extras);
-        settings.walls = walls;
-        make_pair_sweeps(settings, particles);
+        make_pair_sweeps(crowd_settings(set, extras, walls), particles);
         return particles;
     };
     const ParticleStore bare = declared(WallModel::extrapolated, false), plain = declared(WallModel::plain, false);

@@ -1,0 +1,196 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "arranged_crowd.hpp"
+#include "solver/sweeps/lanes.hpp"
+#include "solver/sweeps/order_free.hpp"
+
+namespace dmp {
+namespace {
+
+using testing_solver::ArrangedCrowd;
+using testing_solver::Arrangement;
+using testing_solver::crowd;
+using testing_solver::crowd_settings;
+using testing_solver::Sums;
+
+constexpr double largest_term = 3.7;
+
+/// As a sum over neighbours may have them: a few far larger than was expected.
+std::vector<double> some_terms(unsigned seed, std::size_t count = 200) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    std::vector<double> terms(count);
+    for (std::size_t k = 0; k < count; ++k)
+        terms[k] = largest_term * unit(random) * (k % 50 == 0 ? 15 : std::pow(10.0, 5 * unit(random) - 5));
+    return terms;
+}
+
+template <class Rounded>
+double sum_of(const std::vector<double>& terms, const Rounded& rounded) {
+    double sum = 0;
+    for (const double term : terms) sum += rounded(term);
+    return sum;
+}
+
+TEST(OrderFree, sums_are_the_same_bits_in_any_order) {
+    const OrderFree order_free(largest_term);
+    const auto as_it_is = [](double term) { return term; };
+    std::mt19937 random(2);
+    int unlike = 0;
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        std::vector<double> terms = some_terms(seed);
+        const double sum = sum_of(terms, order_free), plain = sum_of(terms, as_it_is);
+        for (int k = 0; k < 200; ++k) {
+            std::shuffle(terms.begin(), terms.end(), random);
+            EXPECT_EQ(sum_of(terms, order_free), sum);
+            unlike += sum_of(terms, as_it_is) == plain ? 0 : 1;
+        }
+    }
+    EXPECT_GT(unlike, 100) << "terms that are never rounded show nothing";
+}
+
+TEST(OrderFree, sums_are_right_within_half_a_quantum_a_term) {
+    const OrderFree order_free(largest_term);
+    for (unsigned seed = 1; seed < 50; ++seed) {
+        const std::vector<double> terms = some_terms(seed);
+        long double exact = 0;
+        for (const double term : terms) exact += term;
+        const double error = static_cast<double>(std::abs(sum_of(terms, order_free) - exact));
+        EXPECT_LT(error, 0.51 * static_cast<double>(terms.size()) * order_free.quantum());
+    }
+}
+
+TEST(OrderFree, quantum_is_a_power_of_two_2_to_46_times_below_the_largest_term) {
+    for (const double largest : {1e-30, 0.99, 1.0, largest_term, 1.7e20}) {
+        const OrderFree order_free(largest);
+        int exponent = 0;
+        EXPECT_EQ(std::frexp(order_free.quantum(), &exponent), 0.5);
+        EXPECT_LE(order_free.quantum(), std::ldexp(largest, -46));
+        EXPECT_GT(order_free.quantum(), std::ldexp(largest, -47));
+        EXPECT_EQ(order_free(0.4 * order_free.quantum()), 0);
+        EXPECT_EQ(order_free(0.6 * order_free.quantum()), order_free.quantum());
+    }
+}
+
+TEST(OrderFree, terms_and_their_opposites_cancel) {
+    const OrderFree order_free(largest_term);
+    std::vector<double> terms = some_terms(4, 1000);
+    for (int halves = -5; halves < 6; ++halves) terms.push_back(0.5 * halves * order_free.quantum());  // ties
+    for (const double term : terms) EXPECT_EQ(order_free(term), -order_free(-term));
+    const std::size_t count = terms.size();
+    for (std::size_t k = 0; k < count; ++k) terms.push_back(-terms[k]);
+    std::shuffle(terms.begin(), terms.end(), std::mt19937(7));
+    EXPECT_EQ(sum_of(terms, order_free), 0);
+}
+
+TEST(OrderFree, rounds_vectors_and_lanes_as_numbers) {
+    const OrderFree order_free(largest_term);
+    const std::vector<double> terms = some_terms(5, 2 * Lanes::width);
+    Vector<Lanes, 2> wide{};
+    for (std::size_t k = 0; k < Lanes::width; ++k)
+        for (int axis = 0; axis < 2; ++axis) wide[axis].set(k, terms[2 * k + axis]);
+    const auto rounded = order_free(wide);
+    for (std::size_t k = 0; k < Lanes::width; ++k)
+        for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(rounded[axis][k], order_free(terms[2 * k + axis]));
+}
+
+using Variant = std::tuple<int, WallModel>;
+
+/// Forces, density rates and shifts of a crowd with all models, in a box that is periodic all around.
+class SumsOver : public testing::TestWithParam<Variant> {
+  protected:
+    [[nodiscard]] Sums in(const Arrangement& arrangement) const {
+        return ArrangedCrowd(set, settings, arrangement).sweep();
+    }
+    void expect_same(const Arrangement& arrangement) const {
+        const Sums found = in(arrangement);
+        for (std::size_t id = 0; id < set.size(); ++id) {
+            EXPECT_EQ(found.force[id], usual.force[id]) << "particle " << id;
+            EXPECT_EQ(found.density_rate[id], usual.density_rate[id]) << "particle " << id;
+            EXPECT_EQ(found.shift[id], usual.shift[id]) << "particle " << id;
+        }
+    }
+
+    ParticleSet set = crowd(std::get<int>(GetParam()), {true, true, std::get<int>(GetParam()) == 3}, 9);
+    PairSettings settings = crowd_settings(set, true, std::get<WallModel>(GetParam()));
+    Sums usual = in({});
+};
+
+TEST_P(SumsOver, do_not_depend_on_the_vector_unit) {
+    for (const VectorUnit unit : available_vector_units()) {
+        SCOPED_TRACE(word(unit));
+        expect_same({.vector_unit = unit});
+    }
+}
+
+TEST_P(SumsOver, do_not_depend_on_the_number_of_threads) {
+    for (const int threads : {2, 3}) expect_same({.threads = threads});
+}
+
+TEST_P(SumsOver, do_not_depend_on_the_order_of_the_particles) {
+    for (const unsigned seed : {1U, 2U, 3U}) expect_same({.shuffled = seed});
+}
+
+TEST_P(SumsOver, do_not_depend_on_how_far_the_lists_look) {
+    for (const double farther : {0.02, 0.1, 0.25}) expect_same({.extra_reach = farther});
+}
+
+TEST_P(SumsOver, do_not_depend_on_where_particles_were_wrapped) { expect_same({.wrapped = true}); }
+
+TEST_P(SumsOver, do_not_depend_on_where_the_border_lies) {
+    expect_same({.displaced = Vec(0.31, -0.47, set.dimension == 3 ? 0.123 : 0)});
+    expect_same({.displaced = Vec(-1.7, 5.3, set.dimension == 3 ? 0.4 : 0)});
+}
+
+TEST_P(SumsOver, do_not_depend_on_all_of_it_at_once) {
+    for (const VectorUnit unit : available_vector_units())
+        expect_same({.vector_unit = unit,
+                     .threads = 3,
+                     .extra_reach = 0.13,
+                     .shuffled = 17,
+                     .wrapped = true,
+                     .displaced = Vec(0.77, 0.05, set.dimension == 3 ? -0.3 : 0)});
+}
+
+TEST_P(SumsOver, tell_one_state_from_another) {
+    settings.sound_speed *= 1.01;  // only diffusion of density knows it
+    const Sums other = in({});
+    EXPECT_NE(other.density_rate, usual.density_rate);
+    EXPECT_EQ(other.shift, usual.shift);
+}
+
+TEST_P(SumsOver, of_fluid_and_bodies_without_walls_leave_no_force_in_all) {
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::rigid) continue;
+        set.part[i] = 0;
+        set.wall_normal[i] = Vec::Zero();
+        set.wall_distance[i] = 0;
+    }
+    for (const VectorUnit unit : available_vector_units()) {
+        const Sums sums = in({.vector_unit = unit});
+        for (int axis = 0; axis < set.dimension; ++axis) {
+            double total = 0;  // of multiples of one quantum: exact
+            for (const Vec& force : sums.force) total += force[axis];
+            EXPECT_EQ(total, 0) << word(unit) << ", axis " << axis;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Crowds, SumsOver,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(WallModel::extrapolated, WallModel::plain)),
+                         [](const auto& variant) {
+                             return std::to_string(std::get<int>(variant.param)) + "d_" +
+                                    word(std::get<WallModel>(variant.param));
+                         });
+
+}  // namespace
+}  // namespace dmp
