@@ -33,7 +33,9 @@ std::vector<PeriodicImage> periodic_images(const Coordinates& points, std::size_
 double wrapped(double x, double low, double high) {
     if (x >= low && x < high) return x;
     const double period = high - low;
-    const double moved = x - period * std::floor((x - low) / period);
+    double moved = x - period * std::floor((x - low) / period);
+    if (moved < low) moved += period;  // the quotient was rounded up to a whole number
+    if (moved >= high) moved -= period;
     if (moved < low || moved >= high) return low;  // x a rounding error away from a whole number of periods
     return moved;
 }

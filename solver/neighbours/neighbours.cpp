@@ -36,7 +36,10 @@ double Neighbours::best_skin() const {
 void Neighbours::renew(ParticleStore& particles) {
     skin_ = best_skin();
     const double reach = support_ + skin_;
-    domain_.migrate(particles.groups());
+    GroupList groups;
+    for (ParticleGroup& group : particles.groups()) groups.push_back(&group);
+    if (ranks_->size() > 1) balance(groups);
+    domain_.migrate(groups);
     std::array<std::vector<Cluster>, 3> clusters;
     for (std::size_t kind = 0; kind < clusters.size(); ++kind) {
         ParticleGroup& group = particles.groups()[kind];
@@ -44,9 +47,48 @@ void Neighbours::renew(ParticleStore& particles) {
         halos_[kind].build(group, domain_, reach);
     }
     list_.build(particles, std::move(clusters), reach, threads_);
+    if (ranks_->size() > 1) {
+        weights_ = measured_weights(particles);
+        imbalance_ = domain_.imbalance(groups, weights_);
+    }
     moved_ = 0;
     half_steps_ = 0;
+    last_renewal_ = Clock::now();
     ++renewals_;
+}
+
+/// Divides space anew when the time that ranks have waited for the busiest one is more than dividing takes.
+void Neighbours::balance(const GroupList& groups) {
+    const auto seconds_since = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    time_lost_ += (imbalance_ - 1) * ranks_->largest(seconds_since(last_renewal_));
+    if (renewals_ > 1 && time_lost_ < time_to_divide_) return;
+    const auto start = Clock::now();
+    domain_.divide(groups, weights_);
+    time_to_divide_ = ranks_->largest(seconds_since(start));
+    time_lost_ = 0;
+}
+
+/// A kind's share of the work is its share of the pairs.
+KindWeights Neighbours::measured_weights(const ParticleStore& particles) const {
+    const auto weight_of = [&](ParticleKind kind) {
+        std::int64_t pairs = 0;
+        for (std::size_t c = 0; c < list_.clusters(kind).size(); ++c)
+            for (const ParticleKind other : all_kinds)
+                pairs += static_cast<std::int64_t>(list_.neighbours(kind, c, other).size());
+        const std::int64_t all_pairs = ranks_->sum(pairs);
+        const std::int64_t owned = ranks_->sum(static_cast<std::int64_t>(particles.of(kind).owned()));
+        return std::max(0.05, static_cast<double>(all_pairs) / static_cast<double>(std::max<std::int64_t>(1, owned)));
+    };
+    return {weight_of(ParticleKind::fluid), weight_of(ParticleKind::rigid), weight_of(ParticleKind::springs)};
+}
+
+double Neighbours::copies_per_owned(const ParticleStore& particles) const {
+    std::int64_t copies = 0;
+    for (const Halo& halo : halos_) copies += static_cast<std::int64_t>(halo.copies());
+    return static_cast<double>(ranks_->sum(copies)) /
+           static_cast<double>(std::max<std::int64_t>(1, ranks_->sum(static_cast<std::int64_t>(particles.owned()))));
 }
 
 void Neighbours::exchange(ParticleStore& particles, const FieldList& fields) {

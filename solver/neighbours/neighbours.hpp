@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/parallel/domain.hpp"
@@ -31,6 +32,10 @@ class Neighbours {
     void exchange(ParticleStore& particles, const FieldList& fields);
 
     [[nodiscard]] const ClusterList& list() const { return list_; }
+    /// The busiest rank's load over the mean, as of the last list; 1 is perfect.
+    [[nodiscard]] double imbalance() const { return imbalance_; }
+    /// Copies for each owned particle over all ranks and kinds. All ranks take part.
+    [[nodiscard]] double copies_per_owned(const ParticleStore& particles) const;
     [[nodiscard]] const Ranks& ranks() const { return *ranks_; }
     /// Distance by which two particles may approach each other before the list is out of date [m].
     [[nodiscard]] double skin() const { return skin_; }
@@ -39,6 +44,8 @@ class Neighbours {
 
   private:
     [[nodiscard]] double best_skin() const;
+    void balance(const GroupList& groups);
+    [[nodiscard]] KindWeights measured_weights(const ParticleStore& particles) const;
 
     const Ranks* ranks_;
     double spacing_, support_, skin_;
@@ -49,6 +56,13 @@ class Neighbours {
     double moved_ = 0;
     long half_steps_ = 0;  ///< since the list was made
     long renewals_ = 0;
+
+    using Clock = std::chrono::steady_clock;
+    KindWeights weights_;
+    Clock::time_point last_renewal_ = Clock::now();
+    double imbalance_ = 1;
+    double time_lost_ = 0;       ///< that ranks waited for the busiest one since space was divided [s]
+    double time_to_divide_ = 0;  ///< what dividing it took [s]
 };
 
 }  // namespace dmp
