@@ -82,19 +82,21 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
 
 int execute(const RunCommand& command) {
     refuse_several_ranks();
+    const VectorUnit vector_unit = chosen_vector_unit(command.vector_unit);
     Prepared prepared = prepare(command.scene);
     const Scene& scene = prepared.scene;
     const double until = end_time(scene, command.until);
-    const int threads = threads_for(scene, command.threads);
+    Resources resources(threads_for(scene, command.threads));
+    resources.vector_unit = vector_unit;
     const std::string head = heading(prepared);
 
     const ParticleSet particles = command.dry_run ? prepared.mesh.particles : ParticleSet{};
-    Simulation simulation(scene, std::move(prepared.mesh.particles), threads);
+    Simulation simulation(scene, std::move(prepared.mesh.particles), resources);
     const Plan plan = simulation.plan();
     print(head + "\n" + chosen_text(scene, plan, prepared.mesh.report) + "\n");
     if (command.dry_run) {
         flush_output();
-        print(dry_run_text(scene, plan, try_out(scene, particles, threads, until, trial_seconds), until));
+        print(dry_run_text(scene, plan, try_out(scene, particles, resources, until, trial_seconds), until));
         return exit_done;
     }
 
