@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,7 @@ class Parser {
         run_app_->add_option("--until", run_.until, "Stop at this time instead of the scene's duration, e.g. \"0.2 s\"")
             ->type_name("TIME");
         add_threads(*run_app_, run_.threads);
+        add_vector_unit(*run_app_, run_.vector_unit);
         run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
         run_app_
             ->add_option("--checkpoint-every", run_.checkpoint_every,
@@ -163,6 +165,26 @@ class Parser {
             !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
         return digits && std::stoi(text) > 0 ? ""
                                              : "'" + text + "' is no number of threads; give a whole one from 1 on";
+    }
+
+    static void add_vector_unit(CLI::App& app, VectorUnit& unit) {
+        const auto choose = [&unit](const std::string& text) { unit = *vector_unit_called(text); };
+        app.add_option_function<std::string>(
+               "--vector-unit", choose, "Vector instructions to use, avx2 or avx512; default: the widest there are")
+            ->type_name("UNIT")
+            ->check(CLI::Validator(a_vector_unit, ""));
+    }
+
+    static std::optional<VectorUnit> vector_unit_called(const std::string& text) {
+        for (const VectorUnit unit : {VectorUnit::avx2, VectorUnit::avx512}) {
+            if (word(unit) == text) return unit;
+        }
+        return std::nullopt;
+    }
+
+    /// What is wrong with the name of a vector unit; empty: nothing.
+    static std::string a_vector_unit(const std::string& text) {
+        return vector_unit_called(text) ? "" : "'" + text + "' is no vector unit; there are 'avx2' and 'avx512'";
     }
 
     /// The command given, or dmp itself.

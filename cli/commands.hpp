@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/resources.hpp"
+
 namespace dmp::cli {
 
 /// The scene a command works on and what --set changes in it.
@@ -19,6 +21,7 @@ struct RunCommand {
     std::string out;    ///< empty: out/NAME below the current folder
     std::string until;  ///< a time with its unit; empty: the scene's duration
     int threads = 0;    ///< 0: as the scene says
+    VectorUnit vector_unit = VectorUnit::widest;
     bool dry_run = false;
     bool resume = false;
     std::string checkpoint_every;  ///< wall time with its unit; empty: ten minutes

@@ -28,17 +28,13 @@ Finding look_at_build(const BuildFacts& build) {
 }
 
 Finding look_at_vector_units(const Machine& machine) {
-    const auto& has = machine.vector_units;
-    const auto& uses = machine.compiled_vector_units;
-    Finding finding{Health::ok, "vector units", fmt::format("{}", fmt::join(uses, " "))};
-    std::vector<std::string> idle;
-    std::ranges::copy_if(has, std::back_inserter(idle),
-                         [&](const auto& unit) { return std::ranges::find(uses, unit) == uses.end(); });
-    if (!idle.empty()) {
-        finding.health = Health::warn;
-        finding.found += fmt::format("; this processor also has {}", fmt::join(idle, " "));
-        finding.to_do = "Build dmp on this machine (DMP_NATIVE=ON, the default) to use them.";
+    const auto& units = machine.vector_units;
+    if (units.empty()) {
+        return {Health::bad, "vector unit", "this processor has none of those that dmp is built for",
+                "Use a processor of 2013 or later (Intel Haswell, AMD Excavator)."};
     }
+    Finding finding{Health::ok, "vector unit", fmt::format("{} is used, the widest there is", units.back())};
+    if (units.size() > 1) finding.found += fmt::format(" ({})", fmt::join(units, ", "));
     return finding;
 }
 

@@ -59,8 +59,8 @@ std::size_t total_of(const Plan& plan) {
 
 }  // namespace
 
-Trial try_out(const Scene& scene, ParticleSet particles, int threads, double until, double budget) {
-    Simulation simulation(scene, std::move(particles), threads);
+Trial try_out(const Scene& scene, ParticleSet particles, const Resources& resources, double until, double budget) {
+    Simulation simulation(scene, std::move(particles), resources);
     std::atomic<bool> stop = false;
     RunSummary summary;
     {

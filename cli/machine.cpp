@@ -12,6 +12,9 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include "base/errors.hpp"
+#include "solver/resources.hpp"
+
 namespace dmp::cli {
 
 namespace {
@@ -78,41 +81,14 @@ std::string try_to_write(const fs::path& folder) {
     return error;
 }
 
-std::vector<std::string> vector_units_of_processor() {
-    std::vector<std::string> units;
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("sse2") != 0) units.emplace_back("SSE2");
-    if (__builtin_cpu_supports("avx") != 0) units.emplace_back("AVX");
-    if (__builtin_cpu_supports("avx2") != 0) units.emplace_back("AVX2");
-    if (__builtin_cpu_supports("fma") != 0) units.emplace_back("FMA");
-    if (__builtin_cpu_supports("avx512f") != 0) units.emplace_back("AVX-512");
-#elif defined(__aarch64__)
-    units.emplace_back("NEON");
-#endif
-    return units;
-}
-
-std::vector<std::string> vector_units_compiled_for() {
-    std::vector<std::string> units;
-#if defined(__SSE2__)
-    units.emplace_back("SSE2");
-#endif
-#if defined(__AVX__)
-    units.emplace_back("AVX");
-#endif
-#if defined(__AVX2__)
-    units.emplace_back("AVX2");
-#endif
-#if defined(__FMA__)
-    units.emplace_back("FMA");
-#endif
-#if defined(__AVX512F__)
-    units.emplace_back("AVX-512");
-#endif
-#if defined(__ARM_NEON)
-    units.emplace_back("NEON");
-#endif
-    return units;
+std::vector<std::string> words_of_vector_units() {
+    std::vector<std::string> words;
+    try {
+        for (const VectorUnit unit : available_vector_units()) words.emplace_back(word(unit));
+    } catch (const ResourceError&) {
+        words.clear();  // none: the diagnosis says so
+    }
+    return words;
 }
 
 }  // namespace
@@ -134,8 +110,7 @@ Machine look_at_machine(const fs::path& folder) {
     const char* display = std::getenv("DISPLAY");
     machine.display = display == nullptr ? "" : display;
     machine.xvfb = find_program("Xvfb");
-    machine.vector_units = vector_units_of_processor();
-    machine.compiled_vector_units = vector_units_compiled_for();
+    machine.vector_units = words_of_vector_units();
     return machine;
 }
 

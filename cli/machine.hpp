@@ -9,15 +9,14 @@ namespace dmp::cli {
 
 /// What a machine offers; numbers are 0 where the system does not say.
 struct Machine {
-    int processors = 0;                              ///< this process may run on
-    double processor_quota = 0;                      ///< of its control group [processors]; 0: no limit
-    double memory = 0, memory_free = 0;              ///< [bytes], a control group's limit taken into account
-    double disk_free = 0;                            ///< for the current folder [bytes]
-    std::string write_error;                         ///< why no file can be written here; empty: it can
-    std::string display;                             ///< $DISPLAY
-    std::string xvfb;                                ///< path of Xvfb; empty: there is none
-    std::vector<std::string> vector_units;           ///< the processor's, the widest last
-    std::vector<std::string> compiled_vector_units;  ///< those dmp was compiled for
+    int processors = 0;                     ///< this process may run on
+    double processor_quota = 0;             ///< of its control group [processors]; 0: no limit
+    double memory = 0, memory_free = 0;     ///< [bytes], a control group's limit taken into account
+    double disk_free = 0;                   ///< for the current folder [bytes]
+    std::string write_error;                ///< why no file can be written here; empty: it can
+    std::string display;                    ///< $DISPLAY
+    std::string xvfb;                       ///< path of Xvfb; empty: there is none
+    std::vector<std::string> vector_units;  ///< of the processor, that dmp has code for; the widest last
 };
 
 [[nodiscard]] Machine look_at_machine(const std::filesystem::path& folder);

@@ -111,7 +111,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     print(head + "\n" + chosen_text(scene, plan, prepared.mesh.report) + "\n");
     if (command.dry_run) {
         flush_output();
-        print(dry_run_text(scene, plan, try_out(scene, particles, resources.threads, options.until, trial_seconds),
+        print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),
                            options.until));
         return exit_done;
     }
@@ -168,6 +168,7 @@ int execute(const RunCommand& command) {
     return on_all_ranks(session, [&] {
         Resources resources;
         resources.ranks = session.ranks();
+        resources.vector_unit = chosen_vector_unit(command.vector_unit);
         Prepared prepared = prepare(command.scene, resources.ranks);
         const Scene& scene = prepared.scene;
         resources.threads = threads_for(scene, command.threads);

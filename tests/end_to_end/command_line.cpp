@@ -55,7 +55,8 @@ TEST(CommandLine, OutputThatIsLostIsAnError) {
 TEST(CommandLine, DoctorLooksAtThisMachine) {
     const auto outcome = run_here({"doctor"});
     EXPECT_EQ(outcome.code, 0) << outcome.output;
-    for (const char* what : {"build", "processors", "memory", "disk", "writing", "pictures", "VTK 9", "gmsh 4"}) {
+    for (const char* what :
+         {"build", "vector unit", "processors", "memory", "disk", "writing", "pictures", "VTK 9", "gmsh 4"}) {
         EXPECT_THAT(outcome.output, HasSubstr(what));
     }
 }

@@ -86,6 +86,18 @@ TEST_F(Poiseuille, TwoThreadsGiveTheSameBitsAsOne) {
     EXPECT_EQ(summary("out1")["state_hash"], summary("out2")["state_hash"]);
 }
 
+TEST_F(Poiseuille, TheNarrowestVectorUnitGivesTheSameBitsAsTheWidest) {
+    if (dmp({"doctor"}).output.find("avx2") == std::string::npos) GTEST_SKIP() << "no x86 processor";
+    const std::vector<std::string> rest{"--until", "0.05 s", "--threads", "1", "--set", "output.pictures=false"};
+    std::vector<std::string> widest{"run", ".", "--out", "widest"};
+    std::vector<std::string> narrowest{"run", ".", "--out", "narrowest", "--vector-unit", "avx2"};
+    for (auto* run : {&widest, &narrowest}) {
+        run->insert(run->end(), rest.begin(), rest.end());
+        ASSERT_EQ(dmp(*run).code, 0);
+    }
+    EXPECT_EQ(summary("widest")["state_hash"], summary("narrowest")["state_hash"]);
+}
+
 TEST_F(Poiseuille, TheResolvedSceneRunsToTheSameState) {
     const std::vector<std::string> rest{"--threads", "1", "--until", "0.02 s", "--set", "output.pictures=false"};
     std::vector<std::string> run{"run", ".", "--out", "out"};

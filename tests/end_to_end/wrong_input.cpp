@@ -198,6 +198,7 @@ std::vector<WrongInput> wrong_inputs() {
         {"UntilOfWrongDimension", poiseuille, {}, {"--until", "0.2 m"}, {"--until:", "expected a time"}},
         {"UntilBeforeTheStart", poiseuille, {}, {"--until", "-1 s"}, {"--until:", "after 0"}},
         {"NoThreads", poiseuille, {}, {"--threads", "0"}, {"--threads"}},
+        {"UnknownVectorUnit", poiseuille, {}, {"--vector-unit", "sse"}, {"'sse'", "'avx2' and 'avx512'"}},
         {"AWordTooMany", poiseuille, {}, {"s"}, {"'s'", "--help"}},
     };
 }

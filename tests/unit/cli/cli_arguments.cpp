@@ -31,13 +31,15 @@ dmp::InputError error_of(std::initializer_list<const char*> words) {
 std::string text_of(std::initializer_list<const char*> words) { return std::get<PrintCommand>(read(words)).text; }
 
 TEST(Arguments, RunTakesAllItsOptions) {
-    const auto run = std::get<RunCommand>(read({"run", "cases/a", "--out", "there", "--until", "0.2 s", "--set",
-                                                "a.b=1 m", "--set", "c=d=e", "--threads", "3", "--dry-run"}));
+    const auto run =
+        std::get<RunCommand>(read({"run", "cases/a", "--out", "there", "--until", "0.2 s", "--set", "a.b=1 m", "--set",
+                                   "c=d=e", "--threads", "3", "--vector-unit", "avx2", "--dry-run"}));
     EXPECT_EQ(run.scene.path, "cases/a");
     EXPECT_THAT(run.scene.overrides, ElementsAre("a.b=1 m", "c=d=e"));
     EXPECT_EQ(run.out, "there");
     EXPECT_EQ(run.until, "0.2 s");
     EXPECT_EQ(run.threads, 3);
+    EXPECT_EQ(run.vector_unit, dmp::VectorUnit::avx2);
     EXPECT_TRUE(run.dry_run);
 }
 
@@ -46,6 +48,7 @@ TEST(Arguments, RunNeedsOnlyAScene) {
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.until, "");
     EXPECT_EQ(run.threads, 0);
+    EXPECT_EQ(run.vector_unit, dmp::VectorUnit::widest);
     EXPECT_FALSE(run.dry_run);
 }
 
@@ -108,6 +111,15 @@ TEST(Arguments, MissingSceneValueAndBadNumberAreErrors) {
     EXPECT_THAT(error_of({"run", "x", "--threads", "two"}).problem(), HasSubstr("two"));
 }
 
+TEST(Arguments, UnknownVectorUnitNamesTheKnownOnes) {
+    EXPECT_EQ(std::get<RunCommand>(read({"run", "x", "--vector-unit=avx512"})).vector_unit, dmp::VectorUnit::avx512);
+    for (const char* wrong : {"sse", "AVX2", "widest", "generic", ""}) {
+        const auto error = error_of({"run", "x", "--vector-unit", wrong});
+        EXPECT_EQ(error.problem(),
+                  std::string("--vector-unit: '") + wrong + "' is no vector unit; there are 'avx2' and 'avx512'");
+    }
+}
+
 TEST(Arguments, HelpShowsCommandsExamplesAndExitCodes) {
     const std::string help = text_of({"--help"});
     for (const char* word :
@@ -119,7 +131,8 @@ TEST(Arguments, HelpShowsCommandsExamplesAndExitCodes) {
 
 TEST(Arguments, HelpOfACommandShowsItsOptions) {
     const std::string help = text_of({"run", "--help"});
-    for (const char* word : {"dmp run", "--out DIR", "--until TIME", "--set KEY=VALUE", "--threads N", "--dry-run"}) {
+    for (const char* word : {"dmp run", "--out DIR", "--until TIME", "--set KEY=VALUE", "--threads N",
+                             "--vector-unit UNIT", "--dry-run"}) {
         EXPECT_THAT(help, HasSubstr(word));
     }
 }

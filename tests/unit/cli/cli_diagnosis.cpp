@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/diagnosis.hpp"
+#include "solver/resources.hpp"
 
 namespace {
 
@@ -21,8 +22,7 @@ Machine good_machine() {
     machine.memory_free = 12 * gibibyte;
     machine.disk_free = 100 * gibibyte;
     machine.xvfb = "/usr/bin/Xvfb";
-    machine.vector_units = {"SSE2", "AVX", "AVX2"};
-    machine.compiled_vector_units = machine.vector_units;
+    machine.vector_units = {"avx2", "avx512"};
     return machine;
 }
 
@@ -48,12 +48,19 @@ TEST(Doctor, WarnsOfSlowBuilds) {
     EXPECT_THAT(about("build", build, good_machine()).found, HasSubstr("address,undefined"));
 }
 
-TEST(Doctor, NamesVectorUnitsLeftIdle) {
+TEST(Doctor, SaysWhichVectorUnitIsUsed) {
     Machine machine = good_machine();
-    machine.compiled_vector_units = {"SSE2"};
-    const auto finding = about("vector units", good_build(), machine);
-    EXPECT_EQ(finding.health, Health::warn);
-    EXPECT_THAT(finding.found, HasSubstr("this processor also has AVX AVX2"));
+    EXPECT_EQ(about("vector unit", good_build(), machine).found, "avx512 is used, the widest there is (avx2, avx512)");
+    machine.vector_units = {"avx2"};
+    EXPECT_EQ(about("vector unit", good_build(), machine).found, "avx2 is used, the widest there is");
+}
+
+TEST(Doctor, AProcessorWithoutVectorUnitsIsBad) {
+    Machine machine = good_machine();
+    machine.vector_units.clear();
+    const auto finding = about("vector unit", good_build(), machine);
+    EXPECT_EQ(finding.health, Health::bad);
+    EXPECT_THAT(finding.to_do, HasSubstr("2013"));
 }
 
 TEST(Doctor, KnowsControlGroups) {
@@ -93,6 +100,8 @@ TEST(Doctor, SeesThisMachine) {
     EXPECT_GT(machine.memory, 0);
     EXPECT_GT(machine.disk_free, 0);
     EXPECT_EQ(machine.write_error, "");
+    ASSERT_FALSE(machine.vector_units.empty());
+    EXPECT_EQ(machine.vector_units.back(), word(dmp::chosen_vector_unit(dmp::VectorUnit::widest)));
     EXPECT_NE(look_at_machine("/no/such/folder").write_error, "");
 }
 
