@@ -55,10 +55,10 @@ function(dmp_mpi_test name)
   add_executable(test_${name} ${name}.cpp mpi_main.cpp)
   target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest GTest::gmock MPI::MPI_C ${TEST_LIBRARIES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  # Open MPI in a container: as root, more ranks than processors, none bound to one, and no copying from another
-  # process's memory, which containers forbid.
+  # Open MPI in a container: as root, more ranks than processors, none bound to one, waiting without keeping others from
+  # working, and no copying from another process's memory, which containers forbid.
   set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-                  OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl=self,vader
+                  OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl=self,vader
                   OMPI_MCA_btl_vader_single_copy_mechanism=none OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive)
   foreach(ranks ${TEST_RANKS})
     set(test ${name}.${ranks}_ranks)

@@ -80,14 +80,20 @@ bool Ranks::any(bool value) const {
 }
 
 std::int64_t Ranks::sum(std::int64_t value) const {
-    if (size_ > 1) MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, communicator_->handle);
+    sum(std::span(&value, 1));
     return value;
+}
+
+void Ranks::sum(std::span<std::int64_t> values) const {
+    if (size_ == 1) return;
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), mpi_count(static_cast<std::int64_t>(values.size())), MPI_INT64_T,
+                  MPI_SUM, communicator_->handle);
 }
 
 void Ranks::sum(ExactSum& value) const {
     if (size_ == 1) return;
     ExactSum::Words words = value.carried_words();
-    MPI_Allreduce(MPI_IN_PLACE, words.data(), ExactSum::words, MPI_INT64_T, MPI_SUM, communicator_->handle);
+    sum(words);
     value = ExactSum();
     value.add_words(words);
 }

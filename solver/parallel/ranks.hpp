@@ -45,6 +45,8 @@ class Ranks {
     void largest(std::span<double> values) const;
     [[nodiscard]] bool any(bool value) const;
     [[nodiscard]] std::int64_t sum(std::int64_t value) const;
+    /// Entry by entry; as many on every rank.
+    void sum(std::span<std::int64_t> values) const;
     /// Adds the other ranks' sums: the same bits however the summands are spread over ranks.
     void sum(ExactSum& value) const;
 

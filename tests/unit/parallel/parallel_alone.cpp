@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "solver/parallel/communicator.hpp"
+#include "solver/parallel/domain.hpp"
+#include "solver/parallel/halo.hpp"
 #include "solver/parallel/ranks.hpp"
+#include "tests/unit/parallel/moving_particles.hpp"
 
 namespace dmp {
 namespace {
@@ -44,6 +47,48 @@ TEST_F(Alone, RanksAgreeWithThemselves) {
     ExactSum sum(values);
     alone.sum(sum);
     EXPECT_EQ(sum.value(), 6);
+}
+
+TEST_F(Alone, ADomainOwnsEverything) {
+    MovingParticles particles(2, {true, false, false}, 1000, 1);
+    Domain domain(Ranks::alone(), particles.space);
+    ParticleGroup group = particles.group(dealt(1000, 0, 1));
+    for (std::size_t i = 0; i < group.owned(); ++i)
+        group.data(Field::position, 0)[i] += static_cast<double>(i % 5) - 2;  // whole periods
+    domain.divide({&group}, {});
+    domain.migrate({&group});
+    ASSERT_EQ(group.total(), 1000);
+    for (std::size_t i = 0; i < 1000; ++i) {
+        ASSERT_EQ(group.tags()[i].id, i);
+        ASSERT_TRUE(particles.holds(group, i, group.declared()));
+    }
+    EXPECT_EQ(domain.owner(Vec(1e9, -1e9, 0)), 0);
+    EXPECT_EQ(domain.imbalance({&group}, {}), 1);
+}
+
+/// The channel's images stand where the sides are near, and nowhere else.
+TEST_F(Alone, AHaloHoldsTheImages) {
+    MovingParticles particles(2, {true, false, false}, 30000, 2);
+    const Domain domain(Ranks::alone(), particles.space);
+    ParticleGroup group = particles.group(dealt(30000, 0, 1));
+    Halo halo(Ranks::alone(), particles.space);
+    const double reach = 0.0625, low = particles.space.box.low[0], high = particles.space.box.high[0];
+    halo.build(group, domain, reach);
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < group.owned(); ++i) {
+        const double x = group.data(Field::position, 0)[i];
+        expected += (x - low <= reach ? 1 : 0) + (high - x <= reach ? 1 : 0);
+    }
+    EXPECT_EQ(halo.copies(), expected);
+    EXPECT_EQ(halo.copies_per_owned(), static_cast<double>(expected) / 30000);
+    particles.change_values();
+    particles.write(group, group.declared());
+    halo.exchange(group, group.declared());
+    for (std::size_t i = group.owned(); i < group.total(); ++i) {
+        const double x = group.data(Field::position, 0)[i];
+        EXPECT_TRUE((x < low && low - x <= reach) || (x >= high && x - high <= reach)) << x;
+        ASSERT_TRUE(particles.holds(group, i, group.declared(), Vec(x < low ? low - high : high - low, 0, 0)));
+    }
 }
 
 }  // namespace

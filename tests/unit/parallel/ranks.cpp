@@ -47,6 +47,9 @@ TEST(Ranks, Reduce) {
     EXPECT_EQ(ranks.smallest(ranks.rank() - 0.5), -0.5);
     EXPECT_EQ(ranks.sum(std::int64_t{1} << (40 + ranks.rank())),
               (std::int64_t{1} << (41 + last)) - (std::int64_t{1} << 40));
+    std::vector<std::int64_t> counts{ranks.rank(), 1};
+    ranks.sum(counts);
+    EXPECT_EQ(counts, (std::vector<std::int64_t>{last * (last + 1) / 2, last + 1}));
     EXPECT_TRUE(ranks.any(ranks.rank() == last));
     EXPECT_FALSE(ranks.any(false));
     std::vector<double> values{1.0 * ranks.rank(), -1.0 * ranks.rank(), -std::numeric_limits<double>::infinity()};

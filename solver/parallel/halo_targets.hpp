@@ -1,0 +1,57 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "solver/parallel/domain.hpp"
+
+namespace dmp {
+
+/// A rank that may need copies of this rank's particles, moved by `shift`.
+struct HaloTarget {
+    int rank = 0;
+    std::array<double, 3> shift{};  ///< whole periods [m]
+    Box box;                        ///< the rank's
+};
+
+/// Who may need copies of a rank's particles: all boxes, its own among them, that lie within the reach of its box once
+/// moved by some whole periods.
+class HaloTargets {
+  public:
+    /// `period` by axis [m], 0 where there is none.
+    HaloTargets(const Domain& domain, const Ranks& ranks, const std::array<double, 3>& period, int dimension,
+                double reach);
+
+    /// By rank, and then in an order that depends on the boxes alone.
+    [[nodiscard]] const std::vector<HaloTarget>& list() const { return list_; }
+
+    /// False: particle i of this rank is so deep inside its box that nobody needs it.
+    [[nodiscard]] bool may_need(const std::array<const double*, 3>& x, std::size_t i) const {
+        int deep = 1;  // no branches, which would be guessed wrong
+        for (int axis = 0; axis < dimension_; ++axis)
+            deep &= static_cast<int>(x[axis][i] > inner_low_[axis]) & static_cast<int>(x[axis][i] < inner_high_[axis]);
+        return deep == 0;
+    }
+
+    /// True: particle i, moved, lies within the reach of the target's box.
+    [[nodiscard]] bool needs(const HaloTarget& target, const std::array<const double*, 3>& x, std::size_t i) const {
+        double squared = 0;
+        for (int axis = 0; axis < dimension_; ++axis) {
+            const double moved = x[axis][i] + target.shift[axis];  // exact; moving the box might not be
+            const double outside = std::max({0.0, target.box.low[axis] - moved, moved - target.box.high[axis]});
+            squared += outside * outside;
+        }
+        return squared <= squared_reach_;
+    }
+
+  private:
+    int dimension_;
+    double squared_reach_;
+    std::array<double, 3> inner_low_{}, inner_high_{};
+    std::vector<HaloTarget> list_;
+};
+
+}  // namespace dmp
