@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include <trilinos/zoltan.h>
+#include <zoltan.h>
 
 #include "base/errors.hpp"
 #include "solver/parallel/communicator.hpp"
@@ -18,14 +18,17 @@ namespace {
 
 // What Zoltan asks of us. Points are known by their index.
 
+/// Zoltan hands our functions a pointer that is not const, to a pointer that is.
+const WeightedPoints& points_behind(void* data) { return **static_cast<const WeightedPoints**>(data); }
+
 int count_points(void* data, int* error) {
     *error = ZOLTAN_OK;
-    return static_cast<int>(static_cast<const WeightedPoints*>(data)->weights.size());
+    return static_cast<int>(points_behind(data).weights.size());
 }
 
 void list_points(void* data, int /*global words*/, int /*local words*/, ZOLTAN_ID_PTR global, ZOLTAN_ID_PTR /*local*/,
                  int /*weights a point*/, float* weights, int* error) {
-    const auto& points = *static_cast<const WeightedPoints*>(data);
+    const WeightedPoints& points = points_behind(data);
     std::copy(points.weights.begin(), points.weights.end(), weights);
     for (std::size_t k = 0; k < points.weights.size(); ++k) global[k] = static_cast<ZOLTAN_ID_TYPE>(k);
     *error = ZOLTAN_OK;
@@ -33,12 +36,12 @@ void list_points(void* data, int /*global words*/, int /*local words*/, ZOLTAN_I
 
 int dimension_of(void* data, int* error) {
     *error = ZOLTAN_OK;
-    return static_cast<const WeightedPoints*>(data)->dimension;
+    return points_behind(data).dimension;
 }
 
 void coordinates_of(void* data, int /*global words*/, int /*local words*/, int /*points*/, ZOLTAN_ID_PTR /*global*/,
                     ZOLTAN_ID_PTR /*local*/, int /*dimension*/, double* coordinates, int* error) {
-    const auto& points = *static_cast<const WeightedPoints*>(data);
+    const WeightedPoints& points = points_behind(data);
     std::copy(points.coordinates.begin(), points.coordinates.end(), coordinates);
     *error = ZOLTAN_OK;
 }
@@ -78,11 +81,11 @@ std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points) {
         {"IMBALANCE_TOL", "1.001"},
     }};
     for (const auto& [name, value] : settings) check(Zoltan_Set_Param(zoltan.get(), name, value), name);
-    auto* data = const_cast<WeightedPoints*>(&points);  // Zoltan's interface; our functions only read
-    check(Zoltan_Set_Num_Obj_Fn(zoltan.get(), count_points, data), "points");
-    check(Zoltan_Set_Obj_List_Fn(zoltan.get(), list_points, data), "points");
-    check(Zoltan_Set_Num_Geom_Fn(zoltan.get(), dimension_of, data), "points");
-    check(Zoltan_Set_Geom_Multi_Fn(zoltan.get(), coordinates_of, data), "points");
+    const WeightedPoints* data = &points;
+    check(Zoltan_Set_Num_Obj_Fn(zoltan.get(), count_points, &data), "points");
+    check(Zoltan_Set_Obj_List_Fn(zoltan.get(), list_points, &data), "points");
+    check(Zoltan_Set_Num_Geom_Fn(zoltan.get(), dimension_of, &data), "points");
+    check(Zoltan_Set_Geom_Multi_Fn(zoltan.get(), coordinates_of, &data), "points");
 
     int changed = 0, global_words = 0, local_words = 0, imports = 0, exports = 0;
     ZOLTAN_ID_PTR import_global = nullptr, import_local = nullptr, export_global = nullptr, export_local = nullptr;
@@ -95,8 +98,8 @@ std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points) {
     std::vector<Box> boxes(static_cast<std::size_t>(ranks.size()));
     for (int rank = 0; Box & box : boxes) {
         int dimension = 0;
-        check(Zoltan_RCB_Box(zoltan.get(), rank++, &dimension, &box.low[0], &box.low[1], &box.low[2], &box.high[0],
-                             &box.high[1], &box.high[2]),
+        double *low = box.low.data(), *high = box.high.data();
+        check(Zoltan_RCB_Box(zoltan.get(), rank++, &dimension, low, low + 1, low + 2, high, high + 1, high + 2),
               "boxes");
         for (int axis = 0; axis < 3; ++axis) {
             box.low[axis] = place(box.low[axis]);

@@ -118,10 +118,10 @@ void Domain::migrate(const GroupList& groups) const {
         Departures leaving;
         // On a side of the box only the owner's rule knows; next to nobody is there.
         const std::vector<std::int32_t> outside = select(group->owned(), [&, dimension = dimension_](std::size_t i) {
-            bool inside = true;
+            int inside = 1;
             for (int axis = 0; axis < dimension; ++axis)
-                inside = inside & (x[axis][i] > own.low[axis]) & (x[axis][i] < own.high[axis]);
-            return !inside;
+                inside &= static_cast<int>(x[axis][i] > own.low[axis]) & static_cast<int>(x[axis][i] < own.high[axis]);
+            return inside == 0;
         });
         for (const std::int32_t i : outside)
             if (const int rank = regions_.owner(place_of(*group, i)); rank != ranks_.rank()) {

@@ -25,8 +25,8 @@ struct Halo::Requests {
     std::vector<MPI_Request> all;
 };
 
-Halo::Halo(const Ranks& ranks, const ParticleSpace& space)
-    : ranks_(ranks), dimension_(space.dimension), requests_(std::make_unique<Requests>()) {
+Halo::Halo(Ranks ranks, const ParticleSpace& space)
+    : ranks_(std::move(ranks)), dimension_(space.dimension), requests_(std::make_unique<Requests>()) {
     for (int axis = 0; axis < dimension_; ++axis)
         if (space.periodic[axis]) period_[axis] = space.box.high[axis] - space.box.low[axis];
 }

@@ -19,10 +19,12 @@ namespace dmp {
 /// groups in the same order. One rank alone calls no MPI.
 class Halo {
   public:
-    Halo(const Ranks& ranks, const ParticleSpace& space);
+    Halo(Ranks ranks, const ParticleSpace& space);
     ~Halo();
-    Halo(Halo&&) noexcept;
-    Halo& operator=(Halo&&) noexcept;
+    Halo(const Halo&) = delete;
+    Halo& operator=(const Halo&) = delete;
+    Halo(Halo&& other) noexcept;
+    Halo& operator=(Halo&& other) noexcept;
 
     /// Drops the group's copies and makes new ones, with their tags and all declared fields: every owned particle of
     /// any rank, moved by any whole periods, that lies within `reach` of this rank's box and is not its own unmoved

@@ -30,10 +30,10 @@ class HaloTargets {
 
     /// False: particle i of this rank is so deep inside its box that nobody needs it.
     [[nodiscard]] bool may_need(const std::array<const double*, 3>& x, std::size_t i) const {
-        bool deep = true;
+        int deep = 1;  // no branches, which would be guessed wrong
         for (int axis = 0; axis < dimension_; ++axis)
-            deep = deep & (x[axis][i] > inner_low_[axis]) & (x[axis][i] < inner_high_[axis]);
-        return !deep;
+            deep &= static_cast<int>(x[axis][i] > inner_low_[axis]) & static_cast<int>(x[axis][i] < inner_high_[axis]);
+        return deep == 0;
     }
 
     /// True: particle i, moved, lies within the reach of the target's box.

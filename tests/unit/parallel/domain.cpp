@@ -173,8 +173,9 @@ TEST(Domain, OwnsTiedParticlesByPositionAlone) {
         if (k % ranks.size() != ranks.rank()) continue;
         group.resize(++count, 0);
         group.tags()[count - 1].id = k;
-        group.data(Field::position, 0)[count - 1] = k / 3 % 31;
-        group.data(Field::position, 1)[count - 1] = k / 3 / 31;
+        const int point = k / 3, row = point / 31;
+        group.data(Field::position, 0)[count - 1] = point % 31;
+        group.data(Field::position, 1)[count - 1] = row;
     }
     domain.divide({&group}, {});
     domain.migrate({&group});
