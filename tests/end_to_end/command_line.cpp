@@ -67,10 +67,10 @@ TEST(CommandLine, ExplainsAKey) {
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("particles.spacing"), HasSubstr("length")));
 }
 
-TEST(CommandLine, SeveralRanksAreRefused) {
-    const auto outcome = run_here({"run", "scene.toml"}, {.environment = {"OMPI_COMM_WORLD_SIZE=4"}});
+TEST(CommandLine, CommandsThatDoNotUseSeveralRanksRefuseThem) {
+    const auto outcome = run_here({"mesh", "scene.toml"}, {.environment = {"OMPI_COMM_WORLD_SIZE=4"}});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("4 MPI ranks"), HasSubstr("--threads")));
+    EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("4 MPI ranks"), HasSubstr("without mpirun")));
 }
 
 }  // namespace

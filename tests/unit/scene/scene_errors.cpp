@@ -84,8 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:1:10: schema: found 2, expected 1\n"
               "  this dmp reads schema = 1"},
         Fault{"fourth_dimension", "schema = 1", "schema = 1\ndimension = 4",
-              "scene.toml:2:13: dimension: found 4, expected 2 to 3\n"
-              "  XX"},
+              "scene.toml:2:13: dimension: found 4, expected between 2 and 3\n"
+              "  give a value that is between 2 and 3"},
         Fault{"text_for_whole_number", "schema = 1", "schema = \"1\"",
               "scene.toml:1:10: schema: found \"1\" (text), expected a whole number, only 1\n"
               "  give schema a whole number, only 1"},
@@ -168,8 +168,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:29:16: flow.acceleration: found a list of 0, expected one to three formulas\n"
               "  write acceleration = [x, y], such as [\"0.1 m/s^2\", 0]"},
         Fault{"third_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"z\"]",
-              "scene.toml:29:13: flow.periodic: found \"z\", expected one of 'x' and 'y'\n"
-              "  did you mean \"x\"?"},
+              "scene.toml:29:13: flow.periodic: a scene in the plane has no axis 'z'\n"
+              "  give 'x' and 'y' only, or write dimension = 3"},
         Fault{"repeated_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\", \"x\"]",
               "scene.toml:29:18: flow.periodic: \"x\" stands twice\n"
               "  remove one of them"},
