@@ -18,7 +18,6 @@ struct Sums {
     explicit Sums(std::size_t count) : force(count, Vec::Zero()), shift(count, Vec::Zero()), density_rate(count, 0.0) {}
     std::vector<Vec> force, shift;
     std::vector<double> density_rate;
-    friend bool operator==(const Sums&, const Sums&) = default;  // bit by bit, but for the sign of 0
 };
 
 /// What results do not depend on.

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
 #include <string>
 #include <tuple>
@@ -117,6 +118,9 @@ class SumsOver : public testing::TestWithParam<Variant> {
             EXPECT_EQ(found.density_rate[id], usual.density_rate[id]) << "particle " << id;
             EXPECT_EQ(found.shift[id], usual.shift[id]) << "particle " << id;
         }
+        for (const auto sums : {&Sums::force, &Sums::shift})  // 0 and -0 are not the same state
+            EXPECT_EQ(std::memcmp((found.*sums).data(), (usual.*sums).data(), set.size() * sizeof(Vec)), 0);
+        EXPECT_EQ(std::memcmp(found.density_rate.data(), usual.density_rate.data(), set.size() * sizeof(double)), 0);
     }
 
     ParticleSet set = crowd(std::get<int>(GetParam()), {true, true, std::get<int>(GetParam()) == 3}, 9);

@@ -155,6 +155,26 @@ TEST(Run, acceleration_that_depends_on_place_acts_where_particles_are) {
     EXPECT_LT(std::abs(summary.impulse_of_body_forces[0]), 1e-9);
 }
 
+TEST(Run, spring_bodies_without_any_fluid_move_on_their_own) {
+    SceneAndParticles made = endless_water();
+    made.scene.parts.clear();
+    made.particles = {};
+    made.particles.spacing = 0.1;
+    made.particles.box = {Vec(-1, -1, 0), Vec(1, 1, 0)};
+    add_flags(made);
+    add_rod(made, Vec(0, 0, 0), 0);
+    made.particles.bonds[0].rest_length = 0.11;  // it is pressed together
+    KeptFrames kept;
+    const RunSummary summary = run(made, options(&kept));
+    EXPECT_EQ(summary.simulated_s, 1.0);
+    EXPECT_EQ(summary.start.mass, 20);
+    EXPECT_NEAR(summary.end.momentum[1], 0, 1e-12);
+    const FrameGroup* solid = group_of(kept.frames.back(), "solid");
+    ASSERT_NE(solid, nullptr);
+    for (const float x : solid->position) EXPECT_TRUE(std::isfinite(x));
+    EXPECT_NE(solid->position[1], 0);
+}
+
 TEST(Run, stops_when_told_to_and_leaves_a_last_frame) {
     const SceneAndParticles made = endless_water("0.5");
     KeptFrames kept;
