@@ -265,14 +265,19 @@ RunSummary Simulation::run(const RunOptions& options) {
     if (s.step == 0) s.write_what_is_due(options.sink);
     const double end = until * (1 - 1e-12);
     while (s.time < end) {
-        interrupted = s.ranks.any(options.stop != nullptr && *options.stop);
-        out_of_time = s.ranks.any(options.wall_limit > 0 && seconds_since(start) > options.wall_limit);
+        // Whatever one rank wants, all do.
+        std::array<double, 3> wishes{options.stop != nullptr && *options.stop ? 1.0 : 0.0,
+                                     options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
+                                     checkpoints.due() ? 1.0 : 0.0};
+        s.ranks.largest(wishes);
+        interrupted = wishes[0] > 0;
+        out_of_time = wishes[1] > 0;
         if (interrupted || out_of_time) {
             if (checkpoints.wanted()) save();
             s.write_frame(options.sink);
             break;
         }
-        if (s.ranks.any(checkpoints.due())) save();
+        if (wishes[2] > 0) save();
         s.advance(options, until, extremes);
         if (options.progress && s.ranks.is_first() && seconds_since(last_progress) > 0.2) {
             last_progress = Clock::now();

@@ -119,7 +119,7 @@ std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int thr
             clusters.push_back(cluster);
         }
     }
-    group.reorder(order);
+    group.reorder(order, threads);
     return clusters;
 }
 

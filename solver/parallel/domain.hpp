@@ -29,10 +29,10 @@ class Domain {
   public:
     Domain(const Ranks& ranks, const ParticleSpace& space);
 
-    /// Divides space anew, so that the owned particles of these groups weigh about the same on each rank; migrate() then
-    /// brings them there. With hardly more particles than ranks, all may become the first rank's. Positions move by whole
-    /// periods into the box. Takes about 1 us a particle, and 100 bytes for as long. Throws as migrate() does, and
-    /// ResourceError where Zoltan fails.
+    /// Divides space anew, so that the owned particles of these groups weigh about the same on each rank; migrate()
+    /// then brings them there. With hardly more particles than ranks, all may become the first rank's. Positions move
+    /// by whole periods into the box. Takes about 1 us a particle, and 100 bytes for as long. Throws as migrate() does,
+    /// and ResourceError where Zoltan fails.
     void divide(const GroupList& groups, const KindWeights& weights);
 
     /// The rank that owns this place; along periodic axes it may lie any number of periods away.

@@ -38,7 +38,7 @@ void ParticleGroup::resize(std::size_t owned, std::size_t copies) {
         for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(total() + lanes_behind_the_end);
 }
 
-void ParticleGroup::reorder(std::span<const std::int32_t> order) {
+void ParticleGroup::reorder(std::span<const std::int32_t> order, int threads) {
     std::vector<ParticleTag> tags(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) tags[k] = tags_[order[k]];
     tags_ = std::move(tags);
@@ -47,8 +47,11 @@ void ParticleGroup::reorder(std::span<const std::int32_t> order) {
         for (int axis = 0; axis < axes(field); ++axis) {
             Array& values = array(field, axis);
             moved_.resize(order.size() + lanes_behind_the_end);
-            if (info(field).is_state)
-                for (std::size_t k = 0; k < order.size(); ++k) moved_[k] = values[order[k]];
+            if (info(field).is_state) {
+                const auto count = static_cast<std::ptrdiff_t>(order.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+                for (std::ptrdiff_t k = 0; k < count; ++k) moved_[k] = values[order[k]];
+            }
             values.swap(moved_);
         }
 }

@@ -52,7 +52,7 @@ class ParticleGroup {
     /// new ones have yet to be written.
     void resize(std::size_t owned, std::size_t copies);
     /// Owned particle k becomes what order[k] was; owned ones that are not in `order` and all copies go.
-    void reorder(std::span<const std::int32_t> order);
+    void reorder(std::span<const std::int32_t> order, int threads = 1);
 
     [[nodiscard]] std::size_t bytes() const;
 

@@ -140,8 +140,9 @@ void FluidStep::archive(Archive& file) {
 
 FluidExtremes FluidStep::extremes() const {
     const PassExtremes here = passes_.extremes(particles_.fluid());
-    FluidExtremes all{ranks_.largest(here.largest_speed), ranks_.smallest(here.density_low),
-                      ranks_.largest(here.density_high)};
+    std::array<double, 3> largest{here.largest_speed, -here.density_low, here.density_high};
+    ranks_.largest(largest);
+    FluidExtremes all{largest[0], -largest[1], largest[2]};
     if (all.density_low > all.density_high) all.density_low = all.density_high = 1;  // no fluid at all
     return all;
 }

@@ -12,7 +12,8 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
     : ranks_(ranks), implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
     if (count > 0 && set.dimension != 2)
-        throw InputError("the particles have spring bodies in 3-D", "Springs are plane for now: leave these parts out.");
+        throw InputError("the particles have spring bodies in 3-D",
+                         "Springs are plane for now: leave these parts out.");
     double shortest = std::numeric_limits<double>::infinity();
     for (int body = 0; body < count; ++body) {
         const auto node = std::find(set.body.begin(), set.body.end(), body) - set.body.begin();
