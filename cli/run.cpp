@@ -91,7 +91,8 @@ int execute(const RunCommand& command) {
     const std::string head = heading(prepared);
 
     const ParticleSet particles = command.dry_run ? prepared.mesh.particles : ParticleSet{};
-    Simulation simulation(scene, std::move(prepared.mesh.particles), resources);
+    Simulation simulation(scene, prepared.mesh.particles, resources);
+    prepared.mesh.particles = {};
     const Plan plan = simulation.plan();
     print(head + "\n" + chosen_text(scene, plan, prepared.mesh.report) + "\n");
     if (command.dry_run) {
