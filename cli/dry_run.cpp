@@ -59,8 +59,9 @@ std::size_t total_of(const Plan& plan) {
 
 }  // namespace
 
-Trial try_out(const Scene& scene, ParticleSet particles, const Resources& resources, double until, double budget) {
-    Simulation simulation(scene, std::move(particles), resources);
+Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources& resources, double until,
+              double budget) {
+    Simulation simulation(scene, particles, resources);
     std::atomic<bool> stop = false;
     RunSummary summary;
     {

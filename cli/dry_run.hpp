@@ -17,7 +17,7 @@ struct Trial {
 };
 
 /// Runs the scene for about `budget` seconds of wall time without writing, and says how fast it went.
-[[nodiscard]] Trial try_out(const Scene& scene, ParticleSet particles, const Resources& resources, double until,
+[[nodiscard]] Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources& resources, double until,
                             double budget);
 
 /// Particles, memory, largest steps, number of steps and measured time of the run that is planned.

@@ -54,10 +54,10 @@ int execute(const ExplainCommand& command) {
         print(explain_key(subject.path));
         return exit_done;
     }
-    Prepared prepared = prepare(subject);
+    const Prepared prepared = prepare(subject);
     const std::string head = heading(prepared);
     const int threads = threads_for(prepared.scene, command.threads);
-    const Simulation simulation(prepared.scene, std::move(prepared.mesh.particles), threads);
+    const Simulation simulation(prepared.scene, prepared.mesh.particles, threads);
     const Plan plan = simulation.plan();
     print(head + "\n" + chosen_text(prepared.scene, plan, prepared.mesh.report) + "\n" + models_text(plan) + "\n" +
           limits_text(plan) + "\n" + memory_text(plan));

@@ -64,7 +64,7 @@ TEST(OrderFree, sums_are_right_within_half_a_quantum_a_term) {
         const std::vector<double> terms = some_terms(seed);
         long double exact = 0;
         for (const double term : terms) exact += term;
-        const double error = static_cast<double>(std::abs(sum_of(terms, order_free) - exact));
+        const auto error = static_cast<double>(std::abs(sum_of(terms, order_free) - exact));
         EXPECT_LT(error, 0.51 * static_cast<double>(terms.size()) * order_free.quantum());
     }
 }
