@@ -14,6 +14,7 @@
 #include "postproc/tables.hpp"
 #include "solver/output/frame_file.hpp"
 #include "solver/output/hdf5_sink.hpp"
+#include "solver/state/checkpoint_folder.hpp"
 
 namespace dmp::cli {
 
@@ -37,14 +38,17 @@ bool is_of_dmp(const fs::path& folder) {
     return std::ranges::any_of(marks, [&](std::string_view name) { return fs::exists(folder / name); });
 }
 
-/// Removes dmp's own files; a folder frames/ left empty goes too.
+/// Removes dmp's own files, also those that a killed run left unfinished; folders that this empties go too.
 std::size_t remove_own(const fs::path& folder) {
-    std::size_t removed = frame_files(folder).size();
+    // Checkpoints first: none may outlive the frames it goes on from.
+    std::size_t removed = CheckpointFolder(folder).remove();
+    removed += frame_files(folder).size();
     remove_frames(folder, 0);
     for (const auto& place : {folder / "frames", folder}) {
         if (!fs::is_directory(place)) continue;
         for (const auto& entry : fs::directory_iterator(place)) {
-            if (entry.is_regular_file() && is_own(entry.path())) removed += fs::remove(entry.path()) ? 1 : 0;
+            if (entry.is_regular_file() && is_own(finished_name(entry.path()).value_or(entry.path())))
+                removed += fs::remove(entry.path()) ? 1 : 0;
         }
     }
     if (fs::is_directory(folder / "frames") && fs::is_empty(folder / "frames")) fs::remove(folder / "frames");

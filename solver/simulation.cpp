@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "particles/apart.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/setup.hpp"
@@ -25,6 +26,12 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 constexpr int steps_between_looks = 50;
 
+/// The set itself, of which no two particles lie at one place.
+const ParticleSet& checked(const ParticleSet& set) {
+    check_apart(set);
+    return set;
+}
+
 /// Of the ranks' texts, the lowest rank's that is not empty.
 std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
     const std::vector<char> own(text.begin(), text.end());
@@ -40,12 +47,12 @@ struct Simulation::State {
     State(Scene s, const ParticleSet& set, const Resources& resources)
         : scene(std::move(s)),
           ranks(resources.ranks),
-          particles(set, rest_densities(scene, set), ranks),
+          particles(checked(set), rest_densities(scene, set), ranks),
           settings(pair_settings(scene, resources)),
           fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
           measures(scene, set, settings, ranks),
-          watch(particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
+          watch(scene, particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
           frame_times(scene.output.every),
           measure_times(scene.output.measure_every > 0 ? scene.output.measure_every.value : scene.output.every / 4) {
         for (std::size_t i = 0; i < set.size(); ++i) ++count[word(static_cast<PartKind>(set.kind(i)))];

@@ -85,4 +85,13 @@ void CheckpointFolder::keep_last_two(long written) {
     for (const fs::path& file : files().unfinished_in(folder_)) remove_file(file);
 }
 
+std::size_t CheckpointFolder::remove() {
+    good_.clear();
+    std::vector<fs::path> all = files().unfinished_in(folder_);
+    for (const auto& [step, file] : newest_first(folder_)) all.push_back(file);
+    for (const fs::path& file : all) remove_file(file);
+    if (fs::is_directory(folder_) && fs::is_empty(folder_)) remove_file(folder_);
+    return all.size();
+}
+
 }  // namespace dmp

@@ -36,6 +36,10 @@ class CheckpointFolder {
     /// that were never finished. Throws ResourceError when one cannot be removed.
     void keep_last_two(long written);
 
+    /// Removes all checkpoints, those never finished too, and the folder if that leaves it empty. Returns how many
+    /// files went. Throws ResourceError when one cannot be removed.
+    std::size_t remove();
+
   private:
     /// What is wrong with it, "" if nothing; a good one is read once only.
     [[nodiscard]] std::string problem_with(long step, const std::filesystem::path& file);

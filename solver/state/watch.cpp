@@ -62,10 +62,37 @@ Watch::Finding Watch::describe(const ParticleGroup& group, std::size_t i, const 
         text << (axis > 0 ? ", " : "") << group.data(Field::position, axis)[i] << " m";
     text << ") " << limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_ << " m/s";
     if (group.has(Field::density)) text << ", density " << group.data(Field::density)[i] << " kg/m^3";
-    return {text.str(),
-            "likely causes: flow.largest_speed is below what the drive produces (the sound speed follows it), "
-            "accuracy.step_factor is too large, or a spring part is stiffer than accuracy.spring_step_factor allows. "
-            "The last frame shows the state"};
+    return {text.str(), likely_causes(group, outside_box(group, i)) + "\nThe last frame shows the state"};
+}
+
+/// Those that this scene can have, the likeliest first.
+std::string Watch::likely_causes(const ParticleGroup& group, bool left) const {
+    std::vector<std::string> causes;
+    const auto& accuracy = scene_.accuracy;
+    const auto with = [](const std::string& key, double value) {
+        std::ostringstream text;
+        text << key << " = " << value;
+        return text.str();
+    };
+    const bool subcycled =
+        !scene_.parts_of(PartKind::springs).empty() && accuracy.spring_stepping.value == SpringStepping::subcycled;
+    const std::string springs = with("accuracy.spring_step_factor", accuracy.spring_step_factor) +
+                                " leaves the springs too large a step for how far they are strained";
+    if (subcycled && group.kind() == ParticleKind::springs) causes.push_back(springs);
+    if (left) causes.emplace_back("a wall there has a hole or is too thin");
+    const double usual = decltype(Scene::accuracy)().step_factor;
+    if (accuracy.step_factor > usual)
+        causes.push_back(with("accuracy.step_factor", accuracy.step_factor) + " is too large; " +
+                         with("the default", usual) + " is tried");
+    causes.push_back(accuracy.sound_speed > 0
+                         ? with("accuracy.sound_speed", accuracy.sound_speed) +
+                               " m/s is not ten times the speed that the drive produces"
+                         : with("flow.largest_speed", scene_.flow.largest_speed) +
+                               " m/s is below what the drive produces (the sound speed follows it)");
+    if (subcycled && group.kind() != ParticleKind::springs) causes.push_back(springs);
+    std::string text = causes.size() > 1 ? "likely causes: " : "likely cause: ";
+    for (std::size_t k = 0; k < causes.size(); ++k) text += (k > 0 ? "; or " : "") + causes[k];
+    return text;
 }
 
 bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {

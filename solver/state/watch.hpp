@@ -11,9 +11,14 @@ namespace dmp {
 /// Watches a run and says, as soon as it leaves the region where its equations hold, which particle did and why.
 class Watch {
   public:
-    /// Rest densities by part number [kg/m^3].
-    Watch(const ParticleSpace& space, std::vector<double> rest_density, double sound_speed, double support)
-        : space_(space), rest_density_(std::move(rest_density)), sound_speed_(sound_speed), support_(support) {}
+    /// Rest densities by part number [kg/m^3]; the scene is for naming likely causes.
+    Watch(const Scene& scene, const ParticleSpace& space, std::vector<double> rest_density, double sound_speed,
+          double support)
+        : scene_(scene),
+          space_(space),
+          rest_density_(std::move(rest_density)),
+          sound_speed_(sound_speed),
+          support_(support) {}
 
     struct Finding {
         std::string problem;     ///< the first bad particle: id, part, place, speed, the limit it broke
@@ -31,8 +36,10 @@ class Watch {
   private:
     [[nodiscard]] std::optional<Finding> worst_of_fluid(const ParticleGroup& fluid) const;
     [[nodiscard]] Finding describe(const ParticleGroup& group, std::size_t i, const std::string& limit) const;
+    [[nodiscard]] std::string likely_causes(const ParticleGroup& group, bool left) const;
     [[nodiscard]] bool outside_box(const ParticleGroup& group, std::size_t i) const;
 
+    const Scene& scene_;
     ParticleSpace space_;
     std::vector<double> rest_density_;
     double sound_speed_;

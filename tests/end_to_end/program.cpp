@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -31,6 +32,7 @@ std::string text_of(const fs::path& file) {
 [[noreturn]] void become_dmp(const fs::path& folder, const std::vector<std::string>& arguments,
                              const Surroundings& with, const fs::path& output, const fs::path& errors) {
     std::vector<std::string> words{DMP_PROGRAM};
+    if (with.ranks > 0) words = {DMP_MPIRUN, "-n", std::to_string(with.ranks), DMP_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
@@ -40,6 +42,17 @@ std::string text_of(const fs::path& file) {
     // Tests run beside each other on few processors: waiting threads must not spin.
     setenv("OMP_WAIT_POLICY", "passive", 1);
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) unsetenv(name);
+    // Open MPI in a container: as root, more ranks than processors, none bound to one, waiting without keeping others
+    // from working, and no copying from another process's memory, which containers forbid.
+    for (const auto& [name, value] :
+         std::map<std::string, std::string>{{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
+                                            {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
+                                            {"OMPI_MCA_rmaps_base_oversubscribe", "1"},
+                                            {"OMPI_MCA_hwloc_base_binding_policy", "none"},
+                                            {"OMPI_MCA_mpi_yield_when_idle", "1"},
+                                            {"OMPI_MCA_btl", "self,vader"},
+                                            {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}})
+        setenv(name.c_str(), value.c_str(), 1);
     for (const auto& setting : with.environment) {
         const auto equals = setting.find('=');
         setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
@@ -52,7 +65,7 @@ std::string text_of(const fs::path& file) {
         const rlimit limit{static_cast<rlim_t>(with.largest_file), static_cast<rlim_t>(with.largest_file)};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
-    if (ready) execv(DMP_PROGRAM, argv.data());
+    if (ready) execv(argv[0], argv.data());
     _exit(127);
 }
 
@@ -96,10 +109,18 @@ Outcome run_dmp(const fs::path& folder, const std::vector<std::string>& argument
     if (child == 0) become_dmp(folder, arguments, surroundings, output, errors);
     if (surroundings.interrupt_after_ms > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(surroundings.interrupt_after_ms));
-        kill(child, SIGINT);
+        kill(child, surroundings.signal);
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    bool ended = false;
+    if (!surroundings.interrupt_at.empty()) {
+        while (!ended && !fs::exists(folder / surroundings.interrupt_at)) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            ended = waitpid(child, &status, WNOHANG) == child;
+        }
+        if (!ended) kill(child, surroundings.signal);
+    }
+    if (!ended) waitpid(child, &status, 0);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {code, text_of(output), text_of(errors)};
 }

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,7 +38,10 @@ class TemporaryFolder {
 struct Surroundings {
     std::vector<std::string> environment{};  ///< "NAME=VALUE", on top of this process'
     long largest_file = 0;                   ///< limit of a file's size [bytes]; 0: none
-    int interrupt_after_ms = 0;              ///< send SIGINT after this time; 0: never
+    int interrupt_after_ms = 0;              ///< send a signal after this time; 0: never
+    std::string interrupt_at{};              ///< send it when this file is there, relative to the folder; "": never
+    int signal = SIGINT;                     ///< the one to send
+    int ranks = 0;                           ///< under mpirun, which then gets the signal; 0: without
 };
 
 /// Runs the dmp that was built, in `folder`, with stdin closed, and waits for its end.

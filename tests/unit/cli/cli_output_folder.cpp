@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
 
 namespace {
@@ -70,6 +71,28 @@ TEST_F(OutputFolder, OfAnEarlierRunLosesItsHdf5Frames) {
     for (const char* name : {"frames.json", "frames/frame_000000.h5", "frames/frame_000001.h5"})
         EXPECT_FALSE(has(name)) << name;
     EXPECT_TRUE(has("frames/mine.h5"));
+}
+
+TEST_F(OutputFolder, OfAnEarlierRunLosesItsCheckpoints) {
+    for (const char* name : {"fluid.pvd", "checkpoints/step_000000123.h5", "checkpoints/step_000000456.h5"}) put(name);
+    put(dmp::unfinished_name("checkpoints/step_000000789.h5"));
+    EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 4 files of an earlier run"));
+    EXPECT_FALSE(has("checkpoints"));
+}
+
+TEST_F(OutputFolder, KeepsWhatElseIsBesideTheCheckpoints) {
+    for (const char* name : {"fluid.pvd", "checkpoints/step_000000123.h5", "checkpoints/step_copy.h5"}) put(name);
+    prepare_folder(folder_);
+    EXPECT_FALSE(has("checkpoints/step_000000123.h5"));
+    EXPECT_TRUE(has("checkpoints/step_copy.h5"));
+}
+
+TEST_F(OutputFolder, OfAKilledRunLosesWhatItLeftUnfinished) {
+    put("fluid.pvd");
+    put(dmp::unfinished_name("frames/fluid_000001.vtp"));
+    put(dmp::unfinished_name("measures.csv"));
+    EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 3 files of an earlier run"));
+    EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(OutputFolder, OfAnEarlierRunLosesItsEmptyFramesFolder) {

@@ -1,0 +1,90 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// The program under mpirun: the same results, one voice, and one end for all.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/small_valve.hpp"
+
+namespace {
+
+using namespace dmp::end_to_end;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+std::size_t times(const std::string& text, const std::string& words) {
+    std::size_t count = 0;
+    for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+    return count;
+}
+
+class SomeRanks : public SmallValve {
+  protected:
+    Words briefly(Words more = {}) const {
+        more.insert(more.end(), {"--until", "0.03 s"});
+        return more;
+    }
+};
+
+TEST_F(SomeRanks, ThreadsAndVectorUnitsDoNotChangeABit) {
+    ASSERT_EQ(run("whole", briefly()).code, 0);
+    for (const std::string threads : {"2", "3"}) {
+        ASSERT_EQ(run("out", briefly({"--threads", threads})).code, 0);
+        EXPECT_EQ(hash("out"), hash("whole")) << threads << " threads";
+    }
+    if (run_dmp(folder_.path(), {"doctor"}).output.find("avx2") == std::string::npos) return;  // no x86 processor
+    ASSERT_EQ(run("out", briefly({"--vector-unit", "avx2"})).code, 0);
+    EXPECT_EQ(hash("out"), hash("whole"));
+    EXPECT_NE(summary("out")["vector_unit"], "") << "it says which one it took";
+}
+
+TEST_F(SomeRanks, RanksDoNotChangeABitAndTheFirstOneSpeaks) {
+    ASSERT_EQ(run("whole", briefly()).code, 0);
+    for (const int ranks : {1, 2, 3, 4}) {
+        const auto outcome = run("out", briefly(), {.ranks = ranks});
+        ASSERT_EQ(outcome.code, 0) << outcome.errors;
+        EXPECT_EQ(hash("out"), hash("whole")) << ranks << " ranks";
+        EXPECT_EQ(summary("out")["ranks"], ranks);
+        EXPECT_EQ(outcome.errors, "");
+        for (const char* once : {"Writing to out", "Done: ", "Results in out"})
+            EXPECT_EQ(times(outcome.output, once), 1U) << once << "\n" << outcome.output;
+        EXPECT_EQ(folder_.read("out/measures.csv"), folder_.read("whole/measures.csv"));
+    }
+}
+
+TEST_F(SomeRanks, ATermSignalToMpirunLeavesACheckpointForAnyNumberOfRanks) {
+    ASSERT_EQ(run("whole").code, 0);
+    const auto stopped = stopped_run("parts", {}, 2);
+    EXPECT_NE(stopped.code, 0);
+    EXPECT_THAT(files("parts/checkpoints"), SizeIs(1)) << stopped.output << stopped.errors;
+    const auto resumed = run("parts", {"--resume"}, {.ranks = 3});
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    EXPECT_THAT(resumed.output, HasSubstr("Going on in parts from step "));
+    EXPECT_EQ(hash("parts"), hash("whole"));
+    EXPECT_EQ(folder_.read("parts/measures.csv"), folder_.read("whole/measures.csv"));
+    EXPECT_EQ(folder_.read("parts/fluid.pvd"), folder_.read("whole/fluid.pvd"));
+}
+
+TEST_F(SomeRanks, AnInputErrorEndsThemAllAndIsSaidOnce) {
+    const auto outcome = run("out", {"--set", "particles.spacin=1"}, {.ranks = 2});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(times(outcome.errors, "error: "), 1U) << outcome.errors;
+    EXPECT_EQ(outcome.output.find("spacin"), std::string::npos);
+}
+
+TEST_F(SomeRanks, ADivergenceEndsThemAllAndIsSaidOnce) {
+    const auto outcome = run("out", {"--set", "flow.acceleration=[\"1000 m/s^2\", 0]"}, {.ranks = 3});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(times(outcome.errors, "diverged"), 1U) << outcome.errors;
+}
+
+TEST_F(SomeRanks, WhatOnlyTheFirstOneMeetsEndsThemAll) {
+    std::filesystem::create_directories(folder_.path() / "out/measures.csv/in_the_way");
+    folder_.write("out/summary.json", "{}");
+    const auto outcome = run("out", briefly(), {.ranks = 3});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_EQ(times(outcome.errors, "error: "), 1U) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("measures.csv"));
+}
+
+}  // namespace

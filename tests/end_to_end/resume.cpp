@@ -1,0 +1,125 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Runs that were stopped, and how they go on.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/small_valve.hpp"
+
+namespace {
+
+using namespace dmp::end_to_end;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+class Resume : public SmallValve {
+  protected:
+    /// A stopped run that leaves two checkpoints, by name.
+    [[nodiscard]] Words two_checkpoints(const std::string& out) const {
+        EXPECT_EQ(stopped_run(out, {"--checkpoint-every", "0.01 s"}).code, 143);
+        return files(out + "/checkpoints");
+    }
+    void truncate(const std::string& file) const {
+        std::filesystem::resize_file(folder_.path() / file, std::filesystem::file_size(folder_.path() / file) / 2);
+    }
+    void flip_a_bit(const std::string& file) const {
+        std::string bytes = folder_.read(file);
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+        folder_.write(file, bytes);
+    }
+};
+
+TEST_F(Resume, GivesWhatAnUndisturbedRunGives) {
+    ASSERT_EQ(run("whole").code, 0);
+    const auto stopped = stopped_run("parts");
+    ASSERT_EQ(stopped.code, 143) << stopped.errors;
+    EXPECT_THAT(stopped.output, HasSubstr("Go on with the same command and --resume."));
+    EXPECT_LT(summary("parts")["simulated_s"], 0.1);
+    EXPECT_THAT(files("parts/checkpoints"), SizeIs(1));
+
+    const auto resumed = run("parts", {"--resume"});
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    EXPECT_THAT(resumed.output, HasSubstr("Going on in parts from step "));
+    EXPECT_EQ(hash("parts"), hash("whole"));
+    EXPECT_EQ(files("parts/frames"), files("whole/frames"));
+    for (const auto& frame : files("whole/frames"))
+        EXPECT_EQ(folder_.read("parts/frames/" + frame), folder_.read("whole/frames/" + frame)) << frame;
+    for (const std::string file : {"fluid.pvd", "solid.pvd", "walls.vtp", "measures.csv", "scene.resolved.toml"})
+        EXPECT_EQ(folder_.read("parts/" + file), folder_.read("whole/" + file)) << file;
+}
+
+TEST_F(Resume, MayUseOtherThreads) {
+    ASSERT_EQ(run("whole").code, 0);
+    ASSERT_EQ(stopped_run("parts").code, 143);
+    ASSERT_EQ(run("parts", {"--resume", "--threads", "2", "--set", "run.threads=3"}).code, 0);
+    EXPECT_EQ(hash("parts"), hash("whole"));
+}
+
+TEST_F(Resume, AWallLimitEndsTheRunWithFourAndACheckpoint) {
+    const auto limited = run("out", {"--until", "100 s", "--wall-limit", "0.3 s"});
+    EXPECT_EQ(limited.code, 4);
+    EXPECT_THAT(limited.output, HasSubstr("Stopped before its end, out of its wall time. Go on with the same command "
+                                          "and --resume."));
+    EXPECT_THAT(files("out/checkpoints"), SizeIs(1));
+    const long steps = summary("out")["steps"];
+    EXPECT_EQ(run("out", {"--until", "100 s", "--wall-limit", "0.3 s", "--resume"}).code, 4);
+    EXPECT_GT(summary("out")["steps"], steps);
+}
+
+TEST_F(Resume, RefusesAnotherSceneAndNamesTheLines) {
+    ASSERT_EQ(stopped_run("out").code, 143);
+    const auto before = files("out/frames");
+    const auto refused = run("out", {"--resume", "--set", "part.blood.viscosity=\"4 mPa*s\""});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors,
+                AllOf(HasSubstr("the scene is not the one this run was started with"), HasSubstr("was: viscosity"),
+                      HasSubstr("is:  viscosity"), Not(HasSubstr("density"))));
+    EXPECT_EQ(files("out/frames"), before) << "a refused run must change nothing";
+}
+
+TEST_F(Resume, WithoutACheckpointIsRefused) {
+    const auto refused = run("out", {"--resume"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("there is no checkpoint in out"));
+}
+
+TEST_F(Resume, UsesTheCheckpointBeforeABrokenOneAndSaysSo) {
+    ASSERT_EQ(run("whole").code, 0);
+    const auto names = two_checkpoints("truncated");
+    ASSERT_THAT(names, SizeIs(2));
+    copy("truncated", "flipped");
+    truncate("truncated/checkpoints/" + names[1]);
+    flip_a_bit("flipped/checkpoints/" + names[1]);
+    for (const std::string out : {"truncated", "flipped"}) {
+        const auto resumed = run(out, {"--resume"});
+        ASSERT_EQ(resumed.code, 0) << resumed.errors;
+        EXPECT_THAT(resumed.output, AllOf(HasSubstr(names[1] + " is "), HasSubstr("; using the one before it, step ")));
+        EXPECT_EQ(hash(out), hash("whole")) << out;
+    }
+}
+
+TEST_F(Resume, WithBrokenCheckpointsOnlyIsRefused) {
+    const auto names = two_checkpoints("out");
+    ASSERT_THAT(names, SizeIs(2));
+    flip_a_bit("out/checkpoints/" + names[0]);
+    truncate("out/checkpoints/" + names[1]);
+    const auto refused = run("out", {"--resume"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors,
+                AllOf(HasSubstr("none of its checkpoints can be used"), HasSubstr(names[0]), HasSubstr(names[1])));
+    EXPECT_EQ(files("out/checkpoints"), names) << "they may still be of use to somebody";
+}
+
+TEST_F(Resume, DoesNotTakeUpARunThatAnotherOneReplaced) {
+    ASSERT_THAT(two_checkpoints("out"), SizeIs(2));
+    const auto fresh = run("out", {"--until", "0.01 s", "--checkpoint-every", "0 s"});
+    ASSERT_EQ(fresh.code, 0) << fresh.errors;
+    EXPECT_THAT(files("out/checkpoints"), IsEmpty());
+    EXPECT_EQ(run("out", {"--resume"}).code, 2);
+}
+
+}  // namespace
