@@ -15,6 +15,8 @@ endif()
 if(DMP_SANITIZE)
   target_compile_options(dmp_rules INTERFACE -fsanitize=${DMP_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all)
+  # Between the checks that sanitizers put in, GCC loses track of what was set (its manual says so of -fsanitize).
+  target_compile_options(dmp_rules INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(dmp_rules INTERFACE -fsanitize=${DMP_SANITIZE})
 endif()
 
