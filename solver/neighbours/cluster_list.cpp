@@ -47,8 +47,8 @@ void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, c
         x[axis] = others.data(Field::position, axis);
     }
     std::size_t kept = list.first.back();
-    for (std::size_t n = kept; n < list.neighbours.size(); ++n) {
-        const std::int32_t j = list.neighbours[n];
+    for (std::size_t n = kept; n < list.listed.size(); ++n) {
+        const std::int32_t j = list.listed[n];
         Lanes nearest(HUGE_VAL);
         for (const auto& half : member) {
             Lanes square = 0.0;
@@ -58,10 +58,10 @@ void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, c
             }
             nearest = min(nearest, square);
         }
-        list.neighbours[kept] = j;
+        list.listed[kept] = j;
         kept += least(nearest) < reach * reach ? 1 : 0;
     }
-    list.neighbours.resize(kept);
+    list.listed.resize(kept);
 }
 
 template <int D>
@@ -81,21 +81,20 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
         for (int t = 0; t < threads; ++t) {
             List& part = parts[t];
-            if (threads == 1) part.neighbours.swap(list.neighbours);  // memory that is there already
-            part.neighbours.clear();
+            if (threads == 1) part.listed.swap(list.listed);  // memory that is there already
+            part.listed.clear();
             for (std::size_t c = run(t); c < run(t + 1); ++c) {
                 const Bounds bounds(group, clusters[c]);
                 for (const ParticleKind other : all_kinds) {
-                    part.first.push_back(part.neighbours.size());
+                    part.first.push_back(part.listed.size());
                     if (!may_meet(own, other)) continue;
-                    grids[static_cast<std::size_t>(other)].append_near<D>(bounds.low, bounds.high, reach,
-                                                                          part.neighbours);
+                    grids[static_cast<std::size_t>(other)].append_near<D>(bounds.low, bounds.high, reach, part.listed);
                     drop_far<D>(group, clusters[c], particles.of(other), reach, part);
                     if (own != ParticleKind::springs || other != own) continue;
                     const std::int32_t body = group.tags()[clusters[c].first].body;
                     const auto mine = [&](std::int32_t j) { return group.tags()[j].body == body; };
-                    const auto begin = part.neighbours.begin() + static_cast<std::ptrdiff_t>(part.first.back());
-                    part.neighbours.erase(std::remove_if(begin, part.neighbours.end(), mine), part.neighbours.end());
+                    const auto begin = part.listed.begin() + static_cast<std::ptrdiff_t>(part.first.back());
+                    part.listed.erase(std::remove_if(begin, part.listed.end(), mine), part.listed.end());
                 }
             }
         }
@@ -103,19 +102,27 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
         if (threads == 1) {
             list = std::move(parts[0]);
         } else {
-            list.neighbours.clear();
+            list.listed.clear();
             for (const List& part : parts) {
-                for (const std::size_t first : part.first) list.first.push_back(first + list.neighbours.size());
-                list.neighbours.insert(list.neighbours.end(), part.neighbours.begin(), part.neighbours.end());
+                for (const std::size_t first : part.first) list.first.push_back(first + list.listed.size());
+                list.listed.insert(list.listed.end(), part.listed.begin(), part.listed.end());
             }
         }
-        list.first.push_back(list.neighbours.size());
+        list.first.push_back(list.listed.size());
+        list.near.resize(list.first.size() - 1);
+        for (std::size_t k = 0; k < list.near.size(); ++k) {
+            const std::size_t entries = list.first[k + 1] - list.first[k];
+            list.near[k] = static_cast<std::int32_t>(entries);
+            longest_ = std::max(longest_, entries);
+        }
     }
+    far_.resize(static_cast<std::size_t>(threads) * (longest_ + 1));
 }
 
 void ClusterList::build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach,
                         int threads) {
     clusters_ = std::move(clusters);
+    longest_ = 0;
     if (particles.dimension() == 3) {
         find<3>(particles, reach, threads);
     } else {
@@ -126,14 +133,15 @@ void ClusterList::build(const ParticleStore& particles, std::array<std::vector<C
 
 std::size_t ClusterList::size() const {
     std::size_t entries = 0;
-    for (const List& list : lists_) entries += list.neighbours.size();
+    for (const List& list : lists_) entries += list.listed.size();
     return entries;
 }
 
 std::size_t ClusterList::bytes() const {
     std::size_t bytes = 0;
     for (const List& list : lists_)
-        bytes += list.neighbours.capacity() * sizeof(std::int32_t) + list.first.capacity() * sizeof(std::size_t);
+        bytes += (list.listed.capacity() + list.near.capacity()) * sizeof(std::int32_t) +
+                 list.first.capacity() * sizeof(std::size_t);
     return bytes;
 }
 

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -12,9 +13,11 @@
 namespace dmp {
 
 /// Which particles each cluster may meet: for each kind, every owned particle or copy within the support radius plus a
-/// skin of the cluster's box. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the
+/// skin of one of its members. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the
 /// support are in the list too: kernels vanish there. In no particular order: sums over neighbours do not depend on it
-/// (OrderFreeSum).
+/// (OrderFree).
+/// Of what is listed, the neighbours are those found near when they were last looked through: a list with a wide skin
+/// lasts long, and looking through it costs a tenth of making one. (After the pair lists of GROMACS, Páll & Hess 2013.)
 class ClusterList {
   public:
     /// `reach` = support radius + skin [m]; clusters by kind, as sort_in_space made them.
@@ -23,22 +26,29 @@ class ClusterList {
     [[nodiscard]] std::span<const Cluster> clusters(ParticleKind kind) const {
         return clusters_[static_cast<std::size_t>(kind)];
     }
-    /// Indices into the group of `kind`, of the neighbours of cluster number `cluster` of `own_kind`.
+    /// Indices into the group of `kind`, of the neighbours of cluster number `cluster` of `own_kind`: all that is
+    /// listed, after `keep_near` the near ones.
     [[nodiscard]] std::span<const std::int32_t> neighbours(ParticleKind own_kind, std::size_t cluster,
                                                            ParticleKind kind) const {
         const auto& own = lists_[static_cast<std::size_t>(own_kind)];
         const std::size_t k = 3 * cluster + static_cast<std::size_t>(kind);
-        return {own.neighbours.data() + own.first[k], own.neighbours.data() + own.first[k + 1]};
+        return {own.listed.data() + own.first[k], static_cast<std::size_t>(own.near[k])};
     }
+    /// Looks through what is listed for cluster `cluster` and makes those that is_near(index) holds for its neighbours.
+    /// To be called by one thread for a cluster; `thread` is its number.
+    template <class IsNear>
+    void keep_near(ParticleKind own_kind, std::size_t cluster, ParticleKind kind, const IsNear& is_near, int thread);
+
     [[nodiscard]] bool empty() const { return !built_; }
-    /// Entries in all.
+    /// Listed entries in all, near or not.
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] std::size_t bytes() const;
 
   private:
     struct List {
-        std::vector<std::int32_t> neighbours;
+        std::vector<std::int32_t> listed;
         std::vector<std::size_t> first;  ///< by cluster and kind; one more at the end
+        std::vector<std::int32_t> near;  ///< how many of them are near, from the first on
     };
     /// Of the last entries, keeps those within `reach` of a member.
     template <int D>
@@ -49,7 +59,31 @@ class ClusterList {
 
     bool built_ = false;
     std::array<std::vector<Cluster>, 3> clusters_;
-    std::array<List, 3> lists_;  ///< by the clusters' kind
+    std::array<List, 3> lists_;      ///< by the clusters' kind
+    std::size_t longest_ = 0;        ///< entries of one cluster and kind
+    std::vector<std::int32_t> far_;  ///< room for the longest, for each thread
 };
+
+template <class IsNear>
+void ClusterList::keep_near(ParticleKind own_kind, std::size_t cluster, ParticleKind kind, const IsNear& is_near,
+                            int thread) {
+    List& own = lists_[static_cast<std::size_t>(own_kind)];
+    const std::size_t k = 3 * cluster + static_cast<std::size_t>(kind);
+    const std::size_t count = own.first[k + 1] - own.first[k];
+    std::int32_t* listed = own.listed.data() + own.first[k];
+    std::int32_t* far = far_.data() + static_cast<std::size_t>(thread) * longest_;
+    // Both written, one counted: which it is cannot be foreseen. The order stays, memory is walked through upwards.
+    std::size_t near_ones = 0, far_ones = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+        const std::int32_t index = listed[n];
+        const bool near = is_near(index);
+        listed[near_ones] = index;
+        far[far_ones] = index;
+        near_ones += near ? 1 : 0;
+        far_ones += near ? 0 : 1;
+    }
+    std::copy_n(far, far_ones, listed + near_ones);
+    own.near[k] = static_cast<std::int32_t>(near_ones);
+}
 
 }  // namespace dmp

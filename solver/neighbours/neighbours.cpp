@@ -10,10 +10,12 @@ namespace {
 
 /// The skin [spacings]: of the first list, and its limits.
 constexpr double first_skin = 0.4, least_skin = 0.1, most_skin = 0.8;
+constexpr double least_near_skin = 0.02;
 
-/// Making a list costs as much time as one step's sweeps take longer with this much more skin [spacings]. Measured on
-/// disordered particles: 2.3 in 2-D (125 ns against 54 ns a spacing, support 3), 3 in 3-D (400 against 130, support 2).
-constexpr double cost_of_a_list = 2.5;
+/// What making a list, and looking through it, costs: as much time as one step's sweeps (for the list: one step's looks
+/// through it) take longer with this much more skin [spacings]. Measured on disordered particles, in the plane and in
+/// space.
+constexpr double cost_of_a_list = 15, cost_of_a_look = 0.2;
 
 }  // namespace
 
@@ -23,14 +25,22 @@ Neighbours::Neighbours(const Ranks& ranks, const ParticleSpace& space, double su
       support_(support),
       skin_(first_skin * space.spacing),
       threads_(threads),
-      domain_(ranks, space),
-      halos_{Halo(ranks, space), Halo(ranks, space), Halo(ranks, space)} {}
+      domain_(ranks, space, threads),
+      halos_{Halo(ranks, space, threads), Halo(ranks, space, threads), Halo(ranks, space, threads)} {}
 
-/// With skin s a list lasts s / (2 v) steps of length v; c / (s / 2v) + s is least at s = sqrt(2 v c).
-double Neighbours::best_skin() const {
-    if (half_steps_ == 0) return skin_;
+/// With skin s a list lasts s / (2 v) steps of length v; c / (s / 2v) + s is least at s = sqrt(2 v c). All in
+/// spacings.
+double Neighbours::skin_for(double cost, double least, double most, double otherwise) const {
+    if (half_steps_ == 0) return otherwise * spacing_;
     const double step = moved_ / (0.5 * static_cast<double>(half_steps_)) / spacing_;
-    return std::clamp(std::sqrt(2 * step * cost_of_a_list), least_skin, most_skin) * spacing_;
+    return std::clamp(std::sqrt(2 * step * cost), least, most) * spacing_;
+}
+
+double Neighbours::best_skin() const { return skin_for(cost_of_a_list, least_skin, most_skin, skin_ / spacing_); }
+
+/// No wider than what the list still covers.
+double Neighbours::best_near_skin() const {
+    return std::min(skin_for(cost_of_a_look, least_near_skin, most_skin, least_near_skin), skin_ - 2 * moved_);
 }
 
 void Neighbours::renew(ParticleStore& particles) {
@@ -53,6 +63,8 @@ void Neighbours::renew(ParticleStore& particles) {
     }
     moved_ = 0;
     half_steps_ = 0;
+    // All that is listed is near at first; the next look narrows it.
+    near_skin_ = 0;
     last_renewal_ = Clock::now();
     ++renewals_;
 }

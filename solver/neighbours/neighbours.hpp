@@ -20,10 +20,23 @@ class Neighbours {
     /// Particles have moved by at most this much more [m] in half a step; the same on all ranks.
     void moved(double distance) {
         moved_ += distance;
+        moved_since_look_ += distance;
         ++half_steps_;
     }
     /// Whether the list may miss pairs.
     [[nodiscard]] bool outdated() const { return list_.empty() || moved_ >= skin_ / 2; }
+    /// Brings the near ones among those that are listed up to date when they may miss pairs, through
+    /// `keep_near(list, reach)`. Copies must have their present positions. Returns whether it did.
+    template <class KeepNear>
+    bool look_through(const KeepNear& keep_near) {
+        if (!near_outdated()) return false;
+        near_skin_ = best_near_skin();
+        keep_near(list_, support_ + near_skin_);
+        moved_since_look_ = 0;
+        return true;
+    }
+    /// Whether look_through would look.
+    [[nodiscard]] bool near_outdated() const { return moved_since_look_ >= near_skin_ / 2; }
     /// Particles are no longer those that were listed.
     void forget() { list_ = {}; }
     /// Sorts, sends particles to their ranks, copies and lists anew. Indices of particles change.
@@ -44,6 +57,8 @@ class Neighbours {
 
   private:
     [[nodiscard]] double best_skin() const;
+    [[nodiscard]] double best_near_skin() const;
+    [[nodiscard]] double skin_for(double cost, double least, double most, double otherwise) const;
     void balance(const GroupList& groups);
     [[nodiscard]] KindWeights measured_weights(const ParticleStore& particles) const;
 
@@ -53,8 +68,10 @@ class Neighbours {
     Domain domain_;
     std::array<Halo, 3> halos_;
     ClusterList list_;
-    double moved_ = 0;
-    long half_steps_ = 0;  ///< since the list was made
+    double moved_ = 0;             ///< since the list was made [m]
+    double moved_since_look_ = 0;  ///< since it was looked through [m]
+    double near_skin_ = 0;         ///< with which it was looked through [m]
+    long half_steps_ = 0;          ///< since the list was made
     long renewals_ = 0;
 
     using Clock = std::chrono::steady_clock;

@@ -46,9 +46,10 @@ std::string lost(const ParticleGroup& group, std::size_t i) {
 
 }  // namespace
 
-Domain::Domain(const Ranks& ranks, const ParticleSpace& space)
+Domain::Domain(const Ranks& ranks, const ParticleSpace& space, int threads)
     : ranks_(ranks),
       dimension_(space.dimension),
+      threads_(threads),
       periodic_(space.periodic),
       space_(everything(space)),
       regions_(space_, ranks.size()) {}
@@ -88,7 +89,7 @@ void Domain::move_into_box(const GroupList& groups) const {
             const double farthest =
                 periodic ? most_periods * (high - low) : std::numeric_limits<double>::max();  // infinity is too far
             // Most particles are where they belong, and one comparison says so.
-            const auto outside = select(group->owned(), [=](std::size_t i) {
+            const auto outside = select(group->owned(), threads_, [=](std::size_t i) {
                 return periodic ? !(x[i] >= low && x[i] < high) : !(std::abs(x[i]) <= farthest);
             });
             for (const std::int32_t i : outside)
@@ -117,12 +118,14 @@ void Domain::migrate(const GroupList& groups) const {
         for (int axis = 0; axis < dimension_; ++axis) x[axis] = group->data(Field::position, axis);
         Departures leaving;
         // On a side of the box only the owner's rule knows; next to nobody is there.
-        const std::vector<std::int32_t> outside = select(group->owned(), [&, dimension = dimension_](std::size_t i) {
-            int inside = 1;
-            for (int axis = 0; axis < dimension; ++axis)
-                inside &= static_cast<int>(x[axis][i] > own.low[axis]) & static_cast<int>(x[axis][i] < own.high[axis]);
-            return inside == 0;
-        });
+        const std::vector<std::int32_t> outside =
+            select(group->owned(), threads_, [&, dimension = dimension_](std::size_t i) {
+                int inside = 1;
+                for (int axis = 0; axis < dimension; ++axis)
+                    inside &=
+                        static_cast<int>(x[axis][i] > own.low[axis]) & static_cast<int>(x[axis][i] < own.high[axis]);
+                return inside == 0;
+            });
         for (const std::int32_t i : outside)
             if (const int rank = regions_.owner(place_of(*group, i)); rank != ranks_.rank()) {
                 leaving.particles.push_back(i);

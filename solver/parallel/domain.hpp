@@ -27,7 +27,7 @@ struct KindWeights {
 /// All but owner() and box() must be called by all ranks together. One rank alone calls no MPI.
 class Domain {
   public:
-    Domain(const Ranks& ranks, const ParticleSpace& space);
+    Domain(const Ranks& ranks, const ParticleSpace& space, int threads = 1);
 
     /// Divides space anew, so that the owned particles of these groups weigh about the same on each rank; migrate()
     /// then brings them there. With hardly more particles than ranks, all may become the first rank's. Positions move
@@ -53,7 +53,7 @@ class Domain {
     void move_into_box(const GroupList& groups) const;
 
     Ranks ranks_;
-    int dimension_;
+    int dimension_, threads_;
     std::array<bool, 3> periodic_;
     Box space_;  ///< one period, or from -infinity to infinity
     Regions regions_;

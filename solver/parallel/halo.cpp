@@ -25,8 +25,11 @@ struct Halo::Requests {
     std::vector<MPI_Request> all;
 };
 
-Halo::Halo(Ranks ranks, const ParticleSpace& space)
-    : ranks_(std::move(ranks)), dimension_(space.dimension), requests_(std::make_unique<Requests>()) {
+Halo::Halo(Ranks ranks, const ParticleSpace& space, int threads)
+    : ranks_(std::move(ranks)),
+      dimension_(space.dimension),
+      threads_(threads),
+      requests_(std::make_unique<Requests>()) {
     for (int axis = 0; axis < dimension_; ++axis)
         if (space.periodic[axis]) period_[axis] = space.box.high[axis] - space.box.low[axis];
 }
@@ -57,10 +60,10 @@ std::vector<Halo::Outgoing> Halo::wanted_copies(const ParticleGroup& group, cons
     std::array<const double*, 3> x{};
     for (int axis = 0; axis < dimension_; ++axis) x[axis] = group.data(Field::position, axis);
     const std::vector<std::int32_t> candidates =
-        select(group.owned(), [&](std::size_t i) { return targets.may_need(x, i); });
+        select(group.owned(), threads_, [&](std::size_t i) { return targets.may_need(x, i); });
     for (const HaloTarget& target : targets.list()) {
         const std::vector<std::int32_t> chosen =
-            select(candidates.size(), [&](std::size_t k) { return targets.needs(target, x, candidates[k]); });
+            select(candidates.size(), threads_, [&](std::size_t k) { return targets.needs(target, x, candidates[k]); });
         if (chosen.empty()) continue;
         if (all.empty() || all.back().rank != target.rank) all.push_back({target.rank, {}, {}, {}});
         Outgoing& outgoing = all.back();
@@ -145,17 +148,17 @@ void Halo::finish(ParticleGroup& group) {
     fields_.clear();
 }
 
-void Halo::copy_values(const Outgoing& outgoing, const ParticleGroup& group, Field field, int axis, double* to) {
+void Halo::copy_values(const Outgoing& outgoing, const ParticleGroup& group, Field field, int axis, double* to) const {
     const double* from = group.data(field, axis);
     const std::int32_t* sources = outgoing.sources.data();
     std::size_t begin = 0;
     for (const Run& run : outgoing.runs) {
         const double shift = field == Field::position ? run.shift[axis] : 0;
         if (shift == 0)  // adding it would turn -0 into +0
-#pragma omp parallel for schedule(static) if (run.end - begin >= worth_threads)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
             for (std::size_t k = begin; k < run.end; ++k) to[k] = from[sources[k]];
         else
-#pragma omp parallel for schedule(static) if (run.end - begin >= worth_threads)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
             for (std::size_t k = begin; k < run.end; ++k) to[k] = from[sources[k]] + shift;
         begin = run.end;
     }

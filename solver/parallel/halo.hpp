@@ -19,7 +19,7 @@ namespace dmp {
 /// groups in the same order. One rank alone calls no MPI.
 class Halo {
   public:
-    Halo(Ranks ranks, const ParticleSpace& space);
+    Halo(Ranks ranks, const ParticleSpace& space, int threads = 1);
     ~Halo();
     Halo(const Halo&) = delete;
     Halo& operator=(const Halo&) = delete;
@@ -71,10 +71,10 @@ class Halo {
                                                       double reach) const;
     void make_room(ParticleGroup& group);
     void post_receives(std::size_t arrays);
-    static void copy_values(const Outgoing& outgoing, const ParticleGroup& group, Field field, int axis, double* to);
+    void copy_values(const Outgoing& outgoing, const ParticleGroup& group, Field field, int axis, double* to) const;
 
     Ranks ranks_;
-    int dimension_;
+    int dimension_, threads_;
     std::array<double, 3> period_{};  ///< 0: not periodic
     Outgoing own_;                    ///< this rank's own images; their copies come first
     std::vector<Outgoing> outgoing_;  ///< to other ranks

@@ -11,13 +11,13 @@ namespace dmp {
 /// Fewer than this are not worth waking threads for.
 constexpr std::size_t worth_threads = 20000;
 
-/// The indices below `count` for which test(index) is true, in order, by all threads.
+/// The indices below `count` for which test(index) is true, in order.
 template <class Test>
-std::vector<std::int32_t> select(std::size_t count, const Test& test) {
+std::vector<std::int32_t> select(std::size_t count, int threads, const Test& test) {
     constexpr std::size_t block = 4096;
     const std::size_t blocks = (count + block - 1) / block;
     std::vector<std::vector<std::int32_t>> found(blocks);
-#pragma omp parallel for schedule(static) if (count >= worth_threads)
+#pragma omp parallel for num_threads(threads) schedule(static) if (count >= worth_threads)
     for (std::size_t k = 0; k < blocks; ++k) {
         std::array<std::int32_t, block> chosen;
         std::size_t size = 0;

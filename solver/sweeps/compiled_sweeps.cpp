@@ -12,6 +12,7 @@
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
+#include "solver/sweeps/near_sweep.hpp"
 
 namespace dmp {
 
@@ -69,6 +70,10 @@ class Sweeps final : public PairSweeps {
                 });
             });
         });
+    }
+
+    void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
+        NearSweep<L, D>(particles, list, reach, settings_.threads).run();
     }
 
     [[nodiscard]] double sound_limit() const override { return Kernel::sound_limit; }

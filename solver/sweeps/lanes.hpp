@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <cstring>
 
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
 namespace dmp {
 
 /// As many numbers as a vector register of the processor holds, worked on together: particles of one cluster side by
@@ -53,6 +57,20 @@ class BasicLanes {
     /// a where x < y, else b.
     friend BasicLanes where_less(BasicLanes x, BasicLanes y, BasicLanes a, BasicLanes b) {
         return BasicLanes(x.raw_ < y.raw_ ? a.raw_ : b.raw_);
+    }
+
+    /// Whether a < b in any lane.
+    friend bool any_less(BasicLanes a, BasicLanes b) {
+        const auto less = a.raw_ < b.raw_;
+#if defined(__AVX512DQ__)
+        if constexpr (sizeof(Raw) == 64 && sizeof(Real) == 8) return _mm512_movepi64_mask((__m512i)less) != 0;
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(Raw) == 32 && sizeof(Real) == 8) return _mm256_movemask_pd((__m256d)less) != 0;
+#endif
+        bool any = false;
+        for (std::size_t k = 0; k < width; ++k) any = any || less[k] != 0;
+        return any;
     }
 
     friend double least(BasicLanes a) {

@@ -41,6 +41,9 @@ class PairSweeps {
     /// particles; with plain walls the solids' density rate too.
     virtual void density_rates(ParticleStore& particles, const ClusterList& list) const = 0;
 
+    /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
+    virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;
+
     /// Largest stable c dt / support and nu dt / support^2 of the kernel (linear theory).
     [[nodiscard]] virtual double sound_limit() const = 0;
     [[nodiscard]] virtual double viscous_limit() const = 0;

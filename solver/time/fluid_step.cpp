@@ -47,8 +47,9 @@ void FluidStep::advance(double t, double dt) {
         passes_.drift_to_middle(particles_, dt / 2);
         neighbours_.moved(dt / 2 * largest_speed_);
     });
-    timer_.timed("neighbours", [&] { refresh_neighbours(); });
+    timer_.timed("neighbours", [&] { renew_list(); });
     timer_.timed("halo", [&] { exchange({Field::position, Field::pressure, Field::volume, Field::density}); });
+    timer_.timed("near", [&] { look_through_list(); });
     timer_.timed("forces", [&] { sweeps_->forces(particles_, neighbours_.list(), body_acceleration(t + dt / 2)); });
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
@@ -74,6 +75,17 @@ void FluidStep::update_pressure() {
 void FluidStep::exchange(const FieldList& fields) { neighbours_.exchange(particles_, fields); }
 
 void FluidStep::refresh_neighbours() {
+    renew_list();
+    if (!neighbours_.near_outdated()) return;
+    exchange({Field::position});
+    look_through_list();
+}
+
+void FluidStep::look_through_list() {
+    neighbours_.look_through([this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
+}
+
+void FluidStep::renew_list() {
     if (!neighbours_.outdated()) return;
     neighbours_.renew(particles_);
     springs_.find_nodes(particles_);

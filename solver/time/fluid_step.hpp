@@ -59,6 +59,8 @@ class FluidStep {
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
 
   private:
+    void renew_list();
+    void look_through_list();
     void advance_springs(double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);

@@ -25,6 +25,7 @@ struct Arrangement {
     VectorUnit vector_unit = VectorUnit::widest;
     int threads = 1;
     double extra_reach = 0;       ///< that the lists look farther than they must [m]
+    bool near_only = false;       ///< the lists are looked through for what is near before the sweeps
     unsigned shuffled = 0;        ///< seed for the order of the particles before they are sorted; 0: as meshed
     bool wrapped = false;         ///< a third of the particles stands a period away along each periodic axis
     Vec displaced = Vec::Zero();  ///< all particles by this; along periodic axes only [m]
@@ -67,6 +68,9 @@ class ArrangedCrowd {
         FieldList all(static_cast<std::size_t>(Field::count));
         for (std::size_t f = 0; f < all.size(); ++f) all[f] = static_cast<Field>(f);
         neighbours_.exchange(particles_, all);
+        if (arrangement.near_only)
+            neighbours_.look_through(
+                [this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
     }
 
     [[nodiscard]] Sums sweep() {

@@ -227,5 +227,64 @@ TEST(ClusterList, of_one_kind_alone_leaves_the_others_empty) {
     }
 }
 
+/// The neighbours of all clusters, one after another.
+std::vector<std::int32_t> neighbours_in(const ClusterList& list) {
+    std::vector<std::int32_t> all;
+    for (const ParticleKind own : all_kinds)
+        for (std::size_t c = 0; c < list.clusters(own).size(); ++c)
+            for (const ParticleKind other : all_kinds) {
+                const auto some = list.neighbours(own, c, other);
+                all.insert(all.end(), some.begin(), some.end());
+                all.push_back(-1);
+            }
+    return all;
+}
+
+TEST(ClusterList, keeps_the_near_ones_and_finds_the_others_again) {
+    ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
+    Neighbours neighbours(ranks, particles.space(), 0.3, 2);
+    neighbours.renew(particles);
+    ClusterList list = neighbours.list();
+    const std::vector<std::int32_t> all = neighbours_in(list);
+    const auto keep = [&](auto is_near) {
+        for (const ParticleKind own : all_kinds)
+            for (std::size_t c = 0; c < list.clusters(own).size(); ++c)
+                for (const ParticleKind other : all_kinds)
+                    list.keep_near(own, c, other, is_near, static_cast<int>(c % 2));
+    };
+    keep([](std::int32_t index) { return index % 3 == 0; });
+    std::vector<std::int32_t> expected = all;
+    std::erase_if(expected, [](std::int32_t index) { return index >= 0 && index % 3 != 0; });
+    EXPECT_EQ(neighbours_in(list), expected) << "in their order";
+    EXPECT_LT(expected.size(), all.size());
+    EXPECT_EQ(list.size(), neighbours.list().size()) << "the others are listed still";
+    keep([](std::int32_t) { return true; });
+    std::vector<std::int32_t> again = neighbours_in(list), sorted = all;
+    std::ranges::sort(again);
+    std::ranges::sort(sorted);
+    EXPECT_EQ(again, sorted);
+}
+
+TEST(Neighbours, look_through_their_list_before_pairs_can_be_missed) {
+    ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
+    Neighbours neighbours(ranks, particles.space(), 0.3, 1);
+    neighbours.renew(particles);
+    double reach = 0;
+    const auto look = [&] { return neighbours.look_through([&](ClusterList&, double r) { reach = r; }); };
+    EXPECT_TRUE(look()) << "a new list holds what is not near";
+    EXPECT_GT(reach, 0.3);
+    EXPECT_FALSE(look());
+    const double margin = reach - 0.3;
+    neighbours.moved(0.49 * margin);
+    EXPECT_FALSE(look());
+    neighbours.moved(0.02 * margin);
+    EXPECT_TRUE(look()) << "two that came to meet each other may be within the support";
+    // However far the list reaches, what is near by it can be no farther.
+    while (!neighbours.outdated()) {
+        neighbours.moved(0.1 * neighbours.skin());
+        if (!neighbours.outdated() && look()) EXPECT_LE(reach, 0.3 + neighbours.skin());
+    }
+}
+
 }  // namespace
 }  // namespace dmp

@@ -145,6 +145,8 @@ TEST_P(SumsOver, do_not_depend_on_the_order_of_the_particles) {
 
 TEST_P(SumsOver, do_not_depend_on_how_far_the_lists_look) {
     for (const double farther : {0.02, 0.1, 0.25}) expect_same({.extra_reach = farther});
+    for (const VectorUnit unit : available_vector_units())
+        expect_same({.vector_unit = unit, .threads = 3, .extra_reach = 0.1, .near_only = true});
 }
 
 TEST_P(SumsOver, do_not_depend_on_where_particles_were_wrapped) { expect_same({.wrapped = true}); }

@@ -1,0 +1,68 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <omp.h>
+
+#include "solver/neighbours/cluster_list.hpp"
+#include "solver/sweeps/point_reader.hpp"
+
+namespace dmp {
+
+/// Looks through all that is listed and keeps what is within `reach` of a member of its cluster as neighbours, L
+/// members at a time.
+template <class L, int D>
+class NearSweep {
+  public:
+    NearSweep(const ParticleStore& particles, ClusterList& list, double reach, int threads)
+        : particles_(particles), list_(list), reach_square_(reach * reach), threads_(threads) {}
+
+    void run() {
+        for (const ParticleKind own : all_kinds) {
+            const auto count = static_cast<std::ptrdiff_t>(list_.clusters(own).size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+            for (std::ptrdiff_t c = 0; c < count; ++c) look_around(own, static_cast<std::size_t>(c));
+        }
+    }
+
+  private:
+    static constexpr std::size_t parts = (cluster_size + L::width - 1) / L::width;
+    using Members = std::array<Vector<L, D>, parts>;
+
+    void look_around(ParticleKind own, std::size_t number) {
+        const Members members = members_of(particles_.of(own), list_.clusters(own)[number]);
+        for (const ParticleKind other : all_kinds) {
+            const auto positions = axes_of<D>(particles_.of(other), Field::position);
+            list_.keep_near(
+                own, number, other,
+                [&](std::int32_t index) { return is_near(members, load_vector<L, D>(positions, index)); },
+                omp_get_thread_num());
+        }
+    }
+
+    /// Lanes without a member repeat the first one.
+    static Members members_of(const ParticleGroup& group, const Cluster& cluster) {
+        Members members;
+        for (int axis = 0; axis < D; ++axis) {
+            const double* x = group.data(Field::position, axis) + cluster.first;
+            for (std::size_t k = 0; k < parts * L::width; ++k)
+                members[k / L::width][axis].set(k % L::width, x[k < static_cast<std::size_t>(cluster.count) ? k : 0]);
+        }
+        return members;
+    }
+
+    [[nodiscard]] bool is_near(const Members& members, const Vector<double, D>& position) const {
+        bool near = false;
+        for (const Vector<L, D>& some : members) {
+            const auto separation = some - position;
+            near |= any_less(dot(separation, separation), L(reach_square_));
+        }
+        return near;
+    }
+
+    const ParticleStore& particles_;
+    ClusterList& list_;
+    double reach_square_;
+    int threads_;
+};
+
+}  // namespace dmp
