@@ -172,7 +172,7 @@ void Simulation::State::write_what_is_due(FrameSink* sink) {
 }
 
 void Simulation::State::stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes) {
-    stop_for_all(sink, watch.look(particles, fluid, extremes));
+    stop_for_all(sink, watch.look(particles, fluid, extremes, time));
 }
 
 void Simulation::State::stop_for_all(FrameSink* sink, const std::optional<Watch::Finding>& finding) {
@@ -251,7 +251,7 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
         ++step;
         // The fluid may have gone first; if not, the springs are to blame.
         stop_if_diverged(options.sink, fluid.extremes());
-        stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem()));
+        stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
     time = target - time <= 1.5 * dt ? target : time + dt;

@@ -51,24 +51,24 @@ bool Watch::fluid_is_well(const FluidExtremes& extremes) const {
 }
 
 std::optional<Watch::Finding> Watch::look(const ParticleStore& particles, const FluidStep& step,
-                                          const FluidExtremes& extremes) const {
+                                          const FluidExtremes& extremes, double t) const {
     std::optional<Misdeed> found;
     const bool well = fluid_is_well(extremes);
     if (!well) found = worst_of_fluid(particles.fluid());
     if (!found && well) found = worst_of_springs(particles.of(ParticleKind::springs));
     if (!found && well) found = first_that_left(particles, step.neighbours().list());
     if (!found) return std::nullopt;
-    return describe(*found, particles, step.springs());
+    return describe(*found, particles, step, t);
 }
 
 std::optional<Watch::Finding> Watch::stuck_springs(const ParticleStore& particles, const FluidStep& step,
-                                                   const std::string& reason) const {
+                                                   const std::string& reason, double t) const {
     const ParticleGroup& springs = particles.of(ParticleKind::springs);
     if (springs.owned() == 0) return std::nullopt;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < springs.owned(); ++i)
         if (!(speed_of(springs, i) <= speed_of(springs, worst))) worst = i;
-    return describe({&springs, worst, "is the fastest node, and " + reason, false, true}, particles, step.springs());
+    return describe({&springs, worst, "is the fastest node, and " + reason, false, true}, particles, step, t);
 }
 
 std::optional<Watch::Misdeed> Watch::worst_of_fluid(const ParticleGroup& fluid) const {
@@ -112,8 +112,8 @@ std::optional<Watch::Misdeed> Watch::first_that_left(const ParticleStore& partic
     return found;
 }
 
-Watch::Finding Watch::describe(const Misdeed& misdeed, const ParticleStore& particles,
-                               const SpringBodies& springs) const {
+Watch::Finding Watch::describe(const Misdeed& misdeed, const ParticleStore& particles, const FluidStep& step,
+                               double t) const {
     const ParticleGroup& group = *misdeed.group;
     const std::size_t i = misdeed.particle;
     const ParticleTag& tag = group.tags()[i];
@@ -123,12 +123,13 @@ Watch::Finding Watch::describe(const Misdeed& misdeed, const ParticleStore& part
         text << (axis > 0 ? ", " : "") << group.data(Field::position, axis)[i] << " m";
     text << ") " << misdeed.limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_ << " m/s";
     if (group.has(Field::density)) text << ", density " << group.data(Field::density)[i] << " kg/m^3";
-    return {text.str(), likely_causes(misdeed, particles.fluid(), springs) + "\nThe last frame shows the state"};
+    return {text.str(), likely_causes(misdeed, particles.fluid(), step, t) + "\nThe last frame shows the state"};
 }
 
 /// Those that this scene can have, the likeliest first, judged by what was set and by the state of all particles.
-std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid,
-                                 const SpringBodies& springs) const {
+std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid, const FluidStep& step,
+                                 double t) const {
+    const SpringBodies& springs = step.springs();
     const auto& accuracy = scene_.accuracy;
     const decltype(Scene::accuracy) usual;
     std::vector<std::pair<double, std::string>> causes;  // with how likely each is
@@ -147,6 +148,9 @@ std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fl
                             : setting("flow.largest_speed", scene_.flow.largest_speed) +
                                   " m/s is below what the drive produces (the sound speed follows it)");
 
+    const auto drive = step.body_acceleration(t);
+    if (!std::ranges::all_of(drive, [](double axis) { return std::isfinite(axis); }))
+        causes.emplace_back(8, "flow.acceleration gives no number at that time");
     if (misdeed.left || outside_box(*misdeed.group, misdeed.particle))
         causes.emplace_back(misdeed.left ? 4 : 2, "a wall there has a hole or is too thin");
     if (accuracy.step_factor > usual.step_factor)

@@ -51,6 +51,13 @@ TEST_F(BlowUp, FromTooStrongADriveNamesTheSpeed) {
     expect_snapshot_of(ended.errors, "out");
 }
 
+TEST_F(BlowUp, FromAFormulaThatGivesNoNumberNamesIt) {
+    const auto ended = run("out", {"--set", "flow.acceleration=[\"1 m/s^2 * sqrt(0.0151 - t / 1 s)\", 0]"});
+    ASSERT_EQ(ended.code, 3) << ended.errors;
+    EXPECT_THAT(ended.errors, AllOf(HasSubstr("is not finite"),
+                                    HasSubstr("likely causes: flow.acceleration gives no number at that time")));
+}
+
 TEST_F(BlowUp, FromAHoleInTheDrawnWallIsRefusedBeforehand) {
     folder_.replace("vein_valve.geo", "Line(20) = {20, 21};",
                     "Point(26) = {-0.030, -half_width, 0};\nPoint(27) = {-0.027, -half_width, 0};\n"
