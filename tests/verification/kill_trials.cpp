@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -14,12 +15,11 @@
 namespace {
 
 using namespace dmp::end_to_end;
-using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kills_wanted = 50;
+constexpr int resumed_kills_wanted = 50;
 constexpr int killed = 128 + SIGKILL;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -42,26 +42,30 @@ class KillTrials : public SmallValve {
 
     int any(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
 
+    [[nodiscard]] bool has_checkpoint(const std::string& out) const {
+        return std::ranges::any_of(files(out + "/checkpoints"),
+                                   [](const std::string& name) { return name.starts_with("step_"); });
+    }
+
     /// Starts or goes on with the run in `out` and kills it at a moment by chance: at some time, or while a file is
-    /// being written below one of its folders.
+    /// being written in one of its folders; nine times out of ten when there is a checkpoint to go on from.
     Outcome run_and_kill(const std::string& out, const Words& more) {
         const std::string place = std::vector<std::string>{"", "/checkpoints", "/frames"}[any(0, 2)];
+        const bool needs_checkpoint = any(0, 9) > 0;
+        const double wait = 1e-3 * any(0, longest_wait_ms_), into_the_file = 1e-6 * any(0, 3000);
         const auto start = Clock::now();
-        const double wait = 1e-3 * any(1, place.empty() ? longest_wait_ms_ : longest_wait_ms_ / 2);
-        const double into_the_file = 1e-6 * any(0, 3000);
-        std::optional<Clock::time_point> seen;
-        return run(out, more,
-                   {.interrupt_when =
-                        [&, folder = folder_.path() / (out + place)] {
-                            if (seconds_since(start) < wait) return false;
-                            if (place.empty()) return true;
-                            const bool writing = !unfinished_in(folder).empty();
-                            if (writing && !seen) seen = Clock::now();
-                            // Nothing is being written any more: the next file.
-                            if (!writing && seen) seen.reset();
-                            return seen && seconds_since(*seen) >= (place == "/frames" ? 0 : into_the_file);
-                        },
-                    .signal = SIGKILL});
+        std::optional<Clock::time_point> seen;  // since when a file has been written
+        const auto is_time = [&] {
+            if (seconds_since(start) < wait || (needs_checkpoint && !has_checkpoint(out))) return false;
+            if (place.empty()) return true;
+            if (unfinished_in(folder_.path() / (out + place)).empty()) {
+                seen.reset();
+                return false;
+            }
+            if (!seen) seen = Clock::now();
+            return place == "/frames" || seconds_since(*seen) >= into_the_file;
+        };
+        return run(out, more, {.interrupt_when = is_time, .signal = SIGKILL});
     }
 
     /// What the kill hit, by what it left.
@@ -69,7 +73,7 @@ class KillTrials : public SmallValve {
         if (!unfinished_in(folder_.path() / out / "checkpoints").empty()) return "while a checkpoint was being written";
         if (!unfinished_in(folder_.path() / out / "frames").empty() || !unfinished_in(folder_.path() / out).empty())
             return "while a frame or a list of frames was being written";
-        return files(out + "/checkpoints").empty() ? "before the first checkpoint" : "at another moment";
+        return "at another moment";
     }
 
     void expect_same(const std::string& out, const std::string& whole) const {
@@ -87,50 +91,48 @@ class KillTrials : public SmallValve {
 };
 
 TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
-    const auto begin = Clock::now();
     std::cout << "seed " << seed_ << " (DMP_SEED chooses another)\n";
+    const auto begin = Clock::now();
     ASSERT_EQ(run("whole").code, 0);
     longest_wait_ms_ = static_cast<int>(1e3 * seconds_since(begin));
 
-    std::map<std::string, int> moments;
-    int kills = 0, trials = 0, resumed_on_other_threads = 0, started_anew = 0;
-    while (kills < kills_wanted && !HasFailure()) {
-        const std::string out = "trial_" + std::to_string(++trials);
+    std::map<std::string, int> moments;  // of the kills that were resumed
+    int runs = 0, resumed = 0, on_other_threads = 0, on_two_ranks = 0, started_anew = 0;
+    while (resumed < resumed_kills_wanted) {
+        const std::string out = "run_" + std::to_string(++runs);
         SCOPED_TRACE(out);
-        const Words often{"--checkpoint-every", std::vector<std::string>{"0.0001 s", "0.01 s", "0.1 s"}[any(0, 2)]};
+        const Words often{"--checkpoint-every", std::vector<std::string>{"0.0001 s", "0.01 s", "0.05 s"}[any(0, 2)]};
         Words how = often;
         Outcome outcome;
-        // One to three kills, then to the end.
-        for (int left = any(1, 3);; --left) {
-            outcome = left > 0 ? run_and_kill(out, how) : run(out, how);
-            if (outcome.code != killed) break;
-            ++kills;
-            const std::string hit = moment(out);
-            ++moments[hit];
-            how = often;
-            const bool can_go_on = hit != "before the first checkpoint" &&
-                                   std::ranges::any_of(files(out + "/checkpoints"), [](const std::string& name) {
-                                       return name.starts_with("step_");
-                                   });
-            const std::string threads = std::to_string(any(1, 3));
-            how.insert(how.end(), {"--threads", threads});
-            if (can_go_on) {
-                how.emplace_back("--resume");
-                resumed_on_other_threads += threads != "1" ? 1 : 0;
-            } else {
-                ++started_anew;
+        for (int kills_left = any(1, 3);; --kills_left) {
+            const int ranks = kills_left <= 0 && any(0, 5) == 0 ? 2 : 0;
+            outcome = kills_left > 0 ? run_and_kill(out, how) : run(out, how, {.ranks = ranks});
+            if (outcome.code != killed) {
+                on_two_ranks += ranks > 0 ? 1 : 0;
+                break;
             }
+            const std::string threads = std::to_string(any(1, 3));
+            how = often;
+            how.insert(how.end(), {"--threads", threads});
+            if (!has_checkpoint(out)) {
+                ++started_anew;
+                continue;
+            }
+            how.emplace_back("--resume");
+            ++resumed;
+            ++moments[moment(out)];
+            on_other_threads += threads != "1" ? 1 : 0;
         }
         ASSERT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
         expect_same(out, "whole");
+        if (HasFailure()) return;
         fs::remove_all(folder_.path() / out);
     }
-    std::cout << kills << " kills in " << trials << " runs, " << seconds_since(begin) << " s in all\n";
+    std::cout << resumed << " kills resumed, in " << runs << " runs, " << seconds_since(begin) << " s in all\n";
     for (const auto& [hit, count] : moments) std::cout << "  " << count << ' ' << hit << '\n';
-    std::cout << "  " << resumed_on_other_threads << " resumed on 2 or 3 threads, " << started_anew
-              << " started anew for want of a checkpoint\n";
-    RecordProperty("seed", static_cast<int>(seed_));
-    RecordProperty("while_a_checkpoint_was_written", moments["while a checkpoint was being written"]);
+    std::cout << "  " << on_other_threads << " resumed on 2 or 3 threads, " << on_two_ranks
+              << " runs ended on 2 ranks; " << started_anew
+              << " more kills before there was a checkpoint, started anew\n";
     EXPECT_GE(moments["while a checkpoint was being written"], 5) << "the trials missed what they are for";
 }
 
