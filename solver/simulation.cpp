@@ -71,6 +71,8 @@ struct Simulation::State {
     void write_what_is_due(FrameSink* sink);
     [[noreturn]] void diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do);
     void stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes);
+    /// Does nothing where no rank found anything.
+    void stop_for_all(FrameSink* sink, const std::optional<Watch::Finding>& finding);
     /// One step, towards `until` or the next time at which something is due.
     void advance(const RunOptions& options, double until, FluidExtremes& extremes);
     [[nodiscard]] RunSummary summary() const;
@@ -170,7 +172,10 @@ void Simulation::State::write_what_is_due(FrameSink* sink) {
 }
 
 void Simulation::State::stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes) {
-    const auto finding = watch.look(particles, extremes);
+    stop_for_all(sink, watch.look(particles, fluid, extremes, time));
+}
+
+void Simulation::State::stop_for_all(FrameSink* sink, const std::optional<Watch::Finding>& finding) {
     // The lowest rank that found something speaks for all.
     const std::string found =
         first_that_is_not_empty(ranks, finding ? finding->problem + '\n' + finding->what_to_do : "");
@@ -244,6 +249,9 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     } catch (const DivergenceError& error) {
         time += dt;
         ++step;
+        // The fluid may have gone first; if not, the springs are to blame.
+        stop_if_diverged(options.sink, fluid.extremes());
+        stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
     time = target - time <= 1.5 * dt ? target : time + dt;
@@ -252,8 +260,7 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     extremes = fluid.extremes();
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);
-    const bool unwell = !(extremes.largest_speed < settings.sound_speed);
-    if (unwell || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
+    if (!watch.fluid_is_well(extremes) || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
     write_what_is_due(options.sink);
 }
 

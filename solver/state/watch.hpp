@@ -25,19 +25,43 @@ class Watch {
         std::string what_to_do;  ///< the likely cause
     };
 
-    /// Empty while all is well with this rank's particles. `extremes` are those of the step just done; positions are
-    /// looked at as well.
-    [[nodiscard]] std::optional<Finding> look(const ParticleStore& particles, const FluidExtremes& extremes) const;
+    /// Whether the fluid's speeds and densities are within the limits, whatever else may be wrong. Costs nothing.
+    [[nodiscard]] bool fluid_is_well(const FluidExtremes& extremes) const;
+
+    /// Empty while all is well with this rank's particles at time t [s]. `extremes` are those of the step just done;
+    /// positions are looked at as well.
+    [[nodiscard]] std::optional<Finding> look(const ParticleStore& particles, const FluidStep& step,
+                                              const FluidExtremes& extremes, double t) const;
+
+    /// For a spring body that could not be moved, for the reason given: this rank's fastest node, if it has any.
+    [[nodiscard]] std::optional<Finding> stuck_springs(const ParticleStore& particles, const FluidStep& step,
+                                                       const std::string& reason, double t) const;
 
     /// This rank's fluid particles that lie behind the surface of their nearest wall particle by more than a spacing,
     /// or outside the box: they have left the domain.
     [[nodiscard]] std::size_t lost(const ParticleStore& particles, const ClusterList& list) const;
 
   private:
-    [[nodiscard]] std::optional<Finding> worst_of_fluid(const ParticleGroup& fluid) const;
-    [[nodiscard]] Finding describe(const ParticleGroup& group, std::size_t i, const std::string& limit) const;
-    [[nodiscard]] std::string likely_causes(const ParticleGroup& group, bool left) const;
+    /// What a particle was found to do.
+    struct Misdeed {
+        const ParticleGroup* group = nullptr;
+        std::size_t particle = 0;
+        std::string limit;   ///< the one it broke, in words
+        bool left = false;   ///< the domain, while the fluid is well otherwise
+        bool stuck = false;  ///< a spring body that could not be moved
+    };
+    [[nodiscard]] std::optional<Misdeed> worst_of_fluid(const ParticleGroup& fluid) const;
+    [[nodiscard]] std::optional<Misdeed> worst_of_springs(const ParticleGroup& springs) const;
+    [[nodiscard]] std::optional<Misdeed> first_that_left(const ParticleStore& particles, const ClusterList& list) const;
+    [[nodiscard]] Finding describe(const Misdeed& misdeed, const ParticleStore& particles, const FluidStep& step,
+                                   double t) const;
+    [[nodiscard]] std::string likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid, const FluidStep& step,
+                                            double t) const;
     [[nodiscard]] bool outside_box(const ParticleGroup& group, std::size_t i) const;
+    /// Calls visit(i, depth) for each of this rank's fluid particles that left, depth behind the wall's surface or 0
+    /// for those outside the box, until it returns false.
+    template <class Visit>
+    void for_those_that_left(const ParticleStore& particles, const ClusterList& list, const Visit& visit) const;
 
     const Scene& scene_;
     ParticleSpace space_;

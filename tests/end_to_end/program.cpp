@@ -113,13 +113,16 @@ Outcome run_dmp(const fs::path& folder, const std::vector<std::string>& argument
     }
     int status = 0;
     bool ended = false;
-    if (!surroundings.interrupt_at.empty()) {
-        while (!ended && !fs::exists(folder / surroundings.interrupt_at)) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const auto interrupt_when = [&](const std::function<bool()>& is_time, std::chrono::microseconds between) {
+        while (!ended && !is_time()) {
+            std::this_thread::sleep_for(between);
             ended = waitpid(child, &status, WNOHANG) == child;
         }
         if (!ended) kill(child, surroundings.signal);
-    }
+    };
+    if (!surroundings.interrupt_at.empty())
+        interrupt_when([&] { return fs::exists(folder / surroundings.interrupt_at); }, std::chrono::milliseconds(2));
+    if (surroundings.interrupt_when) interrupt_when(surroundings.interrupt_when, std::chrono::microseconds(20));
     if (!ended) waitpid(child, &status, 0);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {code, text_of(output), text_of(errors)};

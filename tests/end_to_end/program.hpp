@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct Surroundings {
     long largest_file = 0;                   ///< limit of a file's size [bytes]; 0: none
     int interrupt_after_ms = 0;              ///< send a signal after this time; 0: never
     std::string interrupt_at{};              ///< send it when this file is there, relative to the folder; "": never
+    std::function<bool()> interrupt_when{};  ///< send it as soon as this holds, asked all the time; none: never
     int signal = SIGINT;                     ///< the one to send
     int ranks = 0;                           ///< under mpirun, which then gets the signal; 0: without
 };
