@@ -43,12 +43,12 @@ class WendlandC2 {
     template <class T>
     [[nodiscard]] T value(const T& r) const {
         const T edge = detail::distance_to_edge(r, inverse_support_);
-        return constant_ * square(square(edge)) * (T(5.0) - 4.0 * edge);
+        return square(square(edge)) * (constant_ * (T(5.0) - 4.0 * edge));
     }
     template <class T>
     [[nodiscard]] T slope(const T& r) const {
         const T edge = detail::distance_to_edge(r, inverse_support_);
-        return slope_constant_ * edge * edge * edge;
+        return (slope_constant_ * edge) * (edge * edge);
     }
 
   private:
@@ -71,7 +71,7 @@ class Lucy {
     template <class T>
     [[nodiscard]] T value(const T& r) const {
         const T edge = detail::distance_to_edge(r, inverse_support_);
-        return constant_ * edge * edge * edge * (T(4.0) - 3.0 * edge);
+        return (edge * edge) * (edge * (constant_ * (T(4.0) - 3.0 * edge)));
     }
     template <class T>
     [[nodiscard]] T slope(const T& r) const {

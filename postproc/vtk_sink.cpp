@@ -39,6 +39,20 @@ std::string frame_file(const std::string& group, long number) {
     return std::string(frames_folder) + "/" + group + digits.data();
 }
 
+/// Without the ranges that VTK notes for arrays and cannot read back: those of values that are no numbers, as the last
+/// frame of a run that diverged may hold.
+void drop_ranges_without_numbers(std::string& text) {
+    constexpr std::string_view begin = "<InformationKey name=\"L2_NORM_", end = "</InformationKey>";
+    for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
+        const auto size = text.find(end, at) + end.size() - at;
+        const std::string_view key = std::string_view(text).substr(at, size);
+        if (key.find("nan") == std::string_view::npos && key.find("inf") == std::string_view::npos)
+            at += size;
+        else
+            text.erase(at, size);
+    }
+}
+
 /// The file's text. VTK writes it to memory: when the disk fills up under it, VTK 9.1 misses errors or crashes.
 /// Inline and not appended: ParaView 5.11 of Debian 12 cannot read appended data with that system's libexpat.
 std::string vtp_text(vtkPolyData* data, const fs::path& file) {
@@ -54,6 +68,7 @@ std::string vtp_text(vtkPolyData* data, const fs::path& file) {
     if (!written || !messages.text().empty() || writer->GetErrorCode() != vtkErrorCode::NoError ||
         !std::string_view(text).substr(0, text.find_last_not_of(" \n") + 1).ends_with("</VTKFile>"))
         throw_write_error(file, messages.text().empty() ? "VTK ran out of memory" : messages.text());
+    drop_ranges_without_numbers(text);
     return text;
 }
 

@@ -22,19 +22,21 @@ struct SolidPoint {
 };
 
 /// Two particles that meet: i is the one acted upon.
-template <class I, class J, class Separation, class T>
+/// Every pair law is proportional to `slope`. The sweeps give it as 1 and multiply their sum of laws by it: the slope
+/// follows from a square root, and what can be computed while that takes its time should be.
+template <class I, class J, class Separation, class Distance, class Slope>
 struct Pair {
     const I& i;
     const J& j;
     Separation separation;  ///< x_i - x_j [m]
-    T distance;             ///< |x_i - x_j| [m]
-    T slope;                ///< (1/r) dW/dr [1/m^(D+2)]
+    Distance distance;      ///< |x_i - x_j| [m]
+    Slope slope;            ///< (1/r) dW/dr [1/m^(D+2)]
 
     /// V_i V_j (1/r) dW/dr, which the forces share [m^(D-2)].
     [[nodiscard]] auto weight() const { return i.volume * j.volume * slope; }
 };
 
-template <class I, class J, class Separation, class T>
-Pair(const I&, const J&, Separation, T, T) -> Pair<I, J, Separation, T>;
+template <class I, class J, class Separation, class Distance, class Slope>
+Pair(const I&, const J&, Separation, Distance, Slope) -> Pair<I, J, Separation, Distance, Slope>;
 
 }  // namespace dmp

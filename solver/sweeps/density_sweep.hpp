@@ -88,7 +88,8 @@ class DensitySweep {
             const auto j = fluid_(index);
             const auto separation = i.position - j.position;
             const L distance = sqrt(dot(separation, separation));
-            rate += order_free_.rate(ContinuityRate::law(Pair{i, j, separation, distance, kernel_.slope(distance)}));
+            rate +=
+                order_free_.rate(kernel_.slope(distance) * ContinuityRate::law(Pair{i, j, separation, distance, 1.0}));
         }
         return rate;
     }
@@ -101,12 +102,13 @@ class DensitySweep {
     void add(const I& i, const J& j, Sum& sum) const {
         const auto separation = i.position - j.position;
         const L distance = sqrt(dot(separation, separation));
-        const Pair pair{i, j, separation, distance, kernel_.slope(distance)};
+        const L slope = kernel_.slope(distance);
+        const Pair pair{i, j, separation, distance, 1.0};
         L rate = ContinuityRate::law(pair);
         if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
         if constexpr (BothFluid && WithDiffusion) rate += diffusion_.law(pair);
-        sum.rate += order_free_.rate(rate);
-        if constexpr (WithShifting) sum.shift += order_free_.shift(shifting_.law(pair, kernel_));
+        sum.rate += order_free_.rate(slope * rate);
+        if constexpr (WithShifting) sum.shift += order_free_.shift(slope * shifting_.law(pair, kernel_));
     }
 
     ParticleStore& particles_;

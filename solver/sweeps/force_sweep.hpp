@@ -114,8 +114,8 @@ class ForceSweep {
     template <class I, class J>
     [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
         const L distance = sqrt(dot(separation, separation));
-        const Pair pair{i, j, separation, distance, kernel_.slope(distance)};
-        return PressureForce::law(pair) + MorrisViscosity::law(pair);
+        const Pair pair{i, j, separation, distance, 1.0};
+        return kernel_.slope(distance) * (PressureForce::law(pair) + MorrisViscosity::law(pair));
     }
 
     ParticleStore& particles_;

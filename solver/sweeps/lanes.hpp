@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#if defined(__AVX__)
+#if defined(__SSE__)
 #include <immintrin.h>
 #endif
 
@@ -50,7 +50,7 @@ class BasicLanes {
     BasicLanes& operator+=(BasicLanes b) { return *this = *this + b; }
     BasicLanes& operator-=(BasicLanes b) { return *this = *this - b; }
 
-    friend BasicLanes max(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ > b.raw_ ? a.raw_ : b.raw_); }
+    friend BasicLanes max(BasicLanes a, BasicLanes b) { return larger(a.raw_, b.raw_); }
     friend BasicLanes min(BasicLanes a, BasicLanes b) { return BasicLanes(a.raw_ < b.raw_ ? a.raw_ : b.raw_); }
     friend BasicLanes sqrt(BasicLanes a) {
         BasicLanes root;
@@ -89,6 +89,18 @@ class BasicLanes {
     }
 
   private:
+    /// a > b ? a : b; where there is one, in the instruction that GCC does not find.
+    static BasicLanes larger(Raw a, Raw b) {
+#if defined(__AVX512F__)
+        if constexpr (width == 8 && sizeof(Real) == 8) return BasicLanes(_mm512_maskz_max_pd(0xff, a, b));
+        if constexpr (width == 16 && sizeof(Real) == 4) return BasicLanes(_mm512_maskz_max_ps(0xffff, a, b));
+#endif
+#if defined(__AVX__)
+        if constexpr (width == 4 && sizeof(Real) == 8) return BasicLanes(_mm256_max_pd(a, b));
+        if constexpr (width == 8 && sizeof(Real) == 4) return BasicLanes(_mm256_max_ps(a, b));
+#endif
+        return BasicLanes(a > b ? a : b);
+    }
     static double root_of(double value) { return __builtin_sqrt(value); }
     static float root_of(float value) { return __builtin_sqrtf(value); }
     static double nearest_to(double value) { return __builtin_rint(value); }

@@ -30,6 +30,7 @@ class SingleSweep {
           units_(units),
           kernel_(kernel),
           scale_(std::ldexp(1.0, 30 - std::ilogb(largest_term))),
+          per_length_(1 / units.length),
           threads_(threads),
           position_(axes_of<D>(fluid_, Field::position)) {
         for (int axis = 0; axis < D; ++axis) velocity_[static_cast<std::size_t>(axis)] = points.velocity(axis);
@@ -39,68 +40,74 @@ class SingleSweep {
     void forces(const OrderFree& rounding) {
         const double unit =
             units_.density * units_.sound_speed * units_.sound_speed * std::pow(units_.length, D - 1) / scale_;
-        for_each_cluster<width>(list_, ParticleKind::fluid, threads_, [&](const Neighbourhood& near) {
-            store(force_on(near), unit, rounding, Field::force, near.cluster);
-        });
+        for_each_cluster<width, UnderflowToZero<L>>(list_, ParticleKind::fluid, threads_,
+                                                    [&](const Neighbourhood& near) { force_on(near, unit, rounding); });
     }
 
     /// density_rate [kg/m^3/s] and, if there is shifting, shift [1/m].
     template <bool WithDiffusion, bool WithShifting>
     void density_rates(const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting,
                        const OrderFree& rate_rounding, const OrderFree& shift_rounding) {
-        const double rate_unit = units_.density * units_.sound_speed / units_.length / scale_;
-        const double shift_unit = 1 / units_.length / scale_;
-        for_each_cluster<width>(list_, ParticleKind::fluid, threads_, [&](const Neighbourhood& near) {
-            const Rates sum = rates_of<WithDiffusion, WithShifting>(near, diffusion, shifting);
-            store(Sums<1>{sum.rate}, rate_unit, rate_rounding, Field::density_rate, near.cluster);
-            if constexpr (WithShifting) store(sum.shift, shift_unit, shift_rounding, Field::shift, near.cluster);
-        });
+        const RateUnits units{units_.density * units_.sound_speed / units_.length / scale_, 1 / units_.length / scale_,
+                              rate_rounding, shift_rounding};
+        for_each_cluster<width, UnderflowToZero<L>>(
+            list_, ParticleKind::fluid, threads_, [&](const Neighbourhood& near) {
+                rates_of<WithDiffusion, WithShifting>(near, diffusion, shifting, units);
+            });
     }
 
   private:
     using Lane = Strands<L>;
     using Neighbours = typename Lane::Neighbours;
     static constexpr std::size_t width = Lane::members;
-    template <std::size_t N>
-    using Sums = std::array<WideSum<L>, N>;
-    using Place = std::array<typename Lane::Halves, D>;
-    struct Rates {
-        WideSum<L> rate;
-        Sums<D> shift;
+    static_assert(Lane::count <= 2);
+    struct RateUnits {
+        double rate, shift;
+        const OrderFree &rate_rounding, &shift_rounding;
     };
+    template <int N>
+    using Sums = std::array<WideSum<L>, static_cast<std::size_t>(N)>;
+    using Place = std::array<typename Lane::Halves, D>;
 
-    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
-    [[nodiscard, gnu::flatten]] Sums<D> force_on(const Neighbourhood& near) const {
+    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size. Constants are copied,
+    // and sums stored by the function that makes them: only what nobody else can see stays in registers.
+    [[gnu::flatten]] void force_on(const Neighbourhood& near, double unit, const OrderFree& rounding) const {
         const auto i = members(near.cluster);
         const Place place = place_of(near.cluster);
+        const Kernel kernel = kernel_;
         Sums<D> sum{};
-        for_neighbours(near, [&](const Neighbours& some) {
+        for_neighbours(near, [&, scale = scale_, per_length = per_length_](const Neighbours& some) {
             const auto j = neighbours(some);
-            const Vector<L, D> separation = separation_from(place, some);
+            const Vector<L, D> separation = separation_from(place, some, per_length);
             const L distance = sqrt(dot(separation, separation));
-            const Pair pair{i, j, separation, distance, scale_ * kernel_.slope(distance)};
-            add(PressureForce::law(pair) + MorrisViscosity::law(pair), sum);
+            const Pair pair{i, j, separation, distance, 1.0};
+            const L slope = scale * kernel.slope(distance);
+            add(slope * (PressureForce::law(pair) + MorrisViscosity::law(pair)), sum);
         });
-        return sum;
+        store(sum, unit, rounding, Field::force, near.cluster);
     }
 
     template <bool WithDiffusion, bool WithShifting>
-    [[nodiscard, gnu::flatten]] Rates rates_of(const Neighbourhood& near, const DensityDiffusion& diffusion,
-                                               const Shifting<Kernel>& shifting) const {
+    [[gnu::flatten]] void rates_of(const Neighbourhood& near, DensityDiffusion diffusion, Shifting<Kernel> shifting,
+                                   const RateUnits& units) const {
         const auto i = members(near.cluster);
         const Place place = place_of(near.cluster);
-        Rates sum{};
-        for_neighbours(near, [&](const Neighbours& some) {
+        const Kernel kernel = kernel_;
+        Sums<1> rates{};
+        Sums<D> shifts{};
+        for_neighbours(near, [&, scale = scale_, per_length = per_length_](const Neighbours& some) {
             const auto j = neighbours(some);
-            const Vector<L, D> separation = separation_from(place, some);
+            const Vector<L, D> separation = separation_from(place, some, per_length);
             const L distance = sqrt(dot(separation, separation));
-            const Pair pair{i, j, separation, distance, scale_ * kernel_.slope(distance)};
-            L rate = ContinuityRate::law(pair);
-            if constexpr (WithDiffusion) rate += diffusion.law(pair);
-            sum.rate += nearest_whole(rate);
-            if constexpr (WithShifting) add(shifting.law(pair, kernel_), sum.shift);
+            const Pair pair{i, j, separation, distance, 1.0};
+            const L slope = scale * kernel.slope(distance);
+            Vector<L, 1> rate{ContinuityRate::law(pair)};
+            if constexpr (WithDiffusion) rate[0] += diffusion.law(pair);
+            add(slope * rate, rates);
+            if constexpr (WithShifting) add(slope * shifting.law(pair, kernel), shifts);
         });
-        return sum;
+        store(rates, units.rate, units.rate_rounding, Field::density_rate, near.cluster);
+        if constexpr (WithShifting) store(shifts, units.shift, units.shift_rounding, Field::shift, near.cluster);
     }
 
     /// Calls visit(neighbours) for as many fluid neighbours at a time as there are strands; nobody fills the last up.
@@ -110,12 +117,13 @@ class SingleSweep {
         std::size_t n = 0;
         Neighbours some;
         for (; n + some.size() <= listed.size(); n += some.size()) {
-            std::copy_n(listed.data() + n, some.size(), some.data());
+            for (std::size_t k = 0; k < some.size(); ++k) some[k] = listed[n + k];
             visit(some);
         }
         if (n == listed.size()) return;
+        // Fewer are left than there are strands.
         some.fill(static_cast<std::int32_t>(points_.size()));
-        std::copy_n(listed.data() + n, listed.size() - n, some.data());
+        some[0] = listed[n];
         visit(some);
     }
 
@@ -141,22 +149,28 @@ class SingleSweep {
         for (std::size_t axis = 0; axis < D; ++axis) place[axis] = Lane::of_members(position_[axis] + cluster.first);
         return place;
     }
-    [[nodiscard]] Vector<L, D> separation_from(const Place& place, const Neighbours& some) const {
+    [[nodiscard]] Vector<L, D> separation_from(const Place& place, const Neighbours& some, double per_length) const {
         Vector<L, D> separation;
         for (std::size_t axis = 0; axis < D; ++axis)
-            separation.c[axis] = (1 / units_.length) * Lane::separation(place[axis], position_[axis], some);
+            separation.c[axis] = per_length * Lane::separation(place[axis], position_[axis], some);
         return separation;
     }
 
-    static void add(const Vector<L, D>& terms, Sums<D>& sum) {
-        for (std::size_t axis = 0; axis < D; ++axis) sum[axis] += nearest_whole(terms.c[axis]);
+    template <int N>
+    static void add(const Vector<L, N>& terms, std::array<WideSum<L>, static_cast<std::size_t>(N)>& sum) {
+        for (std::size_t axis = 0; axis < N; ++axis) sum[axis] += nearest_whole(terms.c[axis]);
     }
     template <std::size_t N>
-    void store(const Sums<N>& sum, double unit, const OrderFree& rounding, Field field, const Cluster& cluster) const {
+    void store(const std::array<WideSum<L>, N>& sum, double unit, const OrderFree& rounding, Field field,
+               const Cluster& cluster) const {
         for (std::size_t axis = 0; axis < N; ++axis) {
             double* to = fluid_.data(field, static_cast<int>(axis)) + cluster.first;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(cluster.count); ++k)
-                to[k] = rounding(unit * sum[axis][k]);
+            const auto count = static_cast<std::size_t>(cluster.count);
+            sum[axis].by_member([&](const auto& sums, std::size_t first) {
+                if (first < count)
+                    rounding(unit * sums)
+                        .store(to + first, std::min(count - first, std::decay_t<decltype(sums)>::width));
+            });
         }
     }
 
@@ -165,7 +179,7 @@ class SingleSweep {
     const SinglePoints& points_;
     const SingleUnits& units_;
     const Kernel& kernel_;
-    double scale_;
+    double scale_, per_length_;
     int threads_;
     std::array<const double*, D> position_;
     std::array<const float*, D> velocity_{};

@@ -56,6 +56,9 @@ TEST_F(BlowUp, FromAFormulaThatGivesNoNumberNamesIt) {
     ASSERT_EQ(ended.code, 3) << ended.errors;
     EXPECT_THAT(ended.errors, AllOf(HasSubstr("is not finite"),
                                     HasSubstr("likely causes: flow.acceleration gives no number at that time")));
+    const auto series = dmp::read_series(folder_.path() / "out/fluid.pvd");
+    ASSERT_FALSE(series.empty());
+    EXPECT_GT(dmp::read_frame(series.back().file, "fluid").frame.time, 0.0151);
 }
 
 TEST_F(BlowUp, FromAHoleInTheDrawnWallIsRefusedBeforehand) {

@@ -23,7 +23,7 @@ struct Shifting {
     template <class P>
     [[nodiscard]] auto law(const P& p, const Kernel& kernel) const {
         const auto ratio = kernel.value(p.distance) * inverse_kernel_at_spacing;
-        return ((0.2 * square(square(ratio)) + 1.0) * p.j.volume * p.slope) * p.separation;
+        return (0.2 * square(square(ratio)) + 1.0) * ((p.j.volume * p.slope) * p.separation);
     }
 
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx.
