@@ -34,12 +34,6 @@ const Words<WallModel>& words_of() {
 }
 
 template <>
-const Words<Precision>& words_of() {
-    static const Words<Precision> words = {{Precision::in_double, "double"}, {Precision::mixed, "mixed"}};
-    return words;
-}
-
-template <>
 const Words<SpringStepping>& words_of() {
     static const Words<SpringStepping> words = {{SpringStepping::implicit, "implicit"},
                                                 {SpringStepping::subcycled, "subcycled"}};
@@ -80,7 +74,6 @@ std::string find_word(Enumeration value) {
 std::string word(PartKind kind) { return find_word(kind); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(WallModel walls) { return find_word(walls); }
-std::string word(Precision precision) { return find_word(precision); }
 std::string word(SpringStepping stepping) { return find_word(stepping); }
 std::string word(FluidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }

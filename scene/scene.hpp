@@ -33,7 +33,6 @@ enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, lucy };
 enum class WallModel { extrapolated, plain };
-enum class Precision { in_double, mixed };
 enum class SpringStepping { implicit, subcycled };
 enum class MeasureKind { flux, gap, largest_speed, density, probe };
 enum class FluidField { velocity, pressure, density, shear_stress };
@@ -112,7 +111,6 @@ struct Scene {
         Value<double> support = 3.0;      ///< support radius [spacings]
         Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
         Value<WallModel> walls = WallModel::extrapolated;
-        Value<Precision> precision = Precision::in_double;
         Value<double> density_diffusion = 0.1;  ///< delta of Molteni & Colagrossi [-]; 0 switches it off
         Value<double> shifting = 4.0;           ///< strength s of the particle shifting [-]; 0 switches it off
         Value<double> step_factor = 0.3;        ///< c0 dt / support radius [-]
@@ -143,7 +141,6 @@ struct Scene {
 std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
 std::string word(WallModel walls);
-std::string word(Precision precision);
 std::string word(SpringStepping stepping);
 std::string word(FluidField field);
 std::string word(KernelKind kernel);

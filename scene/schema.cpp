@@ -107,8 +107,6 @@ std::vector<Key<Accuracy>> accuracy_keys() {
          "Speed of sound of the fluid; \"auto\" is 10 times flow.largest_speed."},
         {"walls", &Accuracy::walls, word_of<WallModel>(), "extrapolated",
          "What wall particles carry: pressure and velocity extrapolated from the fluid, or plain resting fluid."},
-        {"precision", &Accuracy::precision, word_of<Precision>(), "double",
-         "Numbers of the pair terms between fluid particles: in double precision, or in single with sums in double."},
         {"density_diffusion", &Accuracy::density_diffusion, number(between(0, 1)), "0.1",
          "Strength delta of the density diffusion; 0 switches it off."},
         {"shifting", &Accuracy::shifting, number(not_negative), "4.0",

@@ -26,8 +26,6 @@ const Words<KernelKind>& words_of();
 template <>
 const Words<WallModel>& words_of();
 template <>
-const Words<Precision>& words_of();
-template <>
 const Words<SpringStepping>& words_of();
 template <>
 const Words<MeasureKind>& words_of();

@@ -20,26 +20,19 @@ struct Neighbourhood {
     }
 };
 
-/// For loops that need nothing of the kind below.
-struct NoScope {};
-
 /// Calls visit(Neighbourhood) for every cluster of a kind, `width` of its particles at a time. Each particle is written
-/// by one thread alone, which has a Scope while it works.
-template <std::size_t Width, class Scope = NoScope, class Visit>
+/// by one thread alone.
+template <std::size_t Width, class Visit>
 void for_each_cluster(const ClusterList& list, ParticleKind kind, int threads, const Visit& visit) {
     constexpr auto width = static_cast<std::int32_t>(Width);
     const auto clusters = list.clusters(kind);
     const auto count = static_cast<std::ptrdiff_t>(clusters.size());
-#pragma omp parallel num_threads(threads)
-    {
-        [[maybe_unused]] const Scope scope;
-#pragma omp for schedule(static)
-        for (std::ptrdiff_t c = 0; c < count; ++c)
-            for (std::int32_t done = 0; done < clusters[c].count; done += width) {
-                const Cluster part{clusters[c].first + done, std::min(width, clusters[c].count - done)};
-                visit(Neighbourhood{list, kind, static_cast<std::size_t>(c), part});
-            }
-    }
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t c = 0; c < count; ++c)
+        for (std::int32_t done = 0; done < clusters[c].count; done += width) {
+            const Cluster part{clusters[c].first + done, std::min(width, clusters[c].count - done)};
+            visit(Neighbourhood{list, kind, static_cast<std::size_t>(c), part});
+        }
 }
 
 }  // namespace dmp

@@ -31,9 +31,8 @@ void with_flag(bool flag, const Then& then) {
 template <class L, int D, class Kernel>
 class Sweeps final : public PairSweeps {
   public:
-    Sweeps(const PairSettings& settings, std::unique_ptr<SingleSums> singles)
+    explicit Sweeps(const PairSettings& settings)
         : settings_(settings),
-          singles_(std::move(singles)),
           kernel_(settings.support),
           diffusion_(settings.density_diffusion, settings.support, settings.sound_speed),
           shifting_(settings.shifting, settings.support, settings.spacing, kernel_),
@@ -43,13 +42,11 @@ class Sweeps final : public PairSweeps {
                             OrderFree(1.2 * volume() * steepest())} {}
 
     void forces(ParticleStore& particles, const ClusterList& list,
-                const std::array<double, 3>& body_acceleration) override {
-        if (singles_) singles_->forces(particles, list, force_rounding_);
+                const std::array<double, 3>& body_acceleration) const override {
         with_flag(settings_.repulsion_strength > 0, [&](auto contact) {
             const auto run = [&](const auto& solid) {
                 ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(contact)::value>(
-                    particles, list, kernel_, solid, repulsion_, force_rounding_, settings_.threads,
-                    singles_ != nullptr)
+                    particles, list, kernel_, solid, repulsion_, force_rounding_, settings_.threads)
                     .run();
             };
             if (settings_.walls == WallModel::plain) {
@@ -62,15 +59,13 @@ class Sweeps final : public PairSweeps {
         });
     }
 
-    void density_rates(ParticleStore& particles, const ClusterList& list) override {
-        if (singles_) singles_->density_rates(particles, list, density_rounding_.rate, density_rounding_.shift);
+    void density_rates(ParticleStore& particles, const ClusterList& list) const override {
         with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
                     using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                     DensitySweep<L, D, Kernel, Solid, decltype(diffusion)::value, decltype(shifting)::value>(
-                        particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads,
-                        singles_ != nullptr)
+                        particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
                         .run();
                 });
             });
@@ -112,7 +107,6 @@ class Sweeps final : public PairSweeps {
     }
 
     PairSettings settings_;
-    std::unique_ptr<SingleSums> singles_;  ///< none: double precision
     Kernel kernel_;
     DensityDiffusion diffusion_;
     Shifting<Kernel> shifting_;
@@ -122,18 +116,15 @@ class Sweeps final : public PairSweeps {
 };
 
 template <class L, int D>
-std::unique_ptr<PairSweeps> sweeps_in(const PairSettings& settings, std::unique_ptr<SingleSums> singles) {
-    if (settings.kernel == KernelKind::lucy)
-        return std::make_unique<Sweeps<L, D, Lucy<D>>>(settings, std::move(singles));
-    return std::make_unique<Sweeps<L, D, WendlandC2<D>>>(settings, std::move(singles));
+std::unique_ptr<PairSweeps> sweeps_in(const PairSettings& settings) {
+    if (settings.kernel == KernelKind::lucy) return std::make_unique<Sweeps<L, D, Lucy<D>>>(settings);
+    return std::make_unique<Sweeps<L, D, WendlandC2<D>>>(settings);
 }
 
 }  // namespace
 
-std::unique_ptr<PairSweeps> DMP_SWEEPS_FOR(const PairSettings& settings, int dimension,
-                                           std::unique_ptr<SingleSums> singles) {
-    return dimension == 3 ? sweeps_in<Lanes, 3>(settings, std::move(singles))
-                          : sweeps_in<Lanes, 2>(settings, std::move(singles));
+std::unique_ptr<PairSweeps> DMP_SWEEPS_FOR(const PairSettings& settings, int dimension) {
+    return dimension == 3 ? sweeps_in<Lanes, 3>(settings) : sweeps_in<Lanes, 2>(settings);
 }
 
 }  // namespace dmp

@@ -21,7 +21,7 @@ class DensitySweep {
   public:
     DensitySweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
                  const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting, const DensityRounding& order_free,
-                 int threads, bool fluid_is_done)
+                 int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
@@ -29,7 +29,6 @@ class DensitySweep {
           shifting_(shifting),
           order_free_(order_free),
           threads_(threads),
-          fluid_is_done_(fluid_is_done),
           fluid_(particles.fluid()),
           rigid_(particles.of(ParticleKind::rigid)),
           springs_(particles.of(ParticleKind::springs)) {}
@@ -68,13 +67,7 @@ class DensitySweep {
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Sum sum{0.0, Vector<L, D>::zero()};
-        if (fluid_is_done_) {
-            sum.rate = load<L>(particles_.fluid().data(Field::density_rate), near.cluster);
-            if constexpr (WithShifting)
-                sum.shift = load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster);
-        } else {
-            for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum);
-        }
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum);
         for (const std::int32_t index : near.of(ParticleKind::rigid)) add<false>(i, rigid_(index), sum);
         for (const std::int32_t index : near.of(ParticleKind::springs)) add<false>(i, springs_(index), sum);
         return sum;
@@ -118,7 +111,6 @@ class DensitySweep {
     const Shifting<Kernel>& shifting_;
     const DensityRounding& order_free_;
     int threads_;
-    bool fluid_is_done_;  ///< the fields have the sums over fluid particles already
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, false> rigid_, springs_;
 };

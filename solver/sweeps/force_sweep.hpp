@@ -16,7 +16,7 @@ template <class L, int D, class Kernel, class Solid, bool WithContact>
 class ForceSweep {
   public:
     ForceSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-               const Repulsion& repulsion, const OrderFree& order_free, int threads, bool fluid_is_done)
+               const Repulsion& repulsion, const OrderFree& order_free, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
@@ -24,7 +24,6 @@ class ForceSweep {
           repulsion_(repulsion),
           order_free_(order_free),
           threads_(threads),
-          fluid_is_done_(fluid_is_done),
           fluid_(particles.fluid()),
           rigid_(particles.of(ParticleKind::rigid)),
           springs_(particles.of(ParticleKind::springs)) {}
@@ -50,13 +49,9 @@ class ForceSweep {
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Force force = Force::zero();
-        if (fluid_is_done_) {
-            force = load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::force), near.cluster);
-        } else {
-            for (const std::int32_t index : near.of(ParticleKind::fluid)) {
-                const auto j = fluid_(index);
-                force += order_free_(fluid_pair(i, j, i.position - j.position));
-            }
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+            const auto j = fluid_(index);
+            force += order_free_(fluid_pair(i, j, i.position - j.position));
         }
         for (const std::int32_t index : near.of(ParticleKind::rigid)) force += force_by<true>(i, rigid_(index));
         for (const std::int32_t index : near.of(ParticleKind::springs)) force += force_by<false>(i, springs_(index));
@@ -125,7 +120,6 @@ class ForceSweep {
     const Repulsion& repulsion_;
     const OrderFree& order_free_;
     int threads_;
-    bool fluid_is_done_;  ///< the field has the forces between fluid particles already
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface> rigid_;
     SolidReader<L, D, Solid::needs_state, false> springs_;

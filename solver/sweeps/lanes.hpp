@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#if defined(__SSE__)
+#if defined(__AVX__)
 #include <immintrin.h>
 #endif
 
@@ -16,11 +16,8 @@ template <class Real, std::size_t VectorBytes>
 class BasicLanes {
   public:
     static constexpr std::size_t width = VectorBytes / sizeof(Real);
-    using Raw [[gnu::vector_size(VectorBytes)]] = Real;
 
     BasicLanes() = default;
-    explicit BasicLanes(Raw values) : raw_(values) {}
-    [[nodiscard]] Raw raw() const { return raw_; }
     // NOLINTNEXTLINE(google-explicit-constructor): broadcast reads as a number
     BasicLanes(double value) : raw_(static_cast<Real>(value) - Raw{}) {}
 
@@ -57,12 +54,6 @@ class BasicLanes {
         for (std::size_t k = 0; k < width; ++k) root.raw_[k] = root_of(a.raw_[k]);
         return root;
     }
-    /// The nearest whole numbers; of two, the even one.
-    friend BasicLanes nearest_whole(BasicLanes a) {
-        BasicLanes whole;
-        for (std::size_t k = 0; k < width; ++k) whole.raw_[k] = nearest_to(a.raw_[k]);
-        return whole;
-    }
     /// a where x < y, else b.
     friend BasicLanes where_less(BasicLanes x, BasicLanes y, BasicLanes a, BasicLanes b) {
         return BasicLanes(x.raw_ < y.raw_ ? a.raw_ : b.raw_);
@@ -89,6 +80,9 @@ class BasicLanes {
     }
 
   private:
+    using Raw [[gnu::vector_size(VectorBytes)]] = Real;
+    explicit BasicLanes(Raw values) : raw_(values) {}
+
     /// a > b ? a : b; where there is one, in the instruction that GCC does not find.
     static BasicLanes larger(Raw a, Raw b) {
 #if defined(__AVX512F__)
@@ -103,8 +97,6 @@ class BasicLanes {
     }
     static double root_of(double value) { return __builtin_sqrt(value); }
     static float root_of(float value) { return __builtin_sqrtf(value); }
-    static double nearest_to(double value) { return __builtin_rint(value); }
-    static float nearest_to(float value) { return __builtin_rintf(value); }
 
     Raw raw_;
 };
@@ -119,7 +111,6 @@ inline constexpr std::size_t vector_bytes = 16;
 #endif
 
 using Lanes = BasicLanes<double, vector_bytes>;
-using SingleLanes = BasicLanes<float, vector_bytes>;
 
 inline double where_less(double x, double y, double a, double b) { return x < y ? a : b; }
 

@@ -24,21 +24,15 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
 
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles) {
     declare_fields(settings, particles);
-    const bool mixed = settings.precision == Precision::mixed;
-    const int dimension = particles.dimension();
-    std::unique_ptr<SingleSums> singles;
     switch (chosen_vector_unit(settings.vector_unit)) {
 #if defined(__x86_64__)
         case VectorUnit::avx512:
-            if (mixed) singles = single_sums_for_avx512(settings, dimension);
-            return sweeps_for_avx512(settings, dimension, std::move(singles));
+            return sweeps_for_avx512(settings, particles.dimension());
         default:
-            if (mixed) singles = single_sums_for_avx2(settings, dimension);
-            return sweeps_for_avx2(settings, dimension, std::move(singles));
+            return sweeps_for_avx2(settings, particles.dimension());
 #else
         default:
-            if (mixed) singles = single_sums_for_this_processor(settings, dimension);
-            return sweeps_for_this_processor(settings, dimension, std::move(singles));
+            return sweeps_for_this_processor(settings, particles.dimension());
 #endif
     }
 }

@@ -15,15 +15,14 @@ namespace dmp {
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
     WallModel walls = WallModel::extrapolated;
-    double spacing = 0;                          ///< dx [m]
-    double support = 0;                          ///< support radius R [m]
-    double sound_speed = 0;                      ///< c0 [m/s]
-    double density = 0;                          ///< largest rest density [kg/m^3]
-    double viscosity = 0;                        ///< largest dynamic viscosity [Pa s]
-    double density_diffusion = 0;                ///< delta [-]; 0: not there
-    double shifting = 0;                         ///< s [-]; 0: not there
-    double repulsion_strength = 0;               ///< K [J]; 0: not there
-    Precision precision = Precision::in_double;  ///< of the terms between fluid particles
+    double spacing = 0;             ///< dx [m]
+    double support = 0;             ///< support radius R [m]
+    double sound_speed = 0;         ///< c0 [m/s]
+    double density = 0;             ///< largest rest density [kg/m^3]
+    double viscosity = 0;           ///< largest dynamic viscosity [Pa s]
+    double density_diffusion = 0;   ///< delta [-]; 0: not there
+    double shifting = 0;            ///< s [-]; 0: not there
+    double repulsion_strength = 0;  ///< K [J]; 0: not there
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;
 };
@@ -36,12 +35,11 @@ class PairSweeps {
 
     /// force [N] on every particle, fixed ones included (their reaction): pressure, viscosity, repulsion.
     virtual void forces(ParticleStore& particles, const ClusterList& list,
-                        const std::array<double, 3>& body_acceleration) = 0;
+                        const std::array<double, 3>& body_acceleration) const = 0;
 
     /// density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m]. Fluid
-    /// particles; with plain walls the solids' density rate too. To be called after `forces`: only velocities may have
-    /// changed since.
-    virtual void density_rates(ParticleStore& particles, const ClusterList& list) = 0;
+    /// particles; with plain walls the solids' density rate too.
+    virtual void density_rates(ParticleStore& particles, const ClusterList& list) const = 0;
 
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
     virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;
