@@ -18,21 +18,18 @@ inline constexpr const char* frame_index_name = "frames.json";
 ///     frames.json               the frames' files, times and steps, rewritten after each frame
 ///
 /// A folder holds one run: the first frame removes the frames an earlier run left there.
-class Hdf5Sink : public FrameSink {
+class Hdf5Sink : public FrameSeries {
   public:
     /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
     Hdf5Sink(std::filesystem::path folder, RunLabel label);
 
-    /// Takes up the frames of the run that is in the folder after its first `frames` ones; later ones go. Throws
-    /// InputError when they are not all there.
-    void go_on(long frames);
+    void go_on(long frames) override;
 
     /// Throws ResourceError when the disk does not take it; the frames before it stay, with their index.
     void write(const Frame& frame) override;
 
     [[nodiscard]] long frames() const { return static_cast<long>(entries_.size()); }
-    /// The files to look at, relative to the folder.
-    [[nodiscard]] std::vector<std::string> files() const;
+    [[nodiscard]] std::vector<std::string> files() const override;
 
   private:
     struct Entry {

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 constexpr double gibibyte = 1024.0 * 1024 * 1024;
 
-BuildFacts good_build() { return {"0.1.0", "Release", "GNU 12.2.0", "", "9.1.0", "4.8.0"}; }
+BuildFacts good_build() { return {"0.1.0", "Release", "GNU 12.2.0", "", "VTK 9.1.0, gmsh 4.8.4"}; }
 
 Machine good_machine() {
     Machine machine;
