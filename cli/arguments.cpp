@@ -195,8 +195,10 @@ class Parser {
 
     /// What is wrong with the name of a format; empty: nothing.
     static std::string a_frame_format(const std::string& text) {
-        return text == "vtk" || text == "hdf5" ? ""
-                                               : "'" + text + "' is no format of frames; there are 'vtk' and 'hdf5'";
+        if (text != "vtk" && text != "hdf5") return "'" + text + "' is no format of frames; there are 'vtk' and 'hdf5'";
+        return text == "vtk" && build_facts().libraries.empty()
+                   ? "this dmp was built for clusters, without VTK; leave it out for frames in HDF5"
+                   : "";
     }
 
     static void add_vector_unit(CLI::App& app, VectorUnit& unit) {

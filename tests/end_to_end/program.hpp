@@ -42,6 +42,7 @@ struct Surroundings {
     std::string interrupt_at{};              ///< send it when this file is there, relative to the folder; "": never
     int signal = SIGINT;                     ///< the one to send
     int ranks = 0;                           ///< under mpirun, which then gets the signal; 0: without
+    bool for_clusters = false;               ///< the dmp that is built without gmsh, CGAL and VTK
 };
 
 /// Runs the dmp that was built, in `folder`, with stdin closed, and waits for its end.

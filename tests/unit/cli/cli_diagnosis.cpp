@@ -39,6 +39,20 @@ TEST(Doctor, FindsNothingWrongWithAGoodMachine) {
     }
 }
 
+TEST(Doctor, OfABuildForClustersNamesNoLibraryThatItLacks) {
+    BuildFacts build = good_build();
+    build.libraries = "";
+    Machine machine = good_machine();
+    machine.xvfb = "";
+    for (const auto& finding : diagnose(build, machine)) {
+        EXPECT_EQ(finding.health, Health::ok) << finding.what;
+        for (const char* word : {"VTK", "gmsh", "ParaView", "Xvfb"})
+            EXPECT_THAT(finding.found, testing::Not(HasSubstr(word))) << finding.what;
+    }
+    EXPECT_EQ(about("for clusters", build, machine).health, Health::ok);
+    EXPECT_EQ(about("for clusters", good_build(), machine).what, "missing");
+}
+
 TEST(Doctor, WarnsOfSlowBuilds) {
     BuildFacts build = good_build();
     build.build_type = "Debug";
