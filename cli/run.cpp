@@ -50,9 +50,11 @@ FrameFormat frame_format(const RunCommand& command) {
     return command.frames.value_or(workstation_libraries().empty() ? FrameFormat::hdf5 : FrameFormat::vtk);
 }
 
-std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& folder, const Scene& scene) {
-    if (format == FrameFormat::vtk) return paraview_frames(folder, label_of(scene));
-    return std::make_unique<Hdf5Sink>(folder, label_of(scene));
+/// This rank's; none where the first one writes for all.
+std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& folder, const Scene& scene,
+                                          const Ranks& ranks) {
+    if (format == FrameFormat::hdf5) return std::make_unique<Hdf5Sink>(folder, label_of(scene), ranks);
+    return ranks.is_first() ? paraview_frames(folder, label_of(scene)) : nullptr;
 }
 
 /// Pictures are drawn of ParaView's files.
@@ -132,7 +134,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const auto found = open_folder(command, folder, options.checkpoints.scene);
     flush_output();
     const FrameFormat format = frame_format(command);
-    const auto sink = frame_series(format, folder, scene);
+    const auto sink = frame_series(format, folder, scene, resources.ranks);
     std::string checkpoint = found ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
     if (found) sink->go_on(simulation.resume(checkpoint));
@@ -165,7 +167,12 @@ int run_as_one_of_many(const RunCommand& command, const Prepared& prepared, cons
     options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
     std::string checkpoint;
     resources.ranks.broadcast(checkpoint);
-    if (!checkpoint.empty()) simulation.resume(checkpoint);
+    const auto sink = frame_series(frame_format(command), options.checkpoints.folder, prepared.scene, resources.ranks);
+    options.sink = sink.get();
+    if (!checkpoint.empty()) {
+        const long frames = simulation.resume(checkpoint);
+        if (sink) sink->go_on(frames);
+    }
     const StopSignals signals;
     options.stop = &signals.flag();
     simulation.run(options);

@@ -9,7 +9,7 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "postproc/paraview_script.hpp"
-#include "solver/output/hdf5_sink.hpp"
+#include "solver/output/frame_index.hpp"
 
 namespace dmp::cli {
 

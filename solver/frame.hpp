@@ -42,6 +42,9 @@ struct Frame {
 class FrameSink {
   public:
     virtual ~FrameSink() = default;
+    /// False: of several ranks the first one has the sink and hands it all particles. True: every rank has one and
+    /// hands it its own.
+    [[nodiscard]] virtual bool takes_pieces() const { return false; }
     virtual void write(const Frame& frame) = 0;
 };
 

@@ -59,6 +59,60 @@ TEST_F(FramesInHdf5, OfAStoppedRunGoOn) {
     expect_same_paraview_files("out", "vtk");
 }
 
+TEST_F(FramesInHdf5, OfSeveralRanksAreConvertedToTheSame) {
+    const Words briefly{"--until", "0.03 s", "--set", "output.fields=[\"velocity\", \"pressure\", \"shear_stress\"]"};
+    Words hdf5 = briefly;
+    hdf5.insert(hdf5.end(), {"--frames", "hdf5"});
+    ASSERT_EQ(run("vtk", briefly).code, 0);
+    for (const int ranks : {1, 2, 3}) {
+        const auto outcome = run("out", hdf5, {.ranks = ranks});
+        ASSERT_EQ(outcome.code, 0) << outcome.errors;
+        EXPECT_THAT(files("out/frames"), Contains(ranks == 1 ? "frame_000003.h5" : "frame_000003"));
+        EXPECT_EQ(files("out/frames/frame_000003").size(), ranks == 1 ? 0U : static_cast<std::size_t>(ranks));
+        convert("out");
+        expect_same_paraview_files("out", "vtk");
+    }
+}
+
+TEST_F(FramesInHdf5, GoOnWithAnotherNumberOfRanks) {
+    const Words length{"--until", "0.15 s"};
+    ASSERT_EQ(run("vtk", length).code, 0);
+    const auto part = [&](const Words& more, int ranks) {
+        Words words = length;
+        words.insert(words.end(), {"--frames", "hdf5"});
+        words.insert(words.end(), more.begin(), more.end());
+        return run("out", words, {.ranks = ranks}).code;
+    };
+    ASSERT_EQ(part({"--wall-limit", "0.15 s"}, 2), 4);
+    ASSERT_EQ(part({"--wall-limit", "0.15 s", "--resume"}, 3), 4);
+    ASSERT_EQ(part({"--resume"}, 1), 0);
+    EXPECT_EQ(hash("out"), hash("vtk"));
+    const auto index = nlohmann::json::parse(folder_.read("out/frames.json"))["frames"];
+    ASSERT_EQ(index.size(), 16U);
+    EXPECT_EQ(index.front()["pieces"], 2);
+    EXPECT_EQ(index.back()["file"], "frames/frame_000015.h5");
+    convert("out");
+    expect_same_paraview_files("out", "vtk");
+}
+
+TEST_F(FramesInHdf5, OfWhichAPieceIsMissingAreLeftOut) {
+    ASSERT_EQ(run("out", {"--until", "0.03 s", "--frames", "hdf5"}, {.ranks = 2}).code, 0);
+    std::filesystem::remove(folder_.path() / "out/frames/frame_000002/piece_001.h5");
+    const auto converted = run_dmp(folder_.path(), {"convert", "out"});
+    EXPECT_EQ(converted.code, 0) << converted.errors;
+    EXPECT_THAT(converted.output,
+                AllOf(HasSubstr("frames that are not there are left out: 2\n"), HasSubstr("Converted 3 frames.")));
+}
+
+TEST_F(FramesInHdf5, OfAnEarlierRunDoNotMixWithTheNew) {
+    ASSERT_EQ(run("out", {"--until", "0.03 s", "--frames", "hdf5"}, {.ranks = 2}).code, 0);
+    ASSERT_EQ(run("out", {"--until", "0.02 s", "--frames", "hdf5"}).code, 0);
+    EXPECT_THAT(files("out/frames"), testing::ElementsAre("frame_000000.h5", "frame_000001.h5", "frame_000002.h5"));
+    ASSERT_EQ(run("out", {"--until", "0.02 s"}, {.ranks = 2}).code, 0);
+    EXPECT_THAT(files("out"), AllOf(Not(Contains("frames.json")), Contains("fluid.pvd")));
+    EXPECT_THAT(files("out/frames"), Each(EndsWith(".vtp")));
+}
+
 TEST_F(FramesInHdf5, DoNotGoOnInTheOtherFormat) {
     ASSERT_EQ(stopped_run("out", {"--frames", "hdf5"}, 0, SIGTERM, "frame_000005.h5").code, 143);
     const auto before = files("out/frames");

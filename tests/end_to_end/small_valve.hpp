@@ -49,7 +49,7 @@ class SmallValve : public testing::Test {
     /// Names of the files in a folder, sorted.
     [[nodiscard]] Words files(const std::string& name) const {
         Words found;
-        if (std::filesystem::exists(folder_.path() / name))
+        if (std::filesystem::is_directory(folder_.path() / name))
             for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / name))
                 found.push_back(entry.path().filename().string());
         std::ranges::sort(found);
