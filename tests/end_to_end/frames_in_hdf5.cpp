@@ -104,6 +104,18 @@ TEST_F(FramesInHdf5, OfWhichAPieceIsMissingAreLeftOut) {
                 AllOf(HasSubstr("frames that are not there are left out: 2\n"), HasSubstr("Converted 3 frames.")));
 }
 
+TEST_F(FramesInHdf5, ThatCannotBeWrittenEndAllRanksAndThoseBeforeStay) {
+    folder_.write("out/summary.json", "{}");
+    folder_.write("out/frames/frame_000001", "in the way of a folder");
+    const auto outcome = run("out", {"--until", "0.03 s", "--frames", "hdf5"}, {.ranks = 2});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("error: "), HasSubstr("frames/frame_000001")));
+    EXPECT_EQ(outcome.errors.find("error: "), outcome.errors.rfind("error: ")) << outcome.errors;
+    EXPECT_EQ(nlohmann::json::parse(folder_.read("out/frames.json"))["frames"].size(), 1U);
+    const auto converted = run_dmp(folder_.path(), {"convert", "out"});
+    EXPECT_THAT(converted.output, HasSubstr("Converted 1 frame."));
+}
+
 TEST_F(FramesInHdf5, OfAnEarlierRunDoNotMixWithTheNew) {
     ASSERT_EQ(run("out", {"--until", "0.03 s", "--frames", "hdf5"}, {.ranks = 2}).code, 0);
     ASSERT_EQ(run("out", {"--until", "0.02 s", "--frames", "hdf5"}).code, 0);
