@@ -94,6 +94,8 @@ class Parser {
             ->type_name("TIME");
         add_threads(*run_app_, run_.threads);
         add_vector_unit(*run_app_, run_.vector_unit);
+        add_particles(*run_app_, run_.scene);
+        add_frames(*run_app_, run_.frames);
         run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
         run_app_
             ->add_option("--checkpoint-every", run_.checkpoint_every,
@@ -109,7 +111,8 @@ class Parser {
             examples(program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
                                 "run cases/vein_valve --out /tmp/soft --set part.leaflets.bending_stiffness="
                                 "\"1e-6 N*m^2\"",
-                                "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume"}));
+                                "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume",
+                                "run my_scene.toml --particles my_scene.h5 --frames hdf5"}));
     }
 
     void add_mesh() {
@@ -117,8 +120,14 @@ class Parser {
         add_scene(*mesh_app_, mesh_.scene);
         mesh_app_->add_option("--out", mesh_.out, "Folder for the particles; default: out/NAME OF THE SCENE_mesh")
             ->type_name("DIR");
+        mesh_app_
+            ->add_option("--particles", mesh_.particles,
+                         "Also write them into a file for 'run --particles', e.g. on a "
+                         "cluster")
+            ->type_name("FILE");
         mesh_app_->footer(
-            examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\""}));
+            examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\"",
+                                "mesh cases/vein_valve --particles valve.h5"}));
     }
 
     void add_convert() {
@@ -138,6 +147,7 @@ class Parser {
             ->type_name("");
         add_set(*explain_app_, explain_.subject.overrides);
         add_threads(*explain_app_, explain_.threads);
+        add_particles(*explain_app_, explain_.subject);
         explain_app_->footer(
             examples(program_, {"explain cases/vein_valve", "explain particles.spacing", "explain accuracy.support"}));
     }
@@ -165,6 +175,30 @@ class Parser {
             !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
         return digits && std::stoi(text) > 0 ? ""
                                              : "'" + text + "' is no number of threads; give a whole one from 1 on";
+    }
+
+    static void add_particles(CLI::App& app, SceneChoice& scene) {
+        app.add_option("--particles", scene.particles,
+                       "File of 'mesh --particles' to take them from, instead of making them of the drawing")
+            ->type_name("FILE");
+    }
+
+    static void add_frames(CLI::App& app, std::optional<FrameFormat>& format) {
+        const std::string otherwise = build_facts().libraries.empty() ? "hdf5" : "vtk";
+        app.add_option_function<std::string>(
+               "--frames",
+               [&format](const std::string& text) { format = text == "vtk" ? FrameFormat::vtk : FrameFormat::hdf5; },
+               "Write frames for ParaView, vtk, or for 'convert', hdf5; default: " + otherwise)
+            ->type_name("FORMAT")
+            ->check(CLI::Validator(a_frame_format, ""));
+    }
+
+    /// What is wrong with the name of a format; empty: nothing.
+    static std::string a_frame_format(const std::string& text) {
+        if (text != "vtk" && text != "hdf5") return "'" + text + "' is no format of frames; there are 'vtk' and 'hdf5'";
+        return text == "vtk" && build_facts().libraries.empty()
+                   ? "this dmp was built for clusters, without VTK; leave it out for frames in HDF5"
+                   : "";
     }
 
     static void add_vector_unit(CLI::App& app, VectorUnit& unit) {

@@ -13,7 +13,7 @@ namespace dmp::cli {
 namespace {
 
 template <class T>
-std::string origin(const Value<T>& value, const char* key) {
+std::string origin_text(const Value<T>& value, const char* key) {
     return value.given() ? fmt::format("{}, {}", key, value.place.text()) : fmt::format("{}, default", key);
 }
 
@@ -22,57 +22,47 @@ std::string sound_speed_text(const Scene& scene, const Plan& plan) {
     return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
                        automatic ? fmt::format("(10 x the largest speed expected, {}; accuracy.sound_speed = \"auto\")",
                                                quantity_text(plan.largest_speed, "m/s"))
-                                 : "(" + origin(scene.accuracy.sound_speed, "accuracy.sound_speed") + ")");
-}
-
-std::string springs_text(const MeshReport::SpringLine& line) {
-    std::string text =
-        fmt::format("k_b {}, k_a {}, EI {}, EA {}", quantity_text(line.bond_stiffness, "N/m"),
-                    quantity_text(line.hinge_stiffness, "J"), quantity_text(line.bending_stiffness, "N m^2"),
-                    quantity_text(line.axial_stiffness, "N"));
-    if (line.axial_stiffness < 0.999 * line.axial_stiffness_asked) {
-        text += fmt::format(" (lowered from {}: the lattice cannot hold both at this spacing)",
-                            quantity_text(line.axial_stiffness_asked, "N"));
-    }
-    return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));
+                                 : "(" + origin_text(scene.accuracy.sound_speed, "accuracy.sound_speed") + ")");
 }
 
 std::string contact_text(const Scene& scene) {
     const auto& contact = scene.contact;
-    if (*contact.range == 0) return "none (" + origin(contact.range, "contact.range") + ")";
+    if (*contact.range == 0) return "none (" + origin_text(contact.range, "contact.range") + ")";
     const std::string strength = *contact.strength == 0 ? "auto" : quantity_text(*contact.strength, "J");
     return fmt::format("repulsion within {:.3g} x the spacing ({}), strength {} ({})", *contact.range,
-                       origin(contact.range, "contact.range"), strength, origin(contact.strength, "contact.strength"));
+                       origin_text(contact.range, "contact.range"), strength,
+                       origin_text(contact.strength, "contact.strength"));
 }
 
 }  // namespace
 
-std::string chosen_text(const Scene& scene, const Plan& plan, const MeshReport& report) {
+std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
     const auto& accuracy = scene.accuracy;
     Listing list;
     list.add("sound speed", sound_speed_text(scene, plan));
     list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", word(*accuracy.kernel),
-                                   origin(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
-                                   origin(accuracy.support, "accuracy.support")));
-    list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin(accuracy.walls, "accuracy.walls")));
+                                   origin_text(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
+                                   origin_text(accuracy.support, "accuracy.support")));
+    list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin_text(accuracy.walls, "accuracy.walls")));
     list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
-                                      origin(accuracy.density_diffusion, "accuracy.density_diffusion"),
-                                      *accuracy.shifting, origin(accuracy.shifting, "accuracy.shifting")));
+                                      origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
+                                      *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
-    for (const auto& line : report.springs) list.add("springs " + line.part, springs_text(line));
+    for (const auto& [part, constants] : origin.springs) list.add("springs " + part, constants);
     for (const Part* part : scene.parts_of(PartKind::springs)) {
-        list.add("damping " + *part->name,
-                 fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({})", *part->bond_damping,
-                             origin(part->bond_damping, "bond_damping"), *part->drag, origin(part->drag, "drag")));
+        list.add(
+            "damping " + *part->name,
+            fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({})", *part->bond_damping,
+                        origin_text(part->bond_damping, "bond_damping"), *part->drag, origin_text(part->drag, "drag")));
     }
     if (plan.spring_substeps > 0) {
         list.add("spring steps",
                  fmt::format("{} ({}), {} in each time step", word(*accuracy.spring_stepping),
-                             origin(accuracy.spring_stepping, "accuracy.spring_stepping"), plan.spring_substeps));
+                             origin_text(accuracy.spring_stepping, "accuracy.spring_stepping"), plan.spring_substeps));
     }
     list.add("contact", contact_text(scene));
-    for (const auto& note : report.notes) list.add("note", note);
+    for (const auto& note : origin.notes) list.add("note", note);
     return Style(Stream::output).strong("What will run") + "\n" + list.text();
 }
 

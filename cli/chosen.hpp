@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "mesher/mesh.hpp"
+#include "cli/prepare.hpp"
 #include "scene/scene.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {
 
 /// The physics-changing values in force, which of them the scene gave and which dmp chose: sound speed, kernel, walls,
-/// time step with its ruling limit, spring constants, and what the mesher adapted.
-[[nodiscard]] std::string chosen_text(const Scene& scene, const Plan& plan, const MeshReport& report);
+/// time step with its ruling limit, spring constants, and what was adapted when the particles were made.
+[[nodiscard]] std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin);
 
 /// Every limit of the time step with its formula, the ruling one marked.
 [[nodiscard]] std::string limits_text(const Plan& plan);

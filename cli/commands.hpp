@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,7 +14,11 @@ namespace dmp::cli {
 struct SceneChoice {
     std::string path;                    ///< a scene file, or a folder with a scene.toml
     std::vector<std::string> overrides;  ///< "key=value", as given
+    std::string particles;               ///< file to take them from; empty: they are made of the scene's drawing
 };
+
+/// What a run's frames are written as.
+enum class FrameFormat { vtk, hdf5 };
 
 /// `dmp run`: everything from the scene to the pictures.
 struct RunCommand {
@@ -22,6 +27,7 @@ struct RunCommand {
     std::string until;  ///< a time with its unit; empty: the scene's duration
     int threads = 0;    ///< 0: as the scene says
     VectorUnit vector_unit = VectorUnit::widest;
+    std::optional<FrameFormat> frames;  ///< none: vtk, or hdf5 where dmp was built without VTK
     bool dry_run = false;
     bool resume = false;
     std::string checkpoint_every;  ///< wall time with its unit; empty: ten minutes
@@ -31,7 +37,8 @@ struct RunCommand {
 /// `dmp mesh`: the particles and their quality report.
 struct MeshCommand {
     SceneChoice scene;
-    std::string out;  ///< empty: out/NAME_mesh below the current folder
+    std::string out;        ///< empty: out/NAME_mesh below the current folder
+    std::string particles;  ///< file for 'dmp run --particles'; empty: none
 };
 
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.

@@ -85,17 +85,20 @@ Finding look_at_pictures(const Machine& machine) {
 }  // namespace
 
 std::vector<Finding> diagnose(const BuildFacts& build, const Machine& machine) {
-    return {
-        {Health::ok, "dmp", build.version},
-        look_at_build(build),
-        look_at_vector_units(machine),
-        look_at_processors(machine),
-        look_at_memory(machine),
-        look_at_disk(machine),
+    std::vector<Finding> findings{
+        {Health::ok, "dmp", build.version}, look_at_build(build),    look_at_vector_units(machine),
+        look_at_processors(machine),        look_at_memory(machine), look_at_disk(machine),
         look_at_writing(machine),
-        look_at_pictures(machine),
-        {Health::ok, "libraries", fmt::format("VTK {}, gmsh {}", build.vtk, build.gmsh)},
-        {Health::ok, "ParaView", "Debian's 5.11 fails on appended VTK XML; dmp writes inline binary, which it reads"}};
+    };
+    if (build.libraries.empty()) {
+        findings.push_back({Health::ok, "for clusters", "particles come from a file, frames are written in HDF5"});
+        return findings;
+    }
+    findings.push_back(look_at_pictures(machine));
+    findings.push_back({Health::ok, "libraries", build.libraries});
+    findings.push_back(
+        {Health::ok, "ParaView", "Debian's 5.11 fails on appended VTK XML; dmp writes inline binary, which it reads"});
+    return findings;
 }
 
 }  // namespace dmp::cli

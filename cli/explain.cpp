@@ -57,9 +57,9 @@ int execute(const ExplainCommand& command) {
     const Prepared prepared = prepare(subject);
     const std::string head = heading(prepared);
     const int threads = threads_for(prepared.scene, command.threads);
-    const Simulation simulation(prepared.scene, prepared.mesh.particles, threads);
+    const Simulation simulation(prepared.scene, prepared.particles, threads);
     const Plan plan = simulation.plan();
-    print(head + "\n" + chosen_text(prepared.scene, plan, prepared.mesh.report) + "\n" + models_text(plan) + "\n" +
+    print(head + "\n" + chosen_text(prepared.scene, plan, prepared.origin) + "\n" + models_text(plan) + "\n" +
           limits_text(plan) + "\n" + memory_text(plan));
     return exit_done;
 }

@@ -13,7 +13,7 @@
 #include "postproc/paraview_script.hpp"
 #include "postproc/tables.hpp"
 #include "solver/output/frame_file.hpp"
-#include "solver/output/hdf5_sink.hpp"
+#include "solver/output/frame_index.hpp"
 #include "solver/state/checkpoint_folder.hpp"
 
 namespace dmp::cli {
@@ -42,8 +42,7 @@ bool is_of_dmp(const fs::path& folder) {
 std::size_t remove_own(const fs::path& folder) {
     // Checkpoints first: none may outlive the frames it goes on from.
     std::size_t removed = CheckpointFolder(folder).remove();
-    removed += frame_files(folder).size();
-    remove_frames(folder, 0);
+    removed += remove_frames(folder, 0);
     for (const auto& place : {folder / "frames", folder}) {
         if (!fs::is_directory(place)) continue;
         for (const auto& entry : fs::directory_iterator(place)) {

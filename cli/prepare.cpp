@@ -7,33 +7,17 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "cli/particle_input.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/version.hpp"
-#include "geometry/geometry.hpp"
+#include "cli/workstation.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/store/share_particles.hpp"
 
 namespace dmp::cli {
 
 namespace {
-
-/// Polylines follow the drawing's curves this closely [spacings].
-constexpr double chord_error_in_spacings = 1e-3;
-
-DrawingOptions drawing_of(const Scene& scene) {
-    const std::filesystem::path file = *scene.geometry.file;
-    DrawingOptions options;
-    options.file = file.is_absolute() ? file.string() : (std::filesystem::path(scene.directory) / file).string();
-    options.unit = scene.geometry.unit;
-    options.chord_error = chord_error_in_spacings * scene.particles.spacing;
-    options.place = scene.geometry.file.place;
-    for (const auto& [name, value] : scene.geometry.parameters) {
-        options.parameters[name] = value;
-        options.parameter_places[name] = value.place;
-    }
-    return options;
-}
 
 std::string particles_text(const ParticleSet& particles) {
     constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
@@ -50,19 +34,15 @@ std::string particles_text(const ParticleSet& particles) {
 
 Prepared prepare(const SceneChoice& choice) {
     Scene scene = read_scene(choice.path, choice.overrides);
-    const Geometry geometry = read_drawing(drawing_of(scene));
-    MeshResult result = mesh(geometry, scene);
-    return {std::move(scene), std::move(result)};
+    ParticlesWithOrigin made =
+        choice.particles.empty() ? particles_from_drawing(scene) : particles_from_file(choice.particles, scene);
+    return {std::move(scene), std::move(made.particles), std::move(made.origin)};
 }
 
 Prepared prepare(const SceneChoice& choice, const Ranks& ranks) {
-    if (ranks.is_first()) {
-        Prepared prepared = prepare(choice);
-        share_particles(prepared.mesh.particles, ranks);
-        return prepared;
-    }
-    Prepared prepared{read_scene(choice.path, choice.overrides), {}};
-    share_particles(prepared.mesh.particles, ranks);
+    Prepared prepared =
+        ranks.is_first() ? prepare(choice) : Prepared{read_scene(choice.path, choice.overrides), {}, {}};
+    share_particles(prepared.particles, ranks);
     return prepared;
 }
 
@@ -81,8 +61,8 @@ std::string heading(const Prepared& prepared) {
     const Scene& scene = prepared.scene;
     Listing facts;
     facts.add("scene", scene.file);
-    facts.add("drawing", scene.geometry.file);
-    facts.add("particles", particles_text(prepared.mesh.particles));
+    facts.add(prepared.origin.what, prepared.origin.file);
+    facts.add("particles", particles_text(prepared.particles));
     const std::string title = scene.title->empty() ? scene_name(scene) : *scene.title;
     return Style(Stream::output).strong(title) + "\n" + facts.text();
 }

@@ -3,24 +3,41 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
-#include "mesher/mesh.hpp"
+#include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/run_label.hpp"
 
 namespace dmp::cli {
 
+/// Where particles come from, and what is worth knowing of how they were made.
+struct Origin {
+    std::string what;  ///< "drawing" or "from"
+    std::string file;
+    std::vector<std::pair<std::string, std::string>> springs;  ///< constants of each springs part, by its name
+    std::vector<std::string> notes;                            ///< what was adapted
+};
+
+struct ParticlesWithOrigin {
+    ParticleSet particles;
+    Origin origin;
+};
+
 /// A scene, read and checked, with the particles it asks for.
 struct Prepared {
     Scene scene;
-    MeshResult mesh;
+    ParticleSet particles;
+    Origin origin;
 };
 
-/// Scene to particles. Throws InputError.
+/// Scene to particles, of its drawing or of the file named. Throws InputError.
 [[nodiscard]] Prepared prepare(const SceneChoice& choice);
-/// The same under mpirun: the first rank makes the particles, all have them; the report is the first rank's.
+/// The same under mpirun: the first rank makes the particles, all have them; their origin is known to the first rank
+/// only.
 [[nodiscard]] Prepared prepare(const SceneChoice& choice, const Ranks& ranks);
 
 /// Threads to use: as asked for on the command line, else as the scene says (0: all the machine has).

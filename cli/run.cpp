@@ -1,4 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -16,10 +17,10 @@
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
-#include "postproc/pictures.hpp"
+#include "cli/workstation.hpp"
 #include "postproc/tables.hpp"
-#include "postproc/vtk_sink.hpp"
 #include "scene/read_scene.hpp"
+#include "solver/output/hdf5_sink.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {
@@ -45,10 +46,22 @@ double time_of(const std::string& option, const std::string& text, double otherw
 
 constexpr double seconds_between_checkpoints = 600;
 
-Pictures draw(const Scene& scene, const fs::path& folder, ProgressLine& line) {
-    if (!*scene.output.pictures) return {};
+FrameFormat frame_format(const RunCommand& command) {
+    return command.frames.value_or(workstation_libraries().empty() ? FrameFormat::hdf5 : FrameFormat::vtk);
+}
+
+/// This rank's; none where the first one writes for all.
+std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& folder, const Scene& scene,
+                                          const Ranks& ranks) {
+    if (format == FrameFormat::hdf5) return std::make_unique<Hdf5Sink>(folder, label_of(scene), ranks);
+    return ranks.is_first() ? paraview_frames(folder, label_of(scene)) : nullptr;
+}
+
+/// Pictures are drawn of ParaView's files.
+Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, ProgressLine& line) {
+    if (!*scene.output.pictures || format != FrameFormat::vtk) return {};
     line.show("drawing pictures");
-    Pictures result = write_pictures(folder, {.field = word(*scene.output.picture_field)});
+    Pictures result = draw_pictures(folder, {.field = word(*scene.output.picture_field)});
     line.clear();
     return result;
 }
@@ -63,10 +76,9 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
     }
 }
 
-/// Everything the run leaves besides the frames; returns the files' names.
+/// Everything the run leaves besides the frames, whose files are given; returns the names of all.
 std::vector<std::string> write_results(const fs::path& folder, const Scene& scene, const RunSummary& summary,
-                                       const VtkSink& sink, ProgressLine& line) {
-    std::vector<std::string> files = sink.files();
+                                       std::vector<std::string> files, FrameFormat format, ProgressLine& line) {
     files.emplace_back(resolved_scene_name);
     if (!summary.measures.names.empty()) {
         write_measures_csv(folder, summary.measures);
@@ -77,7 +89,7 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
     write_summary(folder, summary, {label_of(scene), files});
     if (summary.interrupted) return files;
 
-    const Pictures pictures = draw(scene, folder, line);
+    const Pictures pictures = draw(format, scene, folder, line);
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
     write_summary(folder, summary, {label_of(scene), files});
     if (!pictures.warning.empty()) print(Style(Stream::output).warning("warning: ") + pictures.warning + "\n");
@@ -104,11 +116,11 @@ std::optional<FoundCheckpoint> open_folder(const RunCommand& command, const fs::
 int run_as_first(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options) {
     const Scene& scene = prepared.scene;
     const std::string head = heading(prepared);
-    const ParticleSet particles = command.dry_run ? prepared.mesh.particles : ParticleSet{};
-    Simulation simulation(scene, prepared.mesh.particles, resources);
-    prepared.mesh.particles = {};
+    const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
+    Simulation simulation(scene, prepared.particles, resources);
+    prepared.particles = {};
     const Plan plan = simulation.plan();
-    print(head + "\n" + chosen_text(scene, plan, prepared.mesh.report) + "\n");
+    print(head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n");
     if (command.dry_run) {
         flush_output();
         print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),
@@ -121,15 +133,16 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     options.checkpoints.folder = folder;
     const auto found = open_folder(command, folder, options.checkpoints.scene);
     flush_output();
-    VtkSink sink(folder, label_of(scene));
+    const FrameFormat format = frame_format(command);
+    const auto sink = frame_series(format, folder, scene, resources.ranks);
     std::string checkpoint = found ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
-    if (found) sink.go_on(simulation.resume(checkpoint));
+    if (found) sink->go_on(simulation.resume(checkpoint));
 
     write_file(folder / resolved_scene_name, options.checkpoints.scene);
     ProgressLine line;
     const StopSignals signals;
-    options.sink = &sink;
+    options.sink = sink.get();
     options.progress = [&line](const RunProgress& progress) { line.show(progress); };
     options.stop = &signals.flag();
     const RunSummary summary = simulate(simulation, options, folder);
@@ -137,7 +150,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
 
     print(summary_text(scene, summary));
     flush_output();
-    const auto files = write_results(folder, scene, summary, sink, line);
+    const auto files = write_results(folder, scene, summary, sink->files(), format, line);
     print("\n" + results_text(folder, files));
     if (summary.interrupted)
         print("Stopped before its end" + std::string(summary.out_of_time ? ", out of its wall time" : "") +
@@ -149,12 +162,17 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
 /// Any other rank.
 int run_as_one_of_many(const RunCommand& command, const Prepared& prepared, const Resources& resources,
                        RunOptions options) {
-    Simulation simulation(prepared.scene, prepared.mesh.particles, resources);
+    Simulation simulation(prepared.scene, prepared.particles, resources);
     if (command.dry_run) return exit_done;
     options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
     std::string checkpoint;
     resources.ranks.broadcast(checkpoint);
-    if (!checkpoint.empty()) simulation.resume(checkpoint);
+    const auto sink = frame_series(frame_format(command), options.checkpoints.folder, prepared.scene, resources.ranks);
+    options.sink = sink.get();
+    if (!checkpoint.empty()) {
+        const long frames = simulation.resume(checkpoint);
+        if (sink) sink->go_on(frames);
+    }
     const StopSignals signals;
     options.stop = &signals.flag();
     simulation.run(options);

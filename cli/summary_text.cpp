@@ -9,6 +9,7 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "postproc/paraview_script.hpp"
+#include "solver/output/frame_index.hpp"
 
 namespace dmp::cli {
 
@@ -85,16 +86,19 @@ std::string results_text(const std::filesystem::path& folder, const std::vector<
     Listing list;
     std::string pictures;
     std::string others;
-    bool script = false;
+    bool script = false, to_convert = false;
     for (const auto& file : files) {
         if (file == paraview_script_name) {
             script = true;
             continue;
         }
+        if (file == frame_index_name) to_convert = true;
         std::string& kind = file.ends_with(".png") ? pictures : others;
         kind += (kind.empty() ? "" : ", ") + file;
     }
     if (script) list.add("look", fmt::format("paraview --script={}", (folder / paraview_script_name).string()));
+    if (to_convert)
+        list.add("look", fmt::format("dmp convert {}   makes ParaView's files, where dmp has VTK", folder.string()));
     if (!pictures.empty()) list.add("pictures", pictures);
     if (!others.empty()) list.add("files", others);
     return Style(Stream::output).strong("Results in " + folder.string()) + "\n" + list.text();

@@ -1,10 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/version.hpp"
 
+#include "cli/workstation.hpp"
+
 namespace dmp::cli {
 
 BuildFacts build_facts() {
-    return {DMP_VERSION, DMP_BUILD_TYPE, DMP_COMPILER, DMP_SANITIZERS, DMP_VTK_VERSION, DMP_GMSH_VERSION};
+    return {DMP_VERSION, DMP_BUILD_TYPE, DMP_COMPILER, DMP_SANITIZERS, workstation_libraries()};
 }
 
 }  // namespace dmp::cli

@@ -11,7 +11,7 @@ struct BuildFacts {
     std::string build_type;  ///< "Release"
     std::string compiler;    ///< "g++ 12.2.0"
     std::string sanitizers;  ///< "address,undefined"; empty: none
-    std::string vtk, gmsh;   ///< their versions
+    std::string libraries;   ///< "VTK 9.1.0, gmsh 4.8.4"; empty: built for clusters, without them
 };
 
 [[nodiscard]] BuildFacts build_facts();

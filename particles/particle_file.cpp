@@ -221,25 +221,30 @@ void read_springs(const Hdf5Reader& from, ParticleSet& set) {
 
 }  // namespace
 
-void write_particles(const fs::path& file, const ParticleSet& particles) {
+void write_particles(const fs::path& file, const ParticleSet& particles, std::span<const std::string> made_from) {
     const std::string problem = problem_with(particles);
     if (!problem.empty()) throw std::invalid_argument("particles for '" + file.string() + "': " + problem);
     SealedWriter writer(file, particles_kind);
     write_space(writer.contents(), particles);
     write_arrays(writer.contents(), particles);
     write_springs(writer.contents(), particles);
+    if (!made_from.empty()) writer.contents().write_texts("made_from", made_from);
     writer.finish();
 }
 
-ParticleSet read_particles(const fs::path& file) {
+StoredParticles read_particle_file(const fs::path& file) {
     const SealedReader reader(file, particles_kind);
-    ParticleSet particles;
-    read_space(reader.contents(), particles);
-    read_arrays(reader.contents(), particles);
-    read_springs(reader.contents(), particles);
-    const std::string problem = problem_with(particles);
-    if (!problem.empty()) reader.contents().refuse(problem);
-    return particles;
+    const Hdf5Reader& from = reader.contents();
+    StoredParticles stored;
+    read_space(from, stored.particles);
+    read_arrays(from, stored.particles);
+    read_springs(from, stored.particles);
+    const std::string problem = problem_with(stored.particles);
+    if (!problem.empty()) from.refuse(problem);
+    if (from.has("made_from")) stored.made_from = from.texts("made_from");
+    return stored;
 }
+
+ParticleSet read_particles(const fs::path& file) { return read_particle_file(file).particles; }
 
 }  // namespace dmp

@@ -116,6 +116,9 @@ void VtkSink::go_on(long frames) {
                              "the series names fewer frames than the run has written",
                              "A run can only go on where its frames are; start it anew in another folder.");
     }
+    if (frames > 0 && series_.empty())
+        throw InputError({folder_.string()}, "the run to go on with wrote no ParaView files",
+                         "Go on with the same --frames as it was started with.");
     frames_ = frames;
     walls_written_ = fs::exists(folder_ / "walls.vtp");
 }

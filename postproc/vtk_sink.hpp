@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/run_label.hpp"
 #include "solver/frame.hpp"
+#include "solver/run_label.hpp"
 
 namespace dmp {
 
@@ -21,21 +21,19 @@ namespace dmp {
 ///
 /// A folder holds one run: the first frame removes the frames an earlier run left there.
 /// A .pvd never names a file that is not whole, so a killed run opens up to its last frame.
-class VtkSink : public FrameSink {
+class VtkSink : public FrameSeries {
   public:
     /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
     VtkSink(std::filesystem::path folder, RunLabel label);
 
-    /// Takes up the series of the run that is in the folder after its first `frames` frames; later ones go. Throws
-    /// InputError when they are not all there.
-    void go_on(long frames);
+    void go_on(long frames) override;
 
     /// Throws ResourceError when the disk does not take it. Empty groups are skipped.
     void write(const Frame& frame) override;
 
     [[nodiscard]] long frames() const { return frames_; }
     /// The files to open, relative to the folder: .pvd, walls.vtp, open_in_paraview.py.
-    [[nodiscard]] std::vector<std::string> files() const;
+    [[nodiscard]] std::vector<std::string> files() const override;
 
   private:
     struct Entry {

@@ -42,7 +42,20 @@ struct Frame {
 class FrameSink {
   public:
     virtual ~FrameSink() = default;
+    /// False: of several ranks the first one has the sink and hands it all particles. True: every rank has one and
+    /// hands it its own.
+    [[nodiscard]] virtual bool takes_pieces() const { return false; }
     virtual void write(const Frame& frame) = 0;
+};
+
+/// A sink that keeps a run's frames in a folder, for whom a run can go on.
+class FrameSeries : public FrameSink {
+  public:
+    /// Takes up the frames of the run that is in the folder after its first `frames` ones; later ones go. Throws
+    /// InputError when they are not all there.
+    virtual void go_on(long frames) = 0;
+    /// The files to look at, relative to the folder.
+    [[nodiscard]] virtual std::vector<std::string> files() const = 0;
 };
 
 /// One row of measures: the values at one time, in the order of the names.

@@ -156,7 +156,8 @@ void Simulation::State::write_frame(FrameSink* sink) {
 void Simulation::State::write_as_it_is(FrameSink* sink) {
     if (frames > 0 && time <= last_frame) return;  // no time twice
     if (ranks.any(sink != nullptr)) {
-        const Frame frame = make_frame(scene, particles, fluid, time, step, frames == 0);
+        const bool in_pieces = ranks.any(sink != nullptr && sink->takes_pieces());
+        const Frame frame = make_frame(scene, particles, fluid, time, step, {frames == 0, in_pieces});
         if (sink != nullptr) sink->write(frame);
     }
     ++frames;

@@ -4,9 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/errors.hpp"
 #include "base/numbered_files.hpp"
 #include "base/sealed_file.hpp"
 #include "solver/frame_check.hpp"
+#include "solver/output/frame_pieces.hpp"
 
 namespace dmp {
 
@@ -19,6 +21,25 @@ constexpr SealedKind frame_kind{"frame", 1};
 const NumberedFiles& files() {
     static const NumberedFiles kind("frame_", 6, ".h5");
     return kind;
+}
+
+const NumberedFiles& folders() {
+    static const NumberedFiles kind("frame_", 6, "");
+    return kind;
+}
+
+const NumberedFiles& piece_files() {
+    static const NumberedFiles kind("piece_", 3, ".h5");
+    return kind;
+}
+
+/// Removes the files of one kind from `number` on and the unfinished ones; returns how many.
+std::size_t remove_files(const NumberedFiles& kind, const fs::path& folder, long number) {
+    std::vector<fs::path> all = kind.unfinished_in(folder);
+    for (const auto& [its_number, file] : kind.in(folder))
+        if (its_number >= number) all.push_back(file);
+    for (const fs::path& file : all) remove_file(file);
+    return all.size();
 }
 
 /// Names become datasets and groups: a slash would make more of them.
@@ -87,12 +108,18 @@ fs::path frame_folder(const fs::path& folder) { return folder / "frames"; }
 
 fs::path frame_path(const fs::path& folder, long number) { return frame_folder(folder) / files().name(number); }
 
-std::map<long, fs::path> frame_files(const fs::path& folder) { return files().in(frame_folder(folder)); }
+fs::path piece_folder(const fs::path& folder, long number) { return frame_folder(folder) / folders().name(number); }
 
-void remove_frames(const fs::path& folder, long number) {
-    for (const auto& [its_number, file] : frame_files(folder))
-        if (its_number >= number) remove_file(file);
-    for (const fs::path& file : files().unfinished_in(frame_folder(folder))) remove_file(file);
+std::string piece_name(int rank) { return piece_files().name(rank); }
+
+std::size_t remove_frames(const fs::path& folder, long number) {
+    std::size_t removed = remove_files(files(), frame_folder(folder), number);
+    for (const auto& [its_number, pieces] : folders().in(frame_folder(folder))) {
+        if (its_number < number || !fs::is_directory(pieces)) continue;
+        removed += remove_files(piece_files(), pieces, 0);
+        if (fs::is_empty(pieces)) remove_file(pieces);
+    }
+    return removed;
 }
 
 void write_frame(const fs::path& file, const Frame& frame, const RunLabel& label) {
@@ -127,6 +154,23 @@ StoredFrame read_frame(const fs::path& file) {
     stored.frame.parts = from.texts("parts");
     for (const std::string& name : from.texts("group_names")) stored.frame.groups.push_back(read_group(from, name));
     return stored;
+}
+
+StoredFrame read_frame(const std::vector<fs::path>& pieces) {
+    StoredFrame whole = read_frame(pieces.at(0));
+    if (pieces.size() == 1) return whole;
+    const auto refuse = [&](const fs::path& piece, const std::string& problem) {
+        throw InputError(Place{piece.string(), 0, 0}, problem, "Restore the frame's pieces from a copy.");
+    };
+    for (std::size_t n = 1; n < pieces.size(); ++n) {
+        StoredFrame piece = read_frame(pieces[n]);
+        std::string problem = piece.label.scene_hash == whole.label.scene_hash ? "" : "of another scene";
+        if (problem.empty()) problem = add_piece(whole.frame, std::move(piece.frame));
+        if (!problem.empty()) refuse(pieces[n], "not a piece of the frame of " + pieces[0].string() + ": " + problem);
+    }
+    const std::string problem = finish_pieces(whole.frame);
+    if (!problem.empty()) refuse(pieces[0].parent_path(), problem);
+    return whole;
 }
 
 }  // namespace dmp

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "solver/output/frame_file.hpp"
@@ -14,43 +12,50 @@ namespace dmp {
 
 namespace fs = std::filesystem;
 
-Hdf5Sink::Hdf5Sink(fs::path folder, RunLabel label) : folder_(std::move(folder)), label_(std::move(label)) {
+Hdf5Sink::Hdf5Sink(fs::path folder, RunLabel label, Ranks ranks)
+    : folder_(std::move(folder)), label_(std::move(label)), ranks_(std::move(ranks)) {
+    if (!ranks_.is_first()) return;
     make_folder(folder_);
     make_folder(frame_folder(folder_));
 }
 
 void Hdf5Sink::go_on(long frames) {
+    frames_ = frames;
     entries_.clear();
-    if (frames == 0) return;  // a run that was stopped before its first frame may have left no index
-    const fs::path file = folder_ / frame_index_name;
-    try {
-        const auto index = nlohmann::json::parse(read_file(file));
-        for (const auto& entry : index.at("frames")) {
-            if (std::ssize(entries_) == frames) break;
-            entries_.push_back({entry.at("file"), entry.at("time"), entry.at("step")});
-        }
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(Place{file.string(), 0, 0}, std::string("not an index of frames: ") + error.what(),
-                         "Restore it from a copy, or run the scene from its start.");
-    }
+    // A run that was stopped before its first frame may have left no index.
+    if (frames == 0 || !ranks_.is_first()) return;
+    entries_ = read_frame_index(folder_);
+    if (std::ssize(entries_) > frames) entries_.resize(static_cast<std::size_t>(frames));
     for (long number = 0; number < frames; ++number)
-        if (number >= std::ssize(entries_) || !fs::exists(frame_path(folder_, number)))
+        if (number >= std::ssize(entries_) || !entries_[static_cast<std::size_t>(number)].is_there(folder_))
             throw InputError(Place{folder_.string(), 0, 0},
                              "frame " + std::to_string(number) + " of the run to go on with is missing",
                              "Restore the folder from a copy, or run the scene from its start.");
 }
 
-void Hdf5Sink::write(const Frame& frame) {
-    if (!started_) {
+void Hdf5Sink::start() {
+    if (ranks_.is_first()) {
         // The index first: it may not name a file that is gone.
-        write_index();
-        remove_frames(folder_, frames());
-        started_ = true;
+        write_frame_index(folder_, label_, entries_);
+        remove_frames(folder_, frames_);
     }
-    const fs::path file = frame_path(folder_, frames());
-    write_frame(file, frame, label_);
-    entries_.push_back({file.lexically_relative(folder_).string(), frame.time, frame.step});
-    write_index();
+    wait_for_all();
+    started_ = true;
+}
+
+void Hdf5Sink::write(const Frame& frame) {
+    if (!started_) start();
+    const bool in_pieces = ranks_.size() > 1;
+    const fs::path place = in_pieces ? piece_folder(folder_, frames_) : frame_path(folder_, frames_);
+    if (in_pieces) make_folder(place);
+    write_frame(in_pieces ? place / piece_name(ranks_.rank()) : place, frame, label_);
+    // Those who could not write it have ended the run before they got here.
+    wait_for_all();
+    ++frames_;
+    if (!ranks_.is_first()) return;
+    entries_.push_back(
+        {place.lexically_relative(folder_).string(), in_pieces ? ranks_.size() : 0, frame.time, frame.step});
+    write_frame_index(folder_, label_, entries_);
 }
 
 std::vector<std::string> Hdf5Sink::files() const {
@@ -59,15 +64,6 @@ std::vector<std::string> Hdf5Sink::files() const {
     return names;
 }
 
-void Hdf5Sink::write_index() const {
-    nlohmann::ordered_json index;
-    index["title"] = label_.title;
-    index["scene_hash"] = label_.scene_hash;
-    index["dmp_version"] = label_.version;
-    index["frames"] = nlohmann::ordered_json::array();
-    for (const Entry& entry : entries_)
-        index["frames"].push_back({{"file", entry.file}, {"time", entry.time}, {"step", entry.step}});
-    write_file(folder_ / frame_index_name, index.dump(1) + "\n");
-}
+void Hdf5Sink::wait_for_all() const { (void)ranks_.any(false); }
 
 }  // namespace dmp

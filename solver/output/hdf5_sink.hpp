@@ -6,46 +6,45 @@
 #include <vector>
 
 #include "solver/frame.hpp"
+#include "solver/output/frame_index.hpp"
+#include "solver/parallel/ranks.hpp"
 #include "solver/run_label.hpp"
 
 namespace dmp {
 
-inline constexpr const char* frame_index_name = "frames.json";
-
 /// Writes frames for machines that run without VTK; `dmp convert` makes ParaView's files of them.
 ///
-///     frames/frame_000012.h5    one a frame, whole or not there (frame_file.hpp)
-///     frames.json               the frames' files, times and steps, rewritten after each frame
+///     frames/frame_000012.h5            one a frame, whole or not there (frame_file.hpp)
+///     frames/frame_000012/piece_003.h5  of several ranks instead: what the fourth one holds of it
+///     frames.json                       the frames that are whole, rewritten after each
 ///
+/// Of several ranks each has one, for the same folder, and all call the same functions at the same time.
 /// A folder holds one run: the first frame removes the frames an earlier run left there.
-class Hdf5Sink : public FrameSink {
+class Hdf5Sink : public FrameSeries {
   public:
     /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
-    Hdf5Sink(std::filesystem::path folder, RunLabel label);
+    Hdf5Sink(std::filesystem::path folder, RunLabel label, Ranks ranks = Ranks::alone());
 
-    /// Takes up the frames of the run that is in the folder after its first `frames` ones; later ones go. Throws
-    /// InputError when they are not all there.
-    void go_on(long frames);
+    /// The run may have been written by another number of ranks.
+    void go_on(long frames) override;
 
+    [[nodiscard]] bool takes_pieces() const override { return ranks_.size() > 1; }
     /// Throws ResourceError when the disk does not take it; the frames before it stay, with their index.
     void write(const Frame& frame) override;
 
-    [[nodiscard]] long frames() const { return static_cast<long>(entries_.size()); }
-    /// The files to look at, relative to the folder.
-    [[nodiscard]] std::vector<std::string> files() const;
+    [[nodiscard]] long frames() const { return frames_; }
+    [[nodiscard]] std::vector<std::string> files() const override;
 
   private:
-    struct Entry {
-        std::string file;  ///< relative to the folder
-        double time;       ///< [s]
-        long step;
-    };
-
-    void write_index() const;
+    void start();
+    /// Comes back when all ranks are here.
+    void wait_for_all() const;
 
     std::filesystem::path folder_;
     RunLabel label_;
-    std::vector<Entry> entries_;
+    Ranks ranks_;
+    std::vector<FrameEntry> entries_;  ///< the first rank's
+    long frames_ = 0;
     bool started_ = false;
 };
 

@@ -1,12 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/output/make_frame.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 
 #include "particles/periodic_images.hpp"
+#include "solver/output/frame_pieces.hpp"
 #include "solver/output/velocity_gradient.hpp"
 
 namespace dmp {
@@ -57,31 +56,13 @@ FrameField fluid_field(FluidField field, const ParticleStore& particles, const F
     return out;
 }
 
-template <class T>
-std::vector<T> in_order(const std::vector<T>& values, const std::vector<std::size_t>& order) {
-    const std::size_t components = order.empty() ? 0 : values.size() / order.size();
-    std::vector<T> sorted;
-    sorted.reserve(values.size());
-    for (const std::size_t k : order)
-        for (std::size_t c = 0; c < components; ++c) sorted.push_back(values[k * components + c]);
-    return sorted;
-}
-
 /// The particles of all ranks on the first one, in the order of their ids.
 void collect(FrameGroup& group, const Ranks& ranks) {
     group.id = ranks.gather_to_first(group.id);
     group.part = ranks.gather_to_first(group.part);
     group.position = ranks.gather_to_first(group.position);
     for (FrameField& field : group.fields) field.values = ranks.gather_to_first(field.values);
-    if (!ranks.is_first()) return;
-
-    std::vector<std::size_t> order(group.id.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return group.id[a] < group.id[b]; });
-    group.id = in_order(group.id, order);
-    group.part = in_order(group.part, order);
-    group.position = in_order(group.position, order);
-    for (FrameField& field : group.fields) field.values = in_order(field.values, order);
+    sort_by_id(group);
 }
 
 /// What spring bodies alone know; the group is complete and in the order of ids.
@@ -112,7 +93,7 @@ void add_springs(FrameGroup& group, const SpringBodies& springs) {
 }  // namespace
 
 Frame make_frame(const Scene& scene, const ParticleStore& particles, const FluidStep& fluid, double time, long step,
-                 bool with_walls) {
+                 FrameOptions options) {
     Frame frame;
     frame.time = time;
     frame.step = step;
@@ -120,20 +101,25 @@ Frame make_frame(const Scene& scene, const ParticleStore& particles, const Fluid
     for (const auto& part : particles.space().parts) frame.parts.push_back(part.name);
 
     const Ranks& ranks = fluid.neighbours().ranks();
-    const auto add = [&](FrameGroup group) {
-        collect(group, ranks);
-        if (!group.id.empty()) frame.groups.push_back(std::move(group));
+    const auto add = [&](FrameGroup group, bool in_pieces) {
+        if (in_pieces)
+            sort_by_id(group);
+        else
+            collect(group, ranks);
+        // All pieces name the same groups.
+        if (in_pieces ? ranks.any(!group.id.empty()) : !group.id.empty()) frame.groups.push_back(std::move(group));
     };
     FrameGroup liquid = group_of("fluid", particles.fluid(), particles.space());
     for (const FluidField field : scene.output.fields) liquid.fields.push_back(fluid_field(field, particles, fluid));
-    add(std::move(liquid));
+    add(std::move(liquid), options.in_pieces);
 
     FrameGroup solid = group_of("solid", particles.of(ParticleKind::springs), particles.space());
     solid.fields.push_back(stored_field(particles.of(ParticleKind::springs), Field::velocity));
-    add(std::move(solid));
+    add(std::move(solid), false);
     if (!frame.groups.empty() && frame.groups.back().name == "solid") add_springs(frame.groups.back(), fluid.springs());
 
-    if (with_walls) add(group_of("walls", particles.of(ParticleKind::rigid), particles.space()));
+    if (options.with_walls)
+        add(group_of("walls", particles.of(ParticleKind::rigid), particles.space()), options.in_pieces);
     return frame;
 }
 

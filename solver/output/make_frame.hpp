@@ -7,10 +7,16 @@
 
 namespace dmp {
 
+struct FrameOptions {
+    bool with_walls = false;
+    /// Every rank gets the fluid and walls that it owns, the first one also all spring bodies, which are few; else the
+    /// first one gets all and the others an empty frame.
+    bool in_pieces = false;
+};
+
 /// What the particles look like now: fluid with the scene's output fields; solids with velocity, displacement from
-/// the drawing, bond strain and bond force; walls when asked for. All ranks take part; the first one gets the frame,
-/// the others an empty one.
+/// the drawing, bond strain and bond force; walls when asked for. In the order of their ids. All ranks take part.
 Frame make_frame(const Scene& scene, const ParticleStore& particles, const FluidStep& fluid, double time, long step,
-                 bool with_walls);
+                 FrameOptions options);
 
 }  // namespace dmp

@@ -116,7 +116,7 @@ TEST_F(Convert, NoSuchFolderAndNoFramesInItEndWithTwo) {
     const auto without = convert();
     EXPECT_EQ(without.code, 2);
     EXPECT_THAT(without.errors, testing::AllOf(testing::StartsWith("error: out: there are no frames in it to convert"),
-                                               HasSubstr("frames/frame_000000.h5")));
+                                               HasSubstr("frames.json")));
     EXPECT_EQ(contents("out"), before);
 
     folder_.write("file", "x");

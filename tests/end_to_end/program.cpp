@@ -31,8 +31,8 @@ std::string text_of(const fs::path& file) {
 /// In the child: becomes dmp, or ends with code 127.
 [[noreturn]] void become_dmp(const fs::path& folder, const std::vector<std::string>& arguments,
                              const Surroundings& with, const fs::path& output, const fs::path& errors) {
-    std::vector<std::string> words{DMP_PROGRAM};
-    if (with.ranks > 0) words = {DMP_MPIRUN, "-n", std::to_string(with.ranks), DMP_PROGRAM};
+    std::vector<std::string> words{with.for_clusters ? DMP_PROGRAM_FOR_CLUSTERS : DMP_PROGRAM};
+    if (with.ranks > 0) words.insert(words.begin(), {DMP_MPIRUN, "-n", std::to_string(with.ranks)});
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);

@@ -44,6 +44,7 @@ struct Surroundings {
     std::function<bool()> interrupt_when{};  ///< send it as soon as this holds, asked all the time; none: never
     int signal = SIGINT;                     ///< the one to send
     int ranks = 0;                           ///< under mpirun, which then gets the signal; 0: without
+    bool for_clusters = false;               ///< the dmp that is built without gmsh, CGAL and VTK
 };
 
 /// Runs the dmp that was built, in `folder`, with stdin closed, and waits for its end.

@@ -22,11 +22,7 @@ class SmallValve : public testing::Test {
 
     /// dmp run on it, to the output folder `out`.
     [[nodiscard]] Outcome run(const std::string& out, const Words& more = {}, const Surroundings& with = {}) const {
-        Words words{"run",   ".",
-                    "--set", "particles.spacing=\"0.5 mm\"",
-                    "--set", "output.every=\"10 ms\"",
-                    "--set", "output.pictures=false",
-                    "--out", out};
+        Words words = on_scene("run", out);
         for (const auto& [option, value] : std::map<std::string, std::string>{{"--until", "0.1 s"}, {"--threads", "1"}})
             if (std::ranges::find(more, option) == more.end()) words.insert(words.end(), {option, value});
         words.insert(words.end(), more.begin(), more.end());
@@ -35,8 +31,15 @@ class SmallValve : public testing::Test {
 
     /// A run that gets a signal when its frame at 0.05 s is there.
     [[nodiscard]] Outcome stopped_run(const std::string& out, const Words& more = {}, int ranks = 0,
-                                      int signal = SIGTERM) const {
-        return run(out, more, {.interrupt_at = out + "/frames/fluid_000005.vtp", .signal = signal, .ranks = ranks});
+                                      int signal = SIGTERM, const std::string& frame = "fluid_000005.vtp") const {
+        return run(out, more, {.interrupt_at = out + "/frames/" + frame, .signal = signal, .ranks = ranks});
+    }
+
+    /// dmp mesh on it, to the output folder `out`.
+    [[nodiscard]] Outcome mesh(const std::string& out, const Words& more = {}) const {
+        Words words = on_scene("mesh", out);
+        words.insert(words.end(), more.begin(), more.end());
+        return run_dmp(folder_.path(), words);
     }
 
     [[nodiscard]] nlohmann::json summary(const std::string& out) const {
@@ -46,7 +49,7 @@ class SmallValve : public testing::Test {
     /// Names of the files in a folder, sorted.
     [[nodiscard]] Words files(const std::string& name) const {
         Words found;
-        if (std::filesystem::exists(folder_.path() / name))
+        if (std::filesystem::is_directory(folder_.path() / name))
             for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / name))
                 found.push_back(entry.path().filename().string());
         std::ranges::sort(found);
@@ -57,6 +60,15 @@ class SmallValve : public testing::Test {
     }
 
     TemporaryFolder folder_;
+
+  private:
+    static Words on_scene(const std::string& command, const std::string& out) {
+        return {command, ".",
+                "--set", "particles.spacing=\"0.5 mm\"",
+                "--set", "output.every=\"10 ms\"",
+                "--set", "output.pictures=false",
+                "--out", out};
+    }
 };
 
 }  // namespace dmp::end_to_end

@@ -52,6 +52,19 @@ TEST(Arguments, RunNeedsOnlyAScene) {
     EXPECT_FALSE(run.dry_run);
 }
 
+TEST(Arguments, ParticlesAndFramesGoThroughFiles) {
+    const auto run = std::get<RunCommand>(read({"run", "x.toml", "--particles", "x.h5", "--frames", "hdf5"}));
+    EXPECT_EQ(run.scene.particles, "x.h5");
+    EXPECT_EQ(run.frames, FrameFormat::hdf5);
+    EXPECT_EQ(std::get<RunCommand>(read({"run", "x.toml", "--frames=vtk"})).frames, FrameFormat::vtk);
+    EXPECT_EQ(std::get<RunCommand>(read({"run", "x.toml"})).frames, std::nullopt);
+    EXPECT_EQ(std::get<RunCommand>(read({"run", "x.toml"})).scene.particles, "");
+    EXPECT_EQ(std::get<MeshCommand>(read({"mesh", "x.toml", "--particles", "x.h5"})).particles, "x.h5");
+    EXPECT_EQ(std::get<ExplainCommand>(read({"explain", "x.toml", "--particles", "x.h5"})).subject.particles, "x.h5");
+    EXPECT_EQ(error_of({"run", "x", "--frames", "vtp"}).problem(),
+              "--frames: 'vtp' is no format of frames; there are 'vtk' and 'hdf5'");
+}
+
 TEST(Arguments, SetBeforeTheSceneLeavesTheSceneAlone) {
     const auto run = std::get<RunCommand>(read({"run", "--set", "a=1", "x.toml"}));
     EXPECT_EQ(run.scene.path, "x.toml");

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 constexpr double gibibyte = 1024.0 * 1024 * 1024;
 
-BuildFacts good_build() { return {"0.1.0", "Release", "GNU 12.2.0", "", "9.1.0", "4.8.0"}; }
+BuildFacts good_build() { return {"0.1.0", "Release", "GNU 12.2.0", "", "VTK 9.1.0, gmsh 4.8.4"}; }
 
 Machine good_machine() {
     Machine machine;
@@ -37,6 +37,20 @@ TEST(Doctor, FindsNothingWrongWithAGoodMachine) {
         EXPECT_EQ(finding.health, Health::ok) << finding.what;
         EXPECT_EQ(finding.to_do, "") << finding.what;
     }
+}
+
+TEST(Doctor, OfABuildForClustersNamesNoLibraryThatItLacks) {
+    BuildFacts build = good_build();
+    build.libraries = "";
+    Machine machine = good_machine();
+    machine.xvfb = "";
+    for (const auto& finding : diagnose(build, machine)) {
+        EXPECT_EQ(finding.health, Health::ok) << finding.what;
+        for (const char* word : {"VTK", "gmsh", "ParaView", "Xvfb"})
+            EXPECT_THAT(finding.found, testing::Not(HasSubstr(word))) << finding.what;
+    }
+    EXPECT_EQ(about("for clusters", build, machine).health, Health::ok);
+    EXPECT_EQ(about("for clusters", good_build(), machine).what, "missing");
 }
 
 TEST(Doctor, WarnsOfSlowBuilds) {

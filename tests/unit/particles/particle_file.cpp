@@ -102,6 +102,15 @@ TEST_F(ParticleFile, GivesTheParticlesBackBitForBit) {
     expect_equal(read_particles(file_), written);
 }
 
+TEST_F(ParticleFile, SaysWhatTheyWereMadeFrom) {
+    const std::vector<std::string> lines{"particles.spacing = \"1 mm\"", "dimension = 2"};
+    write_particles(file_, some_particles(), lines);
+    EXPECT_EQ(read_particle_file(file_).made_from, lines);
+    expect_equal(read_particle_file(file_).particles, some_particles());
+    write_particles(file_, some_particles());
+    EXPECT_TRUE(read_particle_file(file_).made_from.empty());
+}
+
 TEST_F(ParticleFile, GivesAnEmptySetBack) {
     ParticleSet written;
     written.spacing = 1;

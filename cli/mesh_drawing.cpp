@@ -1,0 +1,54 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh_drawing.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/text.hpp"
+#include "geometry/geometry.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+/// Polylines follow the drawing's curves this closely [spacings].
+constexpr double chord_error_in_spacings = 1e-3;
+
+DrawingOptions drawing_of(const Scene& scene) {
+    const std::filesystem::path file = *scene.geometry.file;
+    DrawingOptions options;
+    options.file = file.is_absolute() ? file.string() : (std::filesystem::path(scene.directory) / file).string();
+    options.unit = scene.geometry.unit;
+    options.chord_error = chord_error_in_spacings * scene.particles.spacing;
+    options.place = scene.geometry.file.place;
+    for (const auto& [name, value] : scene.geometry.parameters) {
+        options.parameters[name] = value;
+        options.parameter_places[name] = value.place;
+    }
+    return options;
+}
+
+std::string springs_text(const MeshReport::SpringLine& line) {
+    std::string text =
+        fmt::format("k_b {}, k_a {}, EI {}, EA {}", quantity_text(line.bond_stiffness, "N/m"),
+                    quantity_text(line.hinge_stiffness, "J"), quantity_text(line.bending_stiffness, "N m^2"),
+                    quantity_text(line.axial_stiffness, "N"));
+    if (line.axial_stiffness < 0.999 * line.axial_stiffness_asked) {
+        text += fmt::format(" (lowered from {}: the lattice cannot hold both at this spacing)",
+                            quantity_text(line.axial_stiffness_asked, "N"));
+    }
+    return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));
+}
+
+}  // namespace
+
+MeshResult mesh_drawing(const Scene& scene) { return mesh(read_drawing(drawing_of(scene)), scene); }
+
+Origin origin_of(const Scene& scene, const MeshReport& report) {
+    Origin origin{"drawing", scene.geometry.file, {}, report.notes};
+    for (const auto& line : report.springs) origin.springs.emplace_back(line.part, springs_text(line));
+    return origin;
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,160 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/particle_input.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+#include "cli/text.hpp"
+#include "particles/particle_file.hpp"
+#include "scene/read_scene.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+/// "[[part]]" -> "part"; empty for lines that open no table.
+std::string table_in(const std::string& line) {
+    if (!line.starts_with('[')) return "";
+    const auto first = line.find_first_not_of('['), last = line.find_last_not_of(']');
+    return line.substr(first, last - first + 1);
+}
+
+/// Keys of a scene that mesher reads; the others may change without new particles.
+bool matters(const std::string& table, const std::string& key) {
+    if (table.empty()) return key == "dimension";
+    if (table == "geometry") return key != "file";
+    if (table == "particles") return true;
+    if (table == "flow") return key == "periodic";
+    if (table == "contact") return key == "range";
+    if (table == "accuracy") return key == "support";
+    return table == "part" && key != "viscosity" && key != "bond_damping" && key != "drag";
+}
+
+/// Key and value of each line.
+std::map<std::string, std::string> by_key(const std::vector<std::string>& lines) {
+    std::map<std::string, std::string> values;
+    for (const std::string& line : lines) {
+        const auto equals = line.find(" = ");
+        if (equals != std::string::npos) values[line.substr(0, equals)] = line.substr(equals + 3);
+    }
+    return values;
+}
+
+/// What the particles were made with and the scene says now, where the two differ; empty: nowhere.
+std::string difference(const std::vector<std::string>& made_from, const std::vector<std::string>& now) {
+    const auto before = by_key(made_from);
+    const auto after = by_key(now);
+    std::map<std::string, std::string> keys(before);
+    keys.insert(after.begin(), after.end());
+    const auto value = [](const auto& values, const std::string& key) {
+        const auto found = values.find(key);
+        return found == values.end() ? std::string("not there") : found->second;
+    };
+    std::string text;
+    for (const auto& [key, any] : keys) {
+        const std::string was = value(before, key), is = value(after, key);
+        if (was != is) text += fmt::format("\n  {}: {} in the file, {} in the scene", key, was, is);
+    }
+    return text;
+}
+
+constexpr std::array kinds{"fluid", "rigid", "springs"};  // by ParticleKind
+
+/// The same for what every particle set says of itself.
+std::string difference(const ParticleSpace& file, const Scene& scene) {
+    std::vector<std::string> made_from{fmt::format("dimension = {}", file.dimension),
+                                       fmt::format("particles.spacing = {} m", file.spacing)};
+    std::vector<std::string> now{fmt::format("dimension = {}", *scene.dimension),
+                                 fmt::format("particles.spacing = {} m", *scene.particles.spacing)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto line = [&](bool periodic) {
+            return fmt::format("flow.periodic along {} = {}", "xyz"[axis], periodic ? "yes" : "no");
+        };
+        made_from.push_back(line(file.periodic.at(axis)));
+        now.push_back(line(*scene.flow.periodic.at(axis)));
+    }
+    const auto line = [](const std::string& name, const std::string& kind) {
+        return fmt::format("part '{}' = {}", name, kind);
+    };
+    for (const auto& part : file.parts)
+        made_from.push_back(line(part.name, kinds.at(static_cast<std::size_t>(part.kind))));
+    for (const Part& part : scene.parts)
+        if (*part.enabled) now.push_back(line(part.name, word(*part.kind)));
+    return difference(made_from, now);
+}
+
+/// Smallest and largest of some constants.
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    [[nodiscard]] std::string text(const char* unit) const {
+        if (low > high) return "none";
+        const std::string least = quantity_text(low, unit), most = quantity_text(high, unit);
+        return least == most ? least : least + " to " + most;
+    }
+};
+
+Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles) {
+    Origin origin{"from", file.string(), {}, {}};
+    std::vector<Range> bonds(particles.parts.size()), hinges(particles.parts.size());
+    const auto part_of = [&](int particle) {
+        return static_cast<std::size_t>(particles.part[static_cast<std::size_t>(particle)]);
+    };
+    for (const Bond& bond : particles.bonds) bonds[part_of(bond.a)].add(bond.stiffness);
+    for (const Hinge& hinge : particles.hinges) hinges[part_of(hinge.centre)].add(hinge.stiffness);
+    for (std::size_t n = 0; n < particles.parts.size(); ++n) {
+        if (particles.parts[n].kind != ParticleKind::springs) continue;
+        origin.springs.emplace_back(particles.parts[n].name, fmt::format("k_b {}, k_a {}, from the file",
+                                                                         bonds[n].text("N/m"), hinges[n].text("J")));
+    }
+    return origin;
+}
+
+}  // namespace
+
+std::vector<std::string> values_behind_particles(const Scene& scene) {
+    std::vector<std::string> lines;
+    std::istringstream text(resolved_scene(scene));
+    std::string table, part;
+    for (std::string line; std::getline(text, line);) {
+        if (const std::string opened = table_in(line); !opened.empty()) {
+            table = opened;
+            continue;
+        }
+        const auto equals = line.find(" = ");
+        if (equals == std::string::npos) continue;
+        const std::string key = line.substr(0, equals);
+        if (!matters(table, key)) continue;
+        // A part's first key is its name.
+        if (table == "part" && key == "name") {
+            part = line.substr(equals + 4, line.size() - equals - 5);
+            continue;
+        }
+        lines.push_back((table.empty() ? "" : table + ".") + (table == "part" ? part + "." : "") + line);
+    }
+    return lines;
+}
+
+ParticlesWithOrigin particles_from_file(const std::filesystem::path& file, const Scene& scene) {
+    StoredParticles stored = read_particle_file(file);
+    std::string differs = difference(stored.particles, scene);
+    if (differs.empty() && !stored.made_from.empty())
+        differs = difference(stored.made_from, values_behind_particles(scene));
+    if (!differs.empty())
+        throw InputError(Place{file.string(), 0, 0}, "the particles were made for another scene:" + differs,
+                         "Make them anew, with the same --set as this run has: dmp mesh SCENE --particles FILE.h5");
+    Origin origin = origin_of(file, stored.particles);
+    return {std::move(stored.particles), std::move(origin)};
+}
+
+}  // namespace dmp::cli

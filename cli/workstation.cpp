@@ -1,0 +1,24 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/workstation.hpp"
+
+#include "cli/mesh_drawing.hpp"
+#include "postproc/vtk_sink.hpp"
+
+namespace dmp::cli {
+
+std::string workstation_libraries() { return "VTK " DMP_VTK_VERSION ", gmsh " DMP_GMSH_VERSION; }
+
+ParticlesWithOrigin particles_from_drawing(const Scene& scene) {
+    MeshResult result = mesh_drawing(scene);
+    return {std::move(result.particles), origin_of(scene, result.report)};
+}
+
+std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label) {
+    return std::make_unique<VtkSink>(folder, label);
+}
+
+Pictures draw_pictures(const std::filesystem::path& folder, const PictureOptions& options) {
+    return write_pictures(folder, options);
+}
+
+}  // namespace dmp::cli

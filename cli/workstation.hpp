@@ -1,0 +1,30 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/prepare.hpp"
+#include "postproc/pictures.hpp"
+#include "solver/frame.hpp"
+#include "solver/run_label.hpp"
+
+namespace dmp::cli {
+
+// What dmp does with gmsh, CGAL and VTK, which a cluster need not have. workstation.cpp does it; in builds for clusters
+// cluster.cpp stands in its place and says what to do instead. The commands 'mesh' and 'convert' go the same way.
+
+/// What this dmp was built with: "VTK 9.1.0, gmsh 4.8.4"; empty: without them.
+[[nodiscard]] std::string workstation_libraries();
+
+/// The particles that a scene's drawing asks for. Throws InputError.
+[[nodiscard]] ParticlesWithOrigin particles_from_drawing(const Scene& scene);
+
+/// Frames as ParaView opens them. Throws InputError when the folder cannot be made or written to.
+[[nodiscard]] std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label);
+
+/// Pictures of a run that left ParaView's files.
+[[nodiscard]] Pictures draw_pictures(const std::filesystem::path& folder, const PictureOptions& options);
+
+}  // namespace dmp::cli

@@ -1,0 +1,47 @@
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -D BUILD=... -D SOURCE=... -D PROGRAM=... -P cluster_build.cmake
+# The preset for clusters configures where the workstation's libraries are not found, and links none of them. PROGRAM is
+# made of the same sources in this build, and is looked into in place of building everything once more.
+set(work ${BUILD}/cluster_build)
+set(left_out "vtk|gmsh|cgal|libx11|freetype|gtest")
+file(REMOVE_RECURSE ${work})
+
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE code OUTPUT_VARIABLE output
+                  ERROR_VARIABLE errors)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${code}\n${output}\n${errors}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_none what text)
+  string(TOLOWER "${text}" text)
+  string(REGEX MATCH "[^\n ]*(${left_out})[^\n ]*" found "${text}")
+  if(found)
+    message(FATAL_ERROR "${what}: ${found}")
+  endif()
+endfunction()
+
+set(without "")
+foreach(package VTK CGAL X11 GTest)
+  list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+run(${CMAKE_COMMAND} --preset cluster -B ${work} ${without})
+file(STRINGS ${work}/CMakeCache.txt cache REGEX "^(GMSH|DMP_GMSH|DMP_VTK)")
+if(cache)
+  message(FATAL_ERROR "the preset looks for what clusters do not have: ${cache}")
+endif()
+file(READ ${work}/build.ninja ninja)
+string(REPLACE "${work}" "" ninja "${ninja}")
+string(REGEX MATCHALL "\n *LINK_LIBRARIES = [^\n]*" linked "${ninja}")
+if(NOT linked)
+  message(FATAL_ERROR "nothing is linked")
+endif()
+expect_none("the preset for clusters links" "${linked}")
+run(ldd ${PROGRAM})
+if(NOT output MATCHES "libmpi")
+  message(FATAL_ERROR "ldd does not say what is linked:\n${output}")
+endif()
+expect_none("the program for clusters needs" "${output}")
