@@ -15,7 +15,7 @@ constexpr double least_near_skin = 0.02;
 /// What making a list, and looking through it, costs: as much time as one step's sweeps (for the list: one step's looks
 /// through it) take longer with this much more skin [spacings]. Measured on disordered particles, in the plane and in
 /// space.
-constexpr double cost_of_a_list = 15, cost_of_a_look = 0.2;
+constexpr double cost_of_a_list = 15, cost_of_a_look = 0.3;
 
 }  // namespace
 

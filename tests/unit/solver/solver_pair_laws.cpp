@@ -34,7 +34,7 @@ double kernel_derivative(double r) { return (kernel.value(r + 1e-5) - kernel.val
 
 auto pair_of(const Point& i, const Point& j, const V2& x_ij) {
     const double r = std::sqrt(dot(x_ij, x_ij));
-    return Pair<Point, Point, V2, double>{i, j, x_ij, r, kernel.slope(r)};
+    return Pair<Point, Point, V2, double, double>{i, j, x_ij, r, kernel.slope(r)};
 }
 
 void expect_near(const V2& found, const V2& expected, double tolerance) {
@@ -216,7 +216,7 @@ class PairLawsOnLanes : public testing::Test {
     [[nodiscard]] auto wide_pair() const {
         const auto x_ij = wide.position - particle_j.position;
         const Lanes r = sqrt(dot(x_ij, x_ij));
-        return Pair<WidePoint, Point, Vector<Lanes, 2>, Lanes>{wide, particle_j, x_ij, r, kernel.slope(r)};
+        return Pair<WidePoint, Point, Vector<Lanes, 2>, Lanes, Lanes>{wide, particle_j, x_ij, r, kernel.slope(r)};
     }
     [[nodiscard]] auto single_pair(std::size_t k) const {
         return pair_of(single[k], particle_j, single[k].position - particle_j.position);

@@ -71,7 +71,7 @@ class AllPairs {
     template <class I, class J>
     [[nodiscard]] auto pair(const I& i, const J& j, const V& separation) const {
         const double r = std::sqrt(dot(separation, separation));
-        return Pair<I, J, V, double>{i, j, separation, r, kernel_.slope(r)};
+        return Pair<I, J, V, double, double>{i, j, separation, r, kernel_.slope(r)};
     }
     [[nodiscard]] auto fluid(std::size_t id) const { return FluidReader<Lanes, D>(by_id_.group(id))(by_id_.index(id)); }
     template <bool IsWall>
