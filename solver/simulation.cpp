@@ -61,6 +61,7 @@ struct Simulation::State {
     }
 
     void archive(Archive& file);
+    [[nodiscard]] RankShares shares(std::int64_t steps) const;
 
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
@@ -314,7 +315,18 @@ RunSummary Simulation::run(const RunOptions& options) {
     summary.interrupted = interrupted || out_of_time;
     summary.out_of_time = out_of_time;
     summary.first_step = static_cast<long>(first_step);
+    summary.shares = s.shares(s.step - first_step);
     return summary;
+}
+
+RankShares Simulation::State::shares(std::int64_t steps) const {
+    const Neighbours& neighbours = fluid.neighbours();
+    const HaloTraffic traffic = neighbours.traffic();
+    const auto a_step = [&](std::int64_t all) {
+        return ranks.largest(static_cast<double>(all)) / static_cast<double>(std::max<std::int64_t>(1, steps));
+    };
+    return {neighbours.imbalance(), neighbours.copies_per_owned(particles), a_step(traffic.messages),
+            a_step(traffic.bytes)};
 }
 
 RunSummary Simulation::State::summary() const {

@@ -52,6 +52,14 @@ struct Conserved {
     std::array<double, 3> momentum{};  ///< of all moving particles [kg m/s]
 };
 
+/// How the ranks shared the work.
+struct RankShares {
+    double imbalance = 1;         ///< the busiest rank's load over the mean, at the last list [-]
+    double copies_per_owned = 0;  ///< copies of particles, periodic images included, for each particle [-]
+    /// What the rank that sends most has sent to others for copies in a step, on average.
+    double messages_per_step = 0, bytes_per_step = 0;
+};
+
 struct RunSummary {
     std::map<std::string, std::size_t> particles;
     long steps = 0;
@@ -75,9 +83,10 @@ struct RunSummary {
     std::map<std::string, double> seconds_by_stage;
     MeasureSeries measures;
     std::string_view vector_unit;  ///< of the loops over pairs
-    long first_step = 0;           ///< that this process made; 0 unless it resumed
-    bool interrupted = false;      ///< left before its end
-    bool out_of_time = false;      ///< by the wall time's limit
+    RankShares shares;
+    long first_step = 0;       ///< that this process made; 0 unless it resumed
+    bool interrupted = false;  ///< left before its end
+    bool out_of_time = false;  ///< by the wall time's limit
 };
 
 struct RunProgress {

@@ -119,6 +119,20 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
     far_.resize(static_cast<std::size_t>(threads) * (longest_ + 1));
 }
 
+void ClusterList::find_border(const ParticleStore& particles) {
+    for (const ParticleKind own : all_kinds) {
+        const auto& clusters = clusters_[static_cast<std::size_t>(own)];
+        List& list = lists_[static_cast<std::size_t>(own)];
+        list.at_border.assign(clusters.size(), false);
+        for (std::size_t c = 0; c < clusters.size(); ++c)
+            for (const ParticleKind other : all_kinds) {
+                const auto owned = static_cast<std::int32_t>(particles.of(other).owned());
+                if (std::ranges::any_of(neighbours(own, c, other), [=](std::int32_t j) { return j >= owned; }))
+                    list.at_border[c] = true;
+            }
+    }
+}
+
 void ClusterList::build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach,
                         int threads) {
     clusters_ = std::move(clusters);
@@ -128,6 +142,7 @@ void ClusterList::build(const ParticleStore& particles, std::array<std::vector<C
     } else {
         find<2>(particles, reach, threads);
     }
+    find_border(particles);
     built_ = true;
 }
 

@@ -12,6 +12,9 @@
 
 namespace dmp {
 
+/// Clusters by what is listed for them: only particles that this rank owns, or copies too.
+enum class ClusterChoice { all, inner, border };
+
 /// Which particles each cluster may meet: for each kind, every owned particle or copy within the support radius plus a
 /// skin of one of its members. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the
 /// support are in the list too: kernels vanish there. In no particular order: sums over neighbours do not depend on it
@@ -39,6 +42,12 @@ class ClusterList {
     template <class IsNear>
     void keep_near(ParticleKind own_kind, std::size_t cluster, ParticleKind kind, const IsNear& is_near, int thread);
 
+    /// Whether a cluster is among the chosen ones.
+    [[nodiscard]] bool chosen(ParticleKind kind, std::size_t cluster, ClusterChoice choice) const {
+        if (choice == ClusterChoice::all) return true;
+        return lists_[static_cast<std::size_t>(kind)].at_border[cluster] == (choice == ClusterChoice::border);
+    }
+
     [[nodiscard]] bool empty() const { return !built_; }
     /// Listed entries in all, near or not.
     [[nodiscard]] std::size_t size() const;
@@ -49,6 +58,7 @@ class ClusterList {
         std::vector<std::int32_t> listed;
         std::vector<std::size_t> first;  ///< by cluster and kind; one more at the end
         std::vector<std::int32_t> near;  ///< how many of them are near, from the first on
+        std::vector<bool> at_border;     ///< by cluster: copies are listed
     };
     /// Of the last entries, keeps those within `reach` of a member.
     template <int D>
@@ -56,6 +66,7 @@ class ClusterList {
                          List& list);
     template <int D>
     void find(const ParticleStore& particles, double reach, int threads);
+    void find_border(const ParticleStore& particles);
 
     bool built_ = false;
     std::array<std::vector<Cluster>, 3> clusters_;

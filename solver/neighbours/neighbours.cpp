@@ -103,13 +103,26 @@ double Neighbours::copies_per_owned(const ParticleStore& particles) const {
            static_cast<double>(std::max<std::int64_t>(1, ranks_->sum(static_cast<std::int64_t>(particles.owned()))));
 }
 
-void Neighbours::exchange(ParticleStore& particles, const FieldList& fields) {
+void Neighbours::start_exchange(ParticleStore& particles, const FieldList& fields) {
     for (std::size_t kind = 0; kind < halos_.size(); ++kind) {
         ParticleGroup& group = particles.groups()[kind];
         FieldList present = fields;
         std::erase_if(present, [&](Field field) { return !group.has(field); });
-        halos_[kind].exchange(group, present);
+        halos_[kind].start(group, present);
     }
+}
+
+void Neighbours::finish_exchange(ParticleStore& particles) {
+    for (std::size_t kind = 0; kind < halos_.size(); ++kind) halos_[kind].finish(particles.groups()[kind]);
+}
+
+HaloTraffic Neighbours::traffic() const {
+    HaloTraffic all;
+    for (const Halo& halo : halos_) {
+        all.messages += halo.traffic().messages;
+        all.bytes += halo.traffic().bytes;
+    }
+    return all;
 }
 
 }  // namespace dmp

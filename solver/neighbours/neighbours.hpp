@@ -42,13 +42,21 @@ class Neighbours {
     /// Sorts, sends particles to their ranks, copies and lists anew. Indices of particles change.
     void renew(ParticleStore& particles);
     /// Gives copies the present values of these fields, where their group has them.
-    void exchange(ParticleStore& particles, const FieldList& fields);
+    void exchange(ParticleStore& particles, const FieldList& fields) {
+        start_exchange(particles, fields);
+        finish_exchange(particles);
+    }
+    /// The same in two steps, between which particles that are near no copies may be worked on.
+    void start_exchange(ParticleStore& particles, const FieldList& fields);
+    void finish_exchange(ParticleStore& particles);
 
     [[nodiscard]] const ClusterList& list() const { return list_; }
     /// The busiest rank's load over the mean, as of the last list; 1 is perfect.
     [[nodiscard]] double imbalance() const { return imbalance_; }
     /// Copies for each owned particle over all ranks and kinds. All ranks take part.
     [[nodiscard]] double copies_per_owned(const ParticleStore& particles) const;
+    /// What this rank has sent.
+    [[nodiscard]] HaloTraffic traffic() const;
     [[nodiscard]] const Ranks& ranks() const { return *ranks_; }
     /// Distance by which two particles may approach each other before the list is out of date [m].
     [[nodiscard]] double skin() const { return skin_; }

@@ -121,6 +121,8 @@ void Halo::start(ParticleGroup& group, const FieldList& fields) {
         }
         MPI_Isend(outgoing.buffer.data(), static_cast<int>(outgoing.buffer.size()), MPI_DOUBLE, outgoing.rank, halo_tag,
                   ranks_.communicator().handle, &requests_->all.emplace_back());
+        ++traffic_.messages;
+        traffic_.bytes += static_cast<std::int64_t>(outgoing.buffer.size() * sizeof(double));
     }
     for (const auto& [field, axis] : arrays) copy_values(own_, group, field, axis, group.data(field, axis) + owned_);
 }

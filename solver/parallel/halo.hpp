@@ -13,6 +13,11 @@
 
 namespace dmp {
 
+/// What a rank has sent to others.
+struct HaloTraffic {
+    std::int64_t messages = 0, bytes = 0;
+};
+
 /// The copies of one group of particles: those of other ranks' particles, and of periodic images, that lie near the
 /// rank's own part of space. A group has a Halo of its own.
 /// build(), exchange(), start(), finish() and copies_per_owned() must be called by all ranks together, for several
@@ -42,6 +47,8 @@ class Halo {
     void start(ParticleGroup& group, const FieldList& fields);
     void finish(ParticleGroup& group);
 
+    /// Of values, since it was made; making copies known is not counted.
+    [[nodiscard]] const HaloTraffic& traffic() const { return traffic_; }
     /// This rank's copies at the last build().
     [[nodiscard]] std::size_t copies() const { return total_ - owned_; }
     /// The same over all ranks, for each of all their particles; 0 without particles.
@@ -81,6 +88,7 @@ class Halo {
     std::vector<Incoming> incoming_;
     std::size_t owned_ = 0, total_ = 0;
     FieldList fields_;  ///< under way
+    HaloTraffic traffic_;
     std::unique_ptr<Requests> requests_;
 };
 

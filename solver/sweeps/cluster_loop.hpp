@@ -20,19 +20,22 @@ struct Neighbourhood {
     }
 };
 
-/// Calls visit(Neighbourhood) for every cluster of a kind, `width` of its particles at a time. Each particle is written
-/// by one thread alone.
+/// Calls visit(Neighbourhood) for every chosen cluster of a kind, `width` of its particles at a time. Each particle is
+/// written by one thread alone.
 template <std::size_t Width, class Visit>
-void for_each_cluster(const ClusterList& list, ParticleKind kind, int threads, const Visit& visit) {
+void for_each_cluster(const ClusterList& list, ParticleKind kind, ClusterChoice choice, int threads,
+                      const Visit& visit) {
     constexpr auto width = static_cast<std::int32_t>(Width);
     const auto clusters = list.clusters(kind);
     const auto count = static_cast<std::ptrdiff_t>(clusters.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::ptrdiff_t c = 0; c < count; ++c)
+    for (std::ptrdiff_t c = 0; c < count; ++c) {
+        if (!list.chosen(kind, static_cast<std::size_t>(c), choice)) continue;
         for (std::int32_t done = 0; done < clusters[c].count; done += width) {
             const Cluster part{clusters[c].first + done, std::min(width, clusters[c].count - done)};
             visit(Neighbourhood{list, kind, static_cast<std::size_t>(c), part});
         }
+    }
 }
 
 }  // namespace dmp

@@ -41,13 +41,13 @@ class Sweeps final : public PairSweeps {
           density_rounding_{OrderFree(settings.density * volume() * steepest() * settings.sound_speed),
                             OrderFree(1.2 * volume() * steepest())} {}
 
-    void forces(ParticleStore& particles, const ClusterList& list,
-                const std::array<double, 3>& body_acceleration) const override {
+    void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
+                ClusterChoice choice) const override {
         with_flag(settings_.repulsion_strength > 0, [&](auto contact) {
             const auto run = [&](const auto& solid) {
                 ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(contact)::value>(
                     particles, list, kernel_, solid, repulsion_, force_rounding_, settings_.threads)
-                    .run();
+                    .run(choice);
             };
             if (settings_.walls == WallModel::plain) {
                 run(PlainSolid<D>{});
@@ -59,14 +59,14 @@ class Sweeps final : public PairSweeps {
         });
     }
 
-    void density_rates(ParticleStore& particles, const ClusterList& list) const override {
+    void density_rates(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
         with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
                     using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                     DensitySweep<L, D, Kernel, Solid, decltype(diffusion)::value, decltype(shifting)::value>(
                         particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
-                        .run();
+                        .run(choice);
                 });
             });
         });

@@ -33,11 +33,11 @@ class DensitySweep {
           rigid_(particles.of(ParticleKind::rigid)),
           springs_(particles.of(ParticleKind::springs)) {}
 
-    void run() {
-        fluid();
+    void run(ClusterChoice choice) {
+        fluid(choice);
         if constexpr (Solid::needs_state) {  // these walls carry a density that the fluid's motion changes
-            solids(ParticleKind::rigid, rigid_);
-            solids(ParticleKind::springs, springs_);
+            solids(ParticleKind::rigid, choice, rigid_);
+            solids(ParticleKind::springs, choice, springs_);
         }
     }
 
@@ -47,9 +47,9 @@ class DensitySweep {
         Vector<L, D> shift;
     };
 
-    void fluid() {
+    void fluid(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
-        for_each_cluster<L::width>(list_, ParticleKind::fluid, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const Sum sum = around_fluid(near);
             if constexpr (WithShifting) store<L, D>(sum.shift, group, Field::shift, near.cluster);
             store_rate(sum.rate, group, near.cluster);
@@ -57,8 +57,8 @@ class DensitySweep {
     }
 
     template <class Reader>
-    void solids(ParticleKind kind, const Reader& read) {
-        for_each_cluster<L::width>(list_, kind, threads_, [&](const Neighbourhood& near) {
+    void solids(ParticleKind kind, ClusterChoice choice, const Reader& read) {
+        for_each_cluster<L::width>(list_, kind, choice, threads_, [&](const Neighbourhood& near) {
             store_rate(rate_of_solid(near, read), particles_.of(kind), near.cluster);
         });
     }

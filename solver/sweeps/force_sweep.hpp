@@ -28,19 +28,19 @@ class ForceSweep {
           rigid_(particles.of(ParticleKind::rigid)),
           springs_(particles.of(ParticleKind::springs)) {}
 
-    void run() {
-        sweep(ParticleKind::fluid, [this](const auto& near) { return force_on_fluid(near); });
-        sweep(ParticleKind::rigid, [this](const auto& near) { return force_on_rigid(near); });
-        sweep(ParticleKind::springs, [this](const auto& near) { return force_on_springs(near); });
+    void run(ClusterChoice choice) {
+        sweep(ParticleKind::fluid, choice, [this](const auto& near) { return force_on_fluid(near); });
+        sweep(ParticleKind::rigid, choice, [this](const auto& near) { return force_on_rigid(near); });
+        sweep(ParticleKind::springs, choice, [this](const auto& near) { return force_on_springs(near); });
     }
 
   private:
     using Force = Vector<L, D>;
 
     template <class ForceOn>
-    void sweep(ParticleKind kind, const ForceOn& force_on) {
+    void sweep(ParticleKind kind, ClusterChoice choice, const ForceOn& force_on) {
         ParticleGroup& group = particles_.of(kind);
-        for_each_cluster<L::width>(list_, kind, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, kind, choice, threads_, [&](const Neighbourhood& near) {
             store<L, D>(force_on(near), group, Field::force, near.cluster);
         });
     }

@@ -33,13 +33,16 @@ class PairSweeps {
   public:
     virtual ~PairSweeps() = default;
 
-    /// force [N] on every particle, fixed ones included (their reaction): pressure, viscosity, repulsion.
+    /// force [N] on every particle of the chosen clusters, fixed ones included (their reaction): pressure, viscosity,
+    /// repulsion.
     virtual void forces(ParticleStore& particles, const ClusterList& list,
-                        const std::array<double, 3>& body_acceleration) const = 0;
+                        const std::array<double, 3>& body_acceleration,
+                        ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m]. Fluid
     /// particles; with plain walls the solids' density rate too.
-    virtual void density_rates(ParticleStore& particles, const ClusterList& list) const = 0;
+    virtual void density_rates(ParticleStore& particles, const ClusterList& list,
+                               ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
     virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;

@@ -48,14 +48,26 @@ void FluidStep::advance(double t, double dt) {
         neighbours_.moved(dt / 2 * largest_speed_);
     });
     timer_.timed("neighbours", [&] { renew_list(); });
-    timer_.timed("halo", [&] { exchange({Field::position, Field::pressure, Field::volume, Field::density}); });
-    timer_.timed("near", [&] { look_through_list(); });
-    timer_.timed("forces", [&] { sweeps_->forces(particles_, neighbours_.list(), body_acceleration(t + dt / 2)); });
+    sweep("forces", {Field::position, Field::pressure, Field::volume, Field::density},
+          [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
+              sweeps_->forces(particles_, neighbours_.list(), g, clusters);
+          });
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
-    timer_.timed("halo", [&] { exchange({Field::velocity}); });
-    timer_.timed("density", [&] { sweeps_->density_rates(particles_, neighbours_.list()); });
+    sweep("density", {Field::velocity},
+          [this](ClusterChoice clusters) { sweeps_->density_rates(particles_, neighbours_.list(), clusters); });
     timer_.timed("drift", [&] { drift_to_end(dt); });
+}
+
+/// A sweep over pairs that needs copies' present values of `fields`. What is near no copies is swept while they are on
+/// their way.
+void FluidStep::sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over) {
+    timer_.timed("halo", [&] { neighbours_.start_exchange(particles_, fields); });
+    const bool at_once = ranks_.size() == 1 || neighbours_.near_outdated();
+    if (!at_once) timer_.timed(stage, [&] { over(ClusterChoice::inner); });
+    timer_.timed("halo", [&] { neighbours_.finish_exchange(particles_); });
+    timer_.timed("near", [&] { look_through_list(); });
+    timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
 }
 
 void FluidStep::advance_springs(double dt) {

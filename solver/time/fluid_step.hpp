@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -61,6 +62,7 @@ class FluidStep {
   private:
     void renew_list();
     void look_through_list();
+    void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);
     void advance_springs(double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);

@@ -26,6 +26,7 @@ struct Arrangement {
     int threads = 1;
     double extra_reach = 0;       ///< that the lists look farther than they must [m]
     bool near_only = false;       ///< the lists are looked through for what is near before the sweeps
+    bool border_apart = false;    ///< clusters near copies are swept after all others
     unsigned shuffled = 0;        ///< seed for the order of the particles before they are sorted; 0: as meshed
     bool wrapped = false;         ///< a third of the particles stands a period away along each periodic axis
     Vec displaced = Vec::Zero();  ///< all particles by this; along periodic axes only [m]
@@ -57,6 +58,7 @@ class ArrangedCrowd {
     ArrangedCrowd(const ParticleSet& set, PairSettings settings, const Arrangement& arrangement)
         : particles_(set, std::vector<double>(set.parts.size(), settings.density)),
           neighbours_(ranks_, particles_.space(), settings.support + arrangement.extra_reach, arrangement.threads) {
+        border_apart_ = arrangement.border_apart;
         settings.vector_unit = arrangement.vector_unit;
         settings.threads = arrangement.threads;
         sweeps_ = make_pair_sweeps(settings, particles_);
@@ -74,8 +76,11 @@ class ArrangedCrowd {
     }
 
     [[nodiscard]] Sums sweep() {
-        sweeps_->forces(particles_, neighbours_.list(), body_acceleration);
-        sweeps_->density_rates(particles_, neighbours_.list());
+        using enum ClusterChoice;
+        for (const ClusterChoice clusters : border_apart_ ? std::vector{inner, border} : std::vector{all}) {
+            sweeps_->forces(particles_, neighbours_.list(), body_acceleration, clusters);
+            sweeps_->density_rates(particles_, neighbours_.list(), clusters);
+        }
         const ById by_id(particles_);
         Sums sums(by_id.size());
         for (std::size_t id = 0; id < by_id.size(); ++id) {
@@ -138,6 +143,7 @@ class ArrangedCrowd {
     ParticleStore particles_;
     Neighbours neighbours_;
     std::unique_ptr<PairSweeps> sweeps_;
+    bool border_apart_ = false;
 };
 
 }  // namespace dmp::testing_solver

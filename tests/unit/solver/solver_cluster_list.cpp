@@ -265,6 +265,27 @@ TEST(ClusterList, keeps_the_near_ones_and_finds_the_others_again) {
     EXPECT_EQ(again, sorted);
 }
 
+TEST(ClusterList, tells_clusters_near_copies_from_all_others) {
+    ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
+    Neighbours neighbours(ranks, particles.space(), 0.3, 1);
+    neighbours.renew(particles);
+    const ClusterList& list = neighbours.list();
+    std::size_t inner = 0, border = 0;
+    for (const ParticleKind own : all_kinds)
+        for (std::size_t c = 0; c < list.clusters(own).size(); ++c) {
+            bool near_copy = false;
+            for (const ParticleKind other : all_kinds)
+                for (const std::int32_t index : list.neighbours(own, c, other))
+                    near_copy = near_copy || index >= static_cast<std::int32_t>(particles.of(other).owned());
+            EXPECT_TRUE(list.chosen(own, c, ClusterChoice::all));
+            EXPECT_EQ(list.chosen(own, c, ClusterChoice::border), near_copy);
+            EXPECT_EQ(list.chosen(own, c, ClusterChoice::inner), !near_copy);
+            ++(near_copy ? border : inner);
+        }
+    EXPECT_GT(inner, 0U);
+    EXPECT_GT(border, 0U);
+}
+
 TEST(Neighbours, look_through_their_list_before_pairs_can_be_missed) {
     ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
     Neighbours neighbours(ranks, particles.space(), 0.3, 1);

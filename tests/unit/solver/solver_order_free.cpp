@@ -149,6 +149,8 @@ TEST_P(SumsOver, do_not_depend_on_how_far_the_lists_look) {
         expect_same({.vector_unit = unit, .threads = 3, .extra_reach = 0.1, .near_only = true});
 }
 
+TEST_P(SumsOver, do_not_depend_on_sweeping_the_border_by_itself) { expect_same({.border_apart = true}); }
+
 TEST_P(SumsOver, do_not_depend_on_where_particles_were_wrapped) { expect_same({.wrapped = true}); }
 
 TEST_P(SumsOver, do_not_depend_on_where_the_border_lies) {
