@@ -73,7 +73,9 @@ class EngineRuns {
 
     void run() {
         const ResidentGrowth growth;
-        Simulation simulation(scene_, set_, options_.threads);
+        Resources resources(options_.threads);
+        resources.vector_unit = options_.vector_unit;
+        Simulation simulation(scene_, set_, resources);
         const Plan plan = simulation.plan();
         RunOptions run;
         run.until = options_.steps * plan.dt;

@@ -63,7 +63,7 @@ class Parser {
         app_.add_flag("--accurate", options_.accurate,
                       "As scenes have it by default: support 3, shifting, diffusion, contact, extrapolated walls")
             ->excludes(plain);
-        app_.add_option("--precision", options_.channel.precision, "The scene's accuracy.precision; default: double")
+        app_.add_option("--vector-unit", vector_unit_, "The engine's: avx2 or avx512; default: the widest")
             ->type_name("NAME");
         number("--threads", options_.threads, "The engine's threads; default: 1");
         number("--steps", options_.steps, "Steps, and sweeps of the yardstick, in one repeat; default: 100");
@@ -99,6 +99,11 @@ class Parser {
             const std::map<std::string, KernelKind> kernels{{"lucy", KernelKind::lucy},
                                                             {"wendland_c2", KernelKind::wendland_c2}};
             channel.kernel = chosen("--kernel", *kernel_, kernels);
+        }
+        if (vector_unit_) {
+            std::map<std::string, VectorUnit> units;
+            for (const VectorUnit unit : available_vector_units()) units.emplace(word(unit), unit);
+            options_.vector_unit = chosen("--vector-unit", *vector_unit_, units);
         }
         if (walls_) {
             const std::map<std::string, WallModel> models{{"plain", WallModel::plain},
@@ -136,7 +141,7 @@ class Parser {
     bool plain_ = false;  ///< said for clarity: it is the default
     std::optional<int> particles_;
     std::optional<double> support_;
-    std::optional<std::string> kernel_, walls_;
+    std::optional<std::string> kernel_, walls_, vector_unit_;
     CLI::App app_;
 };
 

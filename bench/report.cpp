@@ -25,11 +25,11 @@ std::string spread_text(const Spread& spread, double processor) {
 std::string heading(const Options& options, const Measured& measured) {
     const Channel& channel = options.channel;
     return fmt::format(
-        "{}: {} + {} in walls; support {} dx, {}, {} walls, diffusion {}, shifting {}, {}\n"
+        "{}: {} + {} in walls; support {} dx, {}, {} walls, diffusion {}, shifting {}, on {}\n"
         "{} of {} steps on {}, and of as many yardstick sweeps on 1 thread, in turns; medians (extremes)\n",
         options.name, count_text(measured.fluid, "fluid particle"), count_text(measured.walls), channel.support,
-        word(channel.kernel), word(channel.walls), channel.density_diffusion, channel.shifting, channel.precision,
-        count_text(static_cast<std::size_t>(options.repeat), "repeat"), options.steps,
+        word(channel.kernel), word(channel.walls), channel.density_diffusion, channel.shifting,
+        word(options.vector_unit), count_text(static_cast<std::size_t>(options.repeat), "repeat"), options.steps,
         count_text(static_cast<std::size_t>(options.threads), "thread"));
 }
 
@@ -116,7 +116,7 @@ std::string json_text(const Options& options, const Measured& measured) {
               {"density_diffusion", channel.density_diffusion},
               {"shifting", channel.shifting},
               {"contact_range", channel.contact_range},
-              {"precision", channel.precision},
+              {"vector_unit", word(options.vector_unit)},
               {"accurate", options.accurate},
               {"threads", options.threads},
               {"repeat", options.repeat},

@@ -60,18 +60,6 @@ class ShortLivedFolder {
     fs::path path_;
 };
 
-/// The precision asked for, as long as scenes have a word for it; double is what there is without one.
-std::string precision_line(const std::string& precision) {
-    try {
-        explain_key("accuracy.precision");
-    } catch (const InputError&) {
-        if (precision == "double") return "";
-        throw InputError("the engine has no precision '" + precision + "'",
-                         "It computes in double: leave out --precision, or give 'double'.");
-    }
-    return "precision = \"" + precision + "\"\n";
-}
-
 }  // namespace
 
 double noise(std::uint64_t from_seed, std::uint64_t id, std::uint64_t axis) {
@@ -166,7 +154,7 @@ sound_speed = "{} m/s"
 walls = "{}"
 density_diffusion = {}
 shifting = {}
-{}
+
 [run]
 duration = "1 s"
 
@@ -177,8 +165,7 @@ measure_every = "1 s"
                        channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
                        Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "",
                        Liquid::speed, channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed,
-                       word(channel.walls), channel.density_diffusion, channel.shifting,
-                       precision_line(channel.precision));
+                       word(channel.walls), channel.density_diffusion, channel.shifting);
 }
 
 Scene make_scene(const Channel& channel) {

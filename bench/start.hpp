@@ -28,10 +28,9 @@ struct Channel {
     KernelKind kernel = KernelKind::wendland_c2;
     double support = 2.5;  ///< [dx]
     WallModel walls = WallModel::plain;
-    double density_diffusion = 0;      ///< delta; 0: none
-    double shifting = 0;               ///< s; 0: none
-    double contact_range = 0;          ///< [dx]; 0: none
-    std::string precision = "double";  ///< as the scene's accuracy.precision would have it
+    double density_diffusion = 0;  ///< delta; 0: none
+    double shifting = 0;           ///< s; 0: none
+    double contact_range = 0;      ///< [dx]; 0: none
 };
 
 /// Largest displacement along each axis of a disordered start [dx].

@@ -79,7 +79,7 @@ struct RunSummary {
     /// Extremes over the whole run of density over rest density, times the first fluid's rest density [kg/m^3].
     double density_low = 0, density_high = 0;
     std::size_t lost = 0;
-    std::string state_hash;  ///< of final positions, velocities, densities in id order, 16 hex digits
+    std::string state_hash;  ///< of all particles, their final positions, velocities and densities, 16 hex digits
     std::map<std::string, double> seconds_by_stage;
     MeasureSeries measures;
     std::string_view vector_unit;  ///< of the loops over pairs

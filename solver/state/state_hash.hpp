@@ -8,8 +8,9 @@
 
 namespace dmp {
 
-/// FNV-1a (64 bit) over the bits of all positions, velocities and densities in id order, as 16 hex digits; positions as
-/// they are in the box, along periodic axes. All ranks take part; the first one gets the hash.
+/// A number for all bits of the particles' ids, positions, velocities and densities, as 16 hex digits: the sum of a
+/// hash of each particle, which needs no order and no memory. Positions as they are in the box, along periodic axes.
+/// All ranks take part; the first one gets the hash.
 std::string state_hash(const ParticleStore& particles, const Ranks& ranks);
 
 }  // namespace dmp

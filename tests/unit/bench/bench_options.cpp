@@ -61,12 +61,12 @@ TEST(BenchOptions, ASingleChoiceOverrulesAccurate) {
 
 TEST(BenchOptions, ReadsNumbersAndWords) {
     const Options options = options_of({"--case", "channel2d", "--particles", "5000", "--threads", "2", "--steps", "7",
-                                        "--repeat", "3", "--precision", "mixed", "--json", "--particles-to", "x.txt"});
+                                        "--repeat", "3", "--vector-unit", "avx2", "--json", "--particles-to", "x.txt"});
     EXPECT_EQ(options.channel.particles, 5000U);
     EXPECT_EQ(options.threads, 2);
     EXPECT_EQ(options.steps, 7);
     EXPECT_EQ(options.repeat, 3);
-    EXPECT_EQ(options.channel.precision, "mixed");
+    EXPECT_EQ(options.vector_unit, VectorUnit::avx2);
     EXPECT_TRUE(options.json);
     EXPECT_EQ(options.particles_to, "x.txt");
 }

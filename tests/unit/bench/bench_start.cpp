@@ -109,12 +109,6 @@ TEST(BenchStart, SaysSpaceInTheSceneOfSpace) {
     EXPECT_THAT(text, testing::HasSubstr(R"(periodic = ["x", "z"])"));
 }
 
-TEST(BenchStart, RefusesAPrecisionThatTheEngineLacks) {
-    Channel channel = small(2);
-    channel.precision = "sextuple";
-    EXPECT_THROW(make_scene(channel), InputError);
-}
-
 TEST(BenchStart, TheLiquidGetsUpToSpeedInTheFirstSteps) {
     const Channel channel = small(2);
     Simulation simulation(make_scene(channel), make_particles(channel), 1);
