@@ -34,8 +34,15 @@ bool is_own(const fs::path& file) {
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }
 
+/// Also what a run leaves that was killed before its first file: that file unfinished, or a folder for frames.
 bool is_of_dmp(const fs::path& folder) {
-    return std::ranges::any_of(marks, [&](std::string_view name) { return fs::exists(folder / name); });
+    const auto is_there = [&](std::string_view name) {
+        return fs::exists(folder / name) || fs::exists(unfinished_name(folder / name));
+    };
+    if (std::ranges::any_of(marks, is_there)) return true;
+    return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+        return entry.path().filename() == "frames" && entry.is_directory() && fs::is_empty(entry.path());
+    });
 }
 
 /// Removes dmp's own files, also those that a killed run left unfinished; folders that this empties go too.

@@ -51,6 +51,16 @@ TEST_F(OutputFolder, WithFilesOfOthersIsRefusedAndLeftAlone) {
     EXPECT_TRUE(has("thesis.tex"));
 }
 
+TEST_F(OutputFolder, OfARunKilledBeforeItsFirstFileIsTakenAgain) {
+    fs::create_directories(folder_ / "frames");
+    EXPECT_EQ(prepare_folder(folder_), "");
+    put(dmp::unfinished_name("scene.resolved.toml"));
+    EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 1 file of an earlier run"));
+    EXPECT_TRUE(fs::is_empty(folder_));
+    put("frames/thesis.tex");
+    EXPECT_THROW(prepare_folder(folder_), dmp::InputError) << "somebody else's frames";
+}
+
 TEST_F(OutputFolder, OfAnEarlierRunLosesThatRunsFilesOnly) {
     for (const char* name : {"fluid.pvd", "summary.json", "measures.csv", "cycle.png", "frames/fluid_000001.vtp",
                              "frames/solid_000001.vtp", "notes.txt", "my_plot.png", "frames/other.vtp"}) {
