@@ -74,11 +74,14 @@ void need_thick_walls(const Scene& scene) {
 
 void need_plane_formulas(const Scene& scene, const TomlNode& document) {
     const TomlNode* list = document.find("flow.acceleration");
-    const auto& third = scene.flow.acceleration[2];
-    if (list == nullptr || list->children.size() < 3) return;
-    if (!third.depends_on_time() && !third.depends_on_place() && third(0) == 0) return;
-    throw InputError(list->children[2].place, "flow.acceleration has a third component in a 2-D scene",
-                     "leave it out, or write 0");
+    if (list != nullptr && list->children.size() == 3 && !scene.flow.acceleration[2].is_zero())
+        throw InputError(list->children[2].place, "flow.acceleration has a third component in a 2-D scene",
+                         "leave it out, or write 0");
+    for (const Part* wall : scene.parts_of(PartKind::rigid))
+        if (!wall->surface_velocity.value[2].is_zero())
+            throw InputError(wall->surface_velocity.place,
+                             "surface_velocity of '" + *wall->name + "' has a third component in a 2-D scene",
+                             "leave it out, or write 0");
 }
 
 void check_measure(const Scene& scene, const Measure& measure) {
