@@ -56,13 +56,16 @@ const FrameField* find_field(const FrameGroup& group, const std::string& name) {
     return found == group.fields.end() ? nullptr : &*found;
 }
 
-/// One number a particle: the value, or the vector's magnitude.
+/// One number a particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
 std::vector<float> scalars(const FrameField& field) {
     if (field.components == 1) return field.values;
-    std::vector<float> magnitude(field.values.size() / 3);
+    const auto components = static_cast<std::size_t>(field.components);
+    std::vector<float> magnitude(field.values.size() / components);
     for (std::size_t i = 0; i < magnitude.size(); ++i) {
-        const float* v = &field.values[3 * i];
-        magnitude[i] = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const float* v = &field.values[components * i];
+        float square = 0;
+        for (std::size_t c = 0; c < components; ++c) square += (c < 3 ? 1.0F : 2.0F) * v[c] * v[c];
+        magnitude[i] = std::sqrt(square);
     }
     return magnitude;
 }
@@ -133,7 +136,7 @@ void FieldRange::include(const RunFrame& frame, const std::string& field) {
         return;
     }
     unit_ = found->unit;
-    vector_ = found->components == 3;
+    vector_ = found->components > 1;
     std::vector<float> values = scalars(*found);
     values.erase(std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }), values.end());
     if (values.empty()) return;

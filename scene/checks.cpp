@@ -84,11 +84,47 @@ void need_plane_formulas(const Scene& scene, const TomlNode& document) {
                              "leave it out, or write 0");
 }
 
+void need_plane_point(const Value<Vec>& point) {
+    if ((*point)[2] == 0) return;
+    throw InputError(point.place, "the third coordinate of a point in a 2-D scene is not 0",
+                     "leave it out, or write 0");
+}
+
+void check_region(const Scene& scene, const Region& region) {
+    for (const auto* point : {&region.from, &region.to}) {
+        if (scene.dimension == 2) need_plane_point(*point);
+    }
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        if ((*region.from)[axis] != (*region.to)[axis]) continue;
+        throw InputError(region.to.place,
+                         "the corners of region '" + *region.name + "' have the same " + "xyz"[axis] +
+                             ": there is nothing between them",
+                         "give two opposite corners of a box");
+    }
+}
+
+/// Residence times are of regions.
+void need_regions(const Scene& scene, const TomlNode& document) {
+    const bool pictured = *scene.output.picture_field == FluidField::residence_time;
+    if (pictured && scene.regions.size() > 1) {
+        throw InputError(first_known(scene, {&scene.output.picture_field.place}),
+                         "output.picture_field = \"residence_time\": there are several regions, and one array for each",
+                         "leave one [[region]], or picture another field");
+    }
+    if (!scene.regions.empty() || !(pictured || scene.asks_for(FluidField::residence_time))) return;
+    const Place* of_probe = nullptr;
+    for (const Measure& measure : scene.measures) {
+        if (*measure.field == FluidField::residence_time) of_probe = &measure.field.place;
+    }
+    throw InputError(
+        first_known(scene, {of_probe, place_of(document, "output.fields"), &scene.output.picture_field.place}),
+        "'residence_time' is asked for, and the scene has no region in which to follow it",
+        "add a [[region]] with a name and the corners from and to");
+}
+
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
-        if ((**point)[2] == 0) continue;
-        throw InputError(point->place, "the third coordinate of a point in a 2-D scene is not 0",
-                         "leave it out, or write 0");
+        need_plane_point(*point);
     }
     if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
         throw InputError(measure.to.place,
@@ -117,12 +153,15 @@ void check_measure(const Scene& scene, const Measure& measure) {
 
 void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
+    refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
     need_largest_speed(scene, document);
     need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas(scene, document);
+    need_regions(scene, document);
+    for (const auto& region : scene.regions) check_region(scene, region);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
 }
 

@@ -76,7 +76,7 @@ void check_items(const TomlNode& list, const std::vector<KeyFacts>& facts) {
 void check_keys(const TomlNode& document) {
     const auto facts = schema().facts();
     for (const auto& node : document.children) {
-        if (node.key == "part" || node.key == "measure") {
+        if (std::ranges::find(item_lists(), node.key) != item_lists().end()) {
             check_items(node, facts);
             continue;
         }
@@ -129,10 +129,11 @@ Item read_item(const TomlNode& table, const std::string& what, const std::vector
     std::string prefix = what;  // "part", and "part.blood" once the name is known
     for (const auto& key : keys) {
         const bool first_two = key.facts.name() == "name" || key.facts.name() == "kind";
-        if (!first_two && !key.facts.is_for(word(*item.kind))) continue;
+        if (!first_two && !key.facts.is_for(kind_of(item))) continue;
         read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.place);
         if (key.facts.name() == "name") prefix = what + "." + *item.name;
-        if (key.facts.name() == "kind") {
+        if constexpr (requires { item.kind; }) {
+            if (key.facts.name() != "kind") continue;
             for (const auto& node : table.children) need_fitting_key(item, node, what, keys);
         }
     }
@@ -181,6 +182,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
         read_key(scene, key, document.find(key.facts.path), key.facts.path, table);
     }
     scene.parts = read_items(document, "part", schema().part);
+    scene.regions = read_items(document, "region", schema().region);
     scene.measures = read_items(document, "measure", schema().measure);
     check_scene(scene, document);
     scene.hash = fnv1a(resolved_scene(scene));

@@ -52,10 +52,23 @@ const Words<MeasureKind>& words_of() {
 
 template <>
 const Words<FluidField>& words_of() {
-    static const Words<FluidField> words = {{FluidField::velocity, "velocity"},
-                                            {FluidField::pressure, "pressure"},
-                                            {FluidField::density, "density"},
-                                            {FluidField::shear_stress, "shear_stress"}};
+    static const Words<FluidField> words = {
+        {FluidField::velocity, "velocity"},   {FluidField::pressure, "pressure"},
+        {FluidField::density, "density"},     {FluidField::shear_stress, "shear_stress"},
+        {FluidField::stress, "stress"},       {FluidField::von_mises, "von_mises"},
+        {FluidField::vorticity, "vorticity"}, {FluidField::residence_time, "residence_time"}};
+    return words;
+}
+
+template <>
+const Words<SolidField>& words_of() {
+    static const Words<SolidField> words = {{SolidField::velocity, "velocity"},
+                                            {SolidField::displacement, "displacement"},
+                                            {SolidField::mean_displacement, "mean_displacement"},
+                                            {SolidField::stress, "stress"},
+                                            {SolidField::von_mises, "von_mises"},
+                                            {SolidField::strain, "strain"},
+                                            {SolidField::force, "force"}};
     return words;
 }
 
@@ -76,6 +89,7 @@ std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(WallModel walls) { return find_word(walls); }
 std::string word(SpringStepping stepping) { return find_word(stepping); }
 std::string word(FluidField field) { return find_word(field); }
+std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }
 std::string word(MeasureKind kind) { return find_word(kind); }
 
@@ -89,6 +103,18 @@ std::vector<const Part*> Scene::parts_of(PartKind kind) const {
         if (*part.kind == kind && *part.enabled) found.push_back(&part);
     }
     return found;
+}
+
+bool Scene::asks_for(FluidField field) const {
+    const auto probes_it = [&](const Measure& measure) {
+        return *measure.kind == MeasureKind::probe && *measure.field == field;
+    };
+    return std::find(output.fields.begin(), output.fields.end(), field) != output.fields.end() ||
+           std::any_of(measures.begin(), measures.end(), probes_it);
+}
+
+bool Scene::asks_for(SolidField field) const {
+    return std::find(output.solid_fields.begin(), output.solid_fields.end(), field) != output.solid_fields.end();
 }
 
 }  // namespace dmp

@@ -35,7 +35,8 @@ enum class KernelKind { wendland_c2, lucy };
 enum class WallModel { extrapolated, plain };
 enum class SpringStepping { implicit, subcycled };
 enum class MeasureKind { flux, gap, largest_speed, density, probe };
-enum class FluidField { velocity, pressure, density, shear_stress };
+enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
+enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
 /// [[part]]: one named region, curve or group of the drawing and what it is made of.
 /// 2-D scenes are 1 m deep: masses in kg, forces in N, energies in J.
@@ -74,6 +75,13 @@ struct Measure {
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
     Value<std::string> part;                         ///< gap: smallest distance between the pieces of this springs part
+};
+
+/// [[region]]: a box along the axes, whose residence time is followed.
+struct Region {
+    Value<std::string> name;
+    Value<Vec> from{Vec::Zero()};  ///< one corner [m]
+    Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
 };
 
 struct Scene {
@@ -133,14 +141,22 @@ struct Scene {
         Value<double> measure_every = 0.0;  ///< time between rows of measures.csv [s]; 0 = every / 4
         Value<bool> pictures = true;
         Value<FluidField> picture_field = FluidField::velocity;
+        /// Fields of solids in the frames; strain and force are the bonds'.
+        std::vector<SolidField> solid_fields{SolidField::velocity, SolidField::displacement, SolidField::strain,
+                                             SolidField::force};
+        Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 
+    std::vector<Region> regions;
     std::vector<Measure> measures;
 
     /// Whether any of a part's formulas is not 0.
     static bool any(const std::array<Expression, 3>& formulas);
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
+    /// Whether frames or a probe need this field.
+    [[nodiscard]] bool asks_for(FluidField field) const;
+    [[nodiscard]] bool asks_for(SolidField field) const;
 };
 
 /// The word a scene uses for it: "fluid", "wendland_c2", ...
@@ -149,6 +165,7 @@ std::string word(Arrangement arrangement);
 std::string word(WallModel walls);
 std::string word(SpringStepping stepping);
 std::string word(FluidField field);
+std::string word(SolidField field);
 std::string word(KernelKind kernel);
 std::string word(MeasureKind kind);
 

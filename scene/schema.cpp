@@ -138,6 +138,19 @@ std::vector<Key<Output>> output_keys() {
          "Time between rows of measures.csv; \"auto\" is a quarter of output.every."},
         {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are drawn."},
         {"picture_field", &Output::picture_field, word_of<FluidField>(), "velocity", "Field the pictures show."},
+        {"solid_fields", &Output::solid_fields, list_of_words<SolidField>(),
+         "['velocity', 'displacement', 'strain', 'force']",
+         "Fields of spring bodies in the frames; strain and force are of each bond."},
+        {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
+         "When time averages (mean_displacement) begin."},
+    };
+}
+
+std::vector<Key<Region>> region_keys() {
+    return {
+        {"name", &Region::name, name(), required, "What the region is called; residence_time is of fluid in it."},
+        {"from", &Region::from, point(), required, "One corner of a box along the axes."},
+        {"to", &Region::to, point(), required, "The opposite corner."},
     };
 }
 
@@ -190,6 +203,7 @@ Schema whole_schema() {
     add_section(schema.scene, "run", &Scene::run, run_keys());
     add_section(schema.scene, "output", &Scene::output, output_keys());
     schema.part = each_item("part", part_keys());
+    schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
     return schema;
 }
@@ -199,6 +213,11 @@ Schema whole_schema() {
 const Schema& schema() {
     static const Schema whole = whole_schema();
     return whole;
+}
+
+const std::vector<std::string>& item_lists() {
+    static const std::vector<std::string> names{"part", "region", "measure"};
+    return names;
 }
 
 std::vector<KeyFacts> Schema::facts() const {
@@ -211,6 +230,7 @@ std::vector<KeyFacts> Schema::facts() const {
         }
         facts.push_back(key.facts);
     }
+    for (const auto& key : region) facts.push_back(key.facts);
     for (const auto& key : measure) facts.push_back(key.facts);
     return facts;
 }

@@ -106,6 +106,7 @@ struct Key {
 struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Part>> part;
+    std::vector<Key<Region>> region;
     std::vector<Key<Measure>> measure;
 
     /// A key that differs between kinds appears once for each.
@@ -113,6 +114,16 @@ struct Schema {
 };
 
 const Schema& schema();
+
+/// Names of the lists of tables: "part" for [[part]], ...
+const std::vector<std::string>& item_lists();
+
+/// The word of an item's kind; "" for items without kinds.
+template <class Item>
+std::string kind_of(const Item& item) {
+    if constexpr (requires { item.kind; }) return word(*item.kind);
+    return {};
+}
 
 /// "part.leaflets.density" and "part.density" -> "part.*.density"; "geometry.parameters.width" ->
 /// "geometry.parameters".

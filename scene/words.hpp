@@ -31,5 +31,7 @@ template <>
 const Words<MeasureKind>& words_of();
 template <>
 const Words<FluidField>& words_of();
+template <>
+const Words<SolidField>& words_of();
 
 }  // namespace dmp

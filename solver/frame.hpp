@@ -11,7 +11,7 @@ namespace dmp {
 struct FrameField {
     std::string name;    ///< snake_case, no unit in it
     std::string unit;    ///< "m/s", "Pa"; "1" when dimensionless
-    int components = 1;  ///< 1, or 3 for vectors (z = 0 in 2-D)
+    int components = 1;  ///< 1, 3 for vectors (z = 0 in 2-D), 6 for symmetric tensors: xx, yy, zz, xy, yz, xz
     std::vector<float> values;
 };
 

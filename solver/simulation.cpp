@@ -9,6 +9,7 @@
 #include "particles/apart.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
+#include "solver/output/residence_times.hpp"
 #include "solver/setup.hpp"
 #include "solver/state/checkpoints.hpp"
 #include "solver/state/state_hash.hpp"
@@ -51,6 +52,8 @@ struct Simulation::State {
           settings(pair_settings(scene, resources)),
           fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
+          residence_times(scene, particles),
+          mean_displacement(scene, fluid.springs()),
           measures(scene, set, settings, ranks),
           watch(scene, particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
           frame_times(scene.output.every),
@@ -85,6 +88,8 @@ struct Simulation::State {
     PairSettings settings;
     FluidStep fluid;
     StepScales scales;
+    ResidenceTimes residence_times;
+    MeanDisplacement mean_displacement;
     Measures measures;
     Watch watch;
 
@@ -146,6 +151,7 @@ void Simulation::State::archive(Archive& file) {
     measures.archive(file);
     for (ParticleGroup& group : particles.groups()) file(std::string(word(static_cast<PartKind>(group.kind()))), group);
     fluid.archive(file);
+    mean_displacement.archive(file);
 }
 
 void Simulation::State::write_frame(FrameSink* sink) {
@@ -158,7 +164,8 @@ void Simulation::State::write_as_it_is(FrameSink* sink) {
     if (frames > 0 && time <= last_frame) return;  // no time twice
     if (ranks.any(sink != nullptr)) {
         const bool in_pieces = ranks.any(sink != nullptr && sink->takes_pieces());
-        const Frame frame = make_frame(scene, particles, fluid, time, step, {frames == 0, in_pieces});
+        const Frame frame =
+            make_frame(scene, particles, fluid, mean_displacement, time, step, {frames == 0, in_pieces});
         if (sink != nullptr) sink->write(frame);
     }
     ++frames;
@@ -168,6 +175,7 @@ void Simulation::State::write_as_it_is(FrameSink* sink) {
 void Simulation::State::write_what_is_due(FrameSink* sink) {
     if (measure_times.due(time)) {
         fluid.update_pressure();
+        if (measures.need_neighbours()) fluid.refresh_neighbours();
         measures.take(time, particles, fluid);
     }
     if (frame_times.due(time)) write_frame(sink);
@@ -248,6 +256,8 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     const double dt = next_step(target, extremes.largest_speed);
     try {
         fluid.advance(time, dt);
+        residence_times.add(particles, dt, settings.threads);
+        mean_displacement.add(fluid.springs(), time, dt);
     } catch (const DivergenceError& error) {
         time += dt;
         ++step;

@@ -13,7 +13,8 @@ namespace dmp {
 ///   gap            smallest distance between centres of particles of different bodies of a springs part [m]
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
-///   probe          a fluid field at a point (Shepard interpolation); velocity has one column an axis
+///   probe          a fluid field at a point (Shepard interpolation); vectors and tensors have one column a component,
+///                  residence_time one a region
 class Measures {
   public:
     Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks);
@@ -23,6 +24,8 @@ class Measures {
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
     void archive(Archive& file);
+    /// Whether a probe reads what follows from neighbours.
+    [[nodiscard]] bool need_neighbours() const;
 
   private:
     /// The shortest of an offset's periodic images.
@@ -33,9 +36,11 @@ class Measures {
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] double gap(const Measure& measure, const SpringBodies& springs) const;
+    /// A value a column of the probe.
     [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,
                                             const FluidStep& step) const;
 
+    const Scene& scene_;
     ParticleSpace space_;
     PairSettings settings_;
     const Ranks& ranks_;

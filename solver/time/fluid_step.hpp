@@ -56,6 +56,7 @@ class FluidStep {
     [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
     [[nodiscard]] const SpringBodies& springs() const { return springs_; }
+    [[nodiscard]] int threads() const { return settings_.threads; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;

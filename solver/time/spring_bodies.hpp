@@ -66,6 +66,10 @@ class SpringBody {
 
     /// Bond and hinge energy now [J].
     [[nodiscard]] double energy() const;
+    /// Virial SUM F (x) r of each node: xx, yy, xy [J]. Of a bond's, F the force on its first end and r from the second
+    /// end to it, each end has half; of a hinge's, summed over its two arms from the centre, each node a third
+    /// (Thompson, Plimpton & Mattson 2009). Elastic forces alone, no dashpots; no kinetic part.
+    [[nodiscard]] std::vector<std::array<double, 3>> virial() const;
 
     [[nodiscard]] const std::string& part() const { return part_; }
     [[nodiscard]] const std::vector<int>& ids() const { return ids_; }

@@ -1,0 +1,41 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/output/mean_displacement.hpp"
+
+#include <algorithm>
+
+namespace dmp {
+
+namespace {
+
+Vector<double, 2> displacement(const SpringBody& body, std::size_t node) {
+    return body.positions()[node] - body.positions_at_rest()[node];
+}
+
+}  // namespace
+
+MeanDisplacement::MeanDisplacement(const Scene& scene, const SpringBodies& springs) : from_(scene.output.average_from) {
+    if (!scene.asks_for(SolidField::mean_displacement)) return;
+    for (const SpringBody& body : springs.bodies()) moment_.emplace_back(body.ids().size(), Vector<double, 2>{});
+}
+
+void MeanDisplacement::add(const SpringBodies& springs, double time, double dt) {
+    const double counted = std::min(dt, time + dt - from_);
+    if (moment_.empty() || counted <= 0) return;
+    duration_ += counted;
+    for (std::size_t b = 0; b < moment_.size(); ++b)
+        for (std::size_t node = 0; node < moment_[b].size(); ++node)
+            moment_[b][node] += counted * displacement(springs.bodies()[b], node);
+}
+
+Vector<double, 2> MeanDisplacement::of(const SpringBodies& springs, std::size_t body, std::size_t node) const {
+    return duration_ > 0 ? (1 / duration_) * moment_[body][node] : displacement(springs.bodies()[body], node);
+}
+
+void MeanDisplacement::archive(Archive& file) {
+    if (moment_.empty()) return;
+    file("mean_displacement/duration", duration_);
+    for (std::size_t body = 0; body < moment_.size(); ++body)
+        file("mean_displacement/body_" + std::to_string(body), moment_[body]);
+}
+
+}  // namespace dmp
