@@ -46,6 +46,7 @@ const Words<MeasureKind>& words_of() {
                                              {MeasureKind::gap, "gap"},
                                              {MeasureKind::largest_speed, "largest_speed"},
                                              {MeasureKind::density, "density"},
+                                             {MeasureKind::kinetic_energy, "kinetic_energy"},
                                              {MeasureKind::probe, "probe"}};
     return words;
 }

@@ -34,7 +34,7 @@ enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, lucy };
 enum class WallModel { extrapolated, plain };
 enum class SpringStepping { implicit, subcycled };
-enum class MeasureKind { flux, gap, largest_speed, density, probe };
+enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
 enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
@@ -103,6 +103,8 @@ struct Scene {
     struct {
         Value<double> spacing;  ///< particle spacing [m]
         Value<Arrangement> arrangement = Arrangement::square;
+        Value<double> disorder = 0.0;  ///< largest random displacement of fluid particles along an axis [spacings]
+        Value<int> seed = 1;           ///< of the disorder
     } particles;
 
     std::vector<Part> parts;  ///< in the order written, disabled ones included
@@ -111,6 +113,8 @@ struct Scene {
         std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
         std::array<Value<bool>, 3> periodic;     ///< by axis
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
+        Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
+        Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
     } flow;
 
     struct {

@@ -46,6 +46,9 @@ std::vector<Key<Particles>> particles_keys() {
          "Distance between neighbouring particles."},
         {"arrangement", &Particles::arrangement, word_of<Arrangement>(), "square",
          "Lattice on which the fluid starts."},
+        {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
+         "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
+        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements."},
     };
 }
 
@@ -89,6 +92,10 @@ std::vector<Key<Flow>> flow_keys() {
         {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
         {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
          "Largest speed expected; needed where accuracy.sound_speed is \"auto\"."},
+        {"initial_velocity", &Flow::initial_velocity, formulas("0.1 m/s"), "[0, 0]",
+         "Velocity with which the fluid starts, along x and y, as formulas of x, y."},
+        {"initial_pressure", &Flow::initial_pressure, formula("100 Pa"), "0",
+         "Pressure with which the fluid starts, as a formula of x, y; density follows from the equation of state."},
     };
 }
 
@@ -159,8 +166,8 @@ std::vector<Key<Measure>> measure_keys() {
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
-         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, or a probe's "
-         "field."},
+         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, or "
+         "a probe's field."},
         {"from", flux, &Measure::from, point(), required, "Where the line starts."},
         {"to", flux, &Measure::to, point(), required, "Where the line ends."},
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},

@@ -6,6 +6,7 @@
 #include <omp.h>
 
 #include "solver/models/contact/repulsion.hpp"
+#include "solver/starting_state.hpp"
 
 namespace dmp {
 
@@ -96,6 +97,7 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         for (int axis = 0; axis < set.dimension; ++axis)
             fill(Field::wall_normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
     }
+    fill_starting_density(scene, set, equations_of_state(scene, set), particles);
 }
 
 StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit) {
@@ -134,6 +136,12 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
         if (scene.accuracy.shifting > 0)
             models.push_back(
                 {"particle shifting", "after Sun et al. 2017", because(scene.accuracy.shifting, "accuracy.shifting")});
+    }
+    if (has_starting_state(scene)) {
+        const bool moves = scene.flow.initial_velocity.given();
+        models.push_back({"starting state", "density by the inverse equation of state",
+                          moves ? because(scene.flow.initial_velocity, "flow.initial_velocity")
+                                : because(scene.flow.initial_pressure, "flow.initial_pressure")});
     }
     for (const Expression& axis : scene.flow.acceleration)
         if (axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0) {

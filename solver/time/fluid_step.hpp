@@ -41,6 +41,8 @@ class FluidStep {
     /// From time t to t + dt.
     void advance(double t, double dt);
 
+    /// Takes note of how fast the fluid is; for one that starts in motion.
+    void take_speed() { largest_speed_ = extremes().largest_speed; }
     /// Makes the neighbour list and the copies fit the present positions.
     void refresh_neighbours();
     /// Brings pressure (and volume) up to the present density, of copies too.
