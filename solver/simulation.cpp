@@ -218,6 +218,10 @@ Plan Simulation::plan() const {
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(s.scene.run.duration / plan.dt));
     plan.spring_substeps = s.fluid.springs().substeps(plan.dt);
+    if (s.settings.implicit_viscosity && s.scales.kinematic_viscosity > 0) {
+        plan.limits.push_back(viscous_step_limit(s.scales));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
     for (const auto& limit : s.fluid.springs().step_limits())
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
