@@ -362,6 +362,7 @@ RunSummary Simulation::State::summary() const {
         ranks.sum(static_cast<std::int64_t>(watch.lost(particles, fluid.neighbours().list()))));
     summary.state_hash = state_hash(particles, ranks);
     summary.seconds_by_stage = fluid.timer().seconds();
+    if (fluid.viscous_solves() != nullptr) summary.viscous_solves = *fluid.viscous_solves();
     summary.measures = measures.series();
     return summary;
 }

@@ -6,19 +6,12 @@
 #include <functional>
 
 #include "solver/neighbours/neighbours.hpp"
+#include "solver/simulation.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/conjugate_gradients.hpp"
 #include "solver/time/spring_bodies.hpp"
 
 namespace dmp {
-
-/// How much work the solves have been.
-struct ViscousSolves {
-    std::int64_t solves = 0, iterations = 0, most_iterations = 0;  ///< the last: of one solve
-    [[nodiscard]] double mean_iterations() const {
-        return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0;
-    }
-};
 
 /// Viscous forces of the velocities at the end of the step (backward Euler), so that they set no limit to it:
 ///   (m_i / dt) (v_i - v*_i) = SUM_j V_i V_j mu_ij (1/r dW/dr) (v_i - v_j) = F_i(v)   [N]
