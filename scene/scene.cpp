@@ -41,6 +41,13 @@ const Words<SpringStepping>& words_of() {
 }
 
 template <>
+const Words<ViscosityStepping>& words_of() {
+    static const Words<ViscosityStepping> words = {{ViscosityStepping::explicitly, "explicit"},
+                                                   {ViscosityStepping::implicitly, "implicit"}};
+    return words;
+}
+
+template <>
 const Words<MeasureKind>& words_of() {
     static const Words<MeasureKind> words = {{MeasureKind::flux, "flux"},
                                              {MeasureKind::gap, "gap"},
@@ -89,6 +96,7 @@ std::string word(PartKind kind) { return find_word(kind); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(WallModel walls) { return find_word(walls); }
 std::string word(SpringStepping stepping) { return find_word(stepping); }
+std::string word(ViscosityStepping stepping) { return find_word(stepping); }
 std::string word(FluidField field) { return find_word(field); }
 std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }

@@ -34,6 +34,7 @@ enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, lucy };
 enum class WallModel { extrapolated, plain };
 enum class SpringStepping { implicit, subcycled };
+enum class ViscosityStepping { explicitly, implicitly };
 enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
 enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
@@ -130,6 +131,8 @@ struct Scene {
         Value<double> density_diffusion = 0.1;  ///< delta of Molteni & Colagrossi [-]; 0 switches it off
         Value<double> shifting = 4.0;           ///< strength s of the particle shifting [-]; 0 switches it off
         Value<double> step_factor = 0.3;        ///< c0 dt / support radius [-]
+        Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
+        Value<double> viscosity_tolerance = 1e-8;  ///< of the implicit solve, relative residual [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
         Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
     } accuracy;
@@ -168,6 +171,7 @@ std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
 std::string word(WallModel walls);
 std::string word(SpringStepping stepping);
+std::string word(ViscosityStepping stepping);
 std::string word(FluidField field);
 std::string word(SolidField field);
 std::string word(KernelKind kernel);

@@ -28,6 +28,8 @@ const Words<WallModel>& words_of();
 template <>
 const Words<SpringStepping>& words_of();
 template <>
+const Words<ViscosityStepping>& words_of();
+template <>
 const Words<MeasureKind>& words_of();
 template <>
 const Words<FluidField>& words_of();

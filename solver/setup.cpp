@@ -53,6 +53,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
                                                                  : 0.002 * settings.density * settings.sound_speed *
                                                                        settings.sound_speed * range * range;
     }
+    settings.implicit_viscosity = *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly;
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
     return settings;
@@ -107,6 +108,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.accuracy.step_factor;
     scales.shifting = settings.shifting;
+    scales.implicit_viscosity = settings.implicit_viscosity;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
@@ -130,6 +132,9 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
         models.push_back({"pressure force", "Bonet & Lok 1999", fluid});
         models.push_back(
             {"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
+        if (*scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly)
+            models.push_back({"implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
+                              because(scene.accuracy.viscosity_stepping, "accuracy.viscosity_stepping")});
         if (scene.accuracy.density_diffusion > 0)
             models.push_back({"density diffusion", "Molteni & Colagrossi 2009",
                               because(scene.accuracy.density_diffusion, "accuracy.density_diffusion")});

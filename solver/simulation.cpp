@@ -228,6 +228,10 @@ Plan Simulation::plan() const {
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(s.scene.run.duration / plan.dt));
     plan.spring_substeps = s.fluid.springs().substeps(plan.dt);
+    if (s.settings.implicit_viscosity && s.scales.kinematic_viscosity > 0) {
+        plan.limits.push_back(viscous_step_limit(s.scales));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
     for (const auto& limit : s.fluid.springs().step_limits())
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
@@ -370,6 +374,7 @@ RunSummary Simulation::State::summary() const {
         ranks.sum(static_cast<std::int64_t>(watch.lost(particles, fluid.neighbours().list()))));
     summary.state_hash = state_hash(particles, ranks);
     summary.seconds_by_stage = fluid.timer().seconds();
+    if (fluid.viscous_solves() != nullptr) summary.viscous_solves = *fluid.viscous_solves();
     summary.measures = measures.series();
     return summary;
 }

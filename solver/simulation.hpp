@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -52,6 +53,14 @@ struct Conserved {
     std::array<double, 3> momentum{};  ///< of all moving particles [kg m/s]
 };
 
+/// How much work implicit viscosity has been.
+struct ViscousSolves {
+    std::int64_t solves = 0, iterations = 0, most_iterations = 0;  ///< the last: of one solve
+    [[nodiscard]] double mean_iterations() const {
+        return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0;
+    }
+};
+
 /// How the ranks shared the work.
 struct RankShares {
     double imbalance = 1;         ///< the busiest rank's load over the mean, at the last list [-]
@@ -84,6 +93,7 @@ struct RunSummary {
     MeasureSeries measures;
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
+    ViscousSolves viscous_solves;  ///< none where viscosity is explicit
     long first_step = 0;       ///< that this process made; 0 unless it resumed
     bool interrupted = false;  ///< left before its end
     bool out_of_time = false;  ///< by the wall time's limit

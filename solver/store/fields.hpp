@@ -24,6 +24,11 @@ enum class Field {
     pressure,
     force,
     shift,
+    viscous_force,
+    viscous_velocity,
+    viscous_residual,
+    viscous_direction,
+    viscous_diagonal,
     count  // how many there are
 };
 
@@ -55,6 +60,11 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"pressure", "Pa", false, false},
     {"force", "N", true, false},
     {"shift", "1/m", true, false},
+    {"viscous_force", "N", true, false},
+    {"viscous_velocity", "m/s", true, false},
+    {"viscous_residual", "N", true, false},
+    {"viscous_direction", "m/s", true, false},
+    {"viscous_diagonal", "kg/s", true, false},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }

@@ -13,6 +13,7 @@
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/near_sweep.hpp"
+#include "solver/sweeps/viscous_sweep.hpp"
 
 namespace dmp {
 
@@ -45,9 +46,12 @@ class Sweeps final : public PairSweeps {
                 ClusterChoice choice) const override {
         with_flag(settings_.repulsion_strength > 0, [&](auto contact) {
             const auto run = [&](const auto& solid) {
-                ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(contact)::value>(
-                    particles, list, kernel_, solid, repulsion_, force_rounding_, settings_.threads)
-                    .run(choice);
+                with_flag(!settings_.implicit_viscosity, [&](auto viscous) {
+                    ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(contact)::value,
+                               decltype(viscous)::value>(particles, list, kernel_, solid, repulsion_, force_rounding_,
+                                                         settings_.threads)
+                        .run(choice);
+                });
             };
             if (settings_.walls == WallModel::plain) {
                 run(PlainSolid<D>{});
@@ -72,6 +76,19 @@ class Sweeps final : public PairSweeps {
         });
     }
 
+    void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
+                        ClusterChoice choice) const override {
+        const OrderFree rounding(motion.largest_term);
+        with_viscous_sweep(particles, list, rounding, motion.velocity, motion.of_walls,
+                           [&](auto sweep) { sweep.forces(choice); });
+    }
+
+    void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+        const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest() / settings_.spacing);
+        with_viscous_sweep(particles, list, rounding, Field::velocity, 0,
+                           [&](auto sweep) { sweep.diagonal(choice); });
+    }
+
     void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
         NearSweep<L, D>(particles, list, reach, settings_.threads).run();
     }
@@ -86,6 +103,19 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
   private:
+    template <class Run>
+    void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const OrderFree& rounding,
+                            Field velocity, double wall_motion, const Run& run) const {
+        const auto run_with = [&](const auto& solid) {
+            run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, MorrisViscosity>(
+                particles, list, kernel_, solid, rounding, velocity, wall_motion, settings_.threads));
+        };
+        if (settings_.walls == WallModel::plain) {
+            run_with(PlainSolid<D>{});
+        } else {
+            run_with(ExtrapolatedSolid<D>{Vector<double, D>::zero(), 0.5 * settings_.spacing});
+        }
+    }
     [[nodiscard]] double volume() const { return std::pow(settings_.spacing, D); }
     /// Largest |dW/dr| [1/m^(D+1)].
     [[nodiscard]] double steepest() const {
@@ -101,7 +131,8 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
         const double pressure = 0.1 * settings_.density * c0 * c0;
-        const double viscous = settings_.viscosity * 0.1 * c0 / settings_.spacing;
+        const double viscous =
+            settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
         return std::max(2 * (pressure + viscous) * volume() * volume() * steepest(),
                         10 * settings_.repulsion_strength / settings_.spacing);
     }

@@ -12,7 +12,7 @@
 namespace dmp {
 
 /// Sums pressure, viscous and contact forces over the neighbours of each cluster, L of its particles at a time.
-template <class L, int D, class Kernel, class Solid, bool WithContact>
+template <class L, int D, class Kernel, class Solid, bool WithContact, bool WithViscosity>
 class ForceSweep {
   public:
     ForceSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
@@ -110,7 +110,10 @@ class ForceSweep {
     [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
         const L distance = sqrt(dot(separation, separation));
         const Pair pair{i, j, separation, distance, 1.0};
-        return kernel_.slope(distance) * (PressureForce::law(pair) + MorrisViscosity::law(pair));
+        if constexpr (WithViscosity)
+            return kernel_.slope(distance) * (PressureForce::law(pair) + MorrisViscosity::law(pair));
+        else
+            return kernel_.slope(distance) * PressureForce::law(pair);
     }
 
     ParticleStore& particles_;

@@ -17,6 +17,10 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
         if (group.kind() == ParticleKind::rigid) group.declare({Field::wall_normal, Field::wall_distance});
+        if (settings.implicit_viscosity) group.declare({Field::viscous_force});
+        if (settings.implicit_viscosity && group.kind() != ParticleKind::rigid)
+            group.declare({Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction,
+                           Field::viscous_diagonal});
     }
 }
 

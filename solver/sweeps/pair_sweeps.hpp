@@ -23,8 +23,16 @@ struct PairSettings {
     double density_diffusion = 0;   ///< delta [-]; 0: not there
     double shifting = 0;            ///< s [-]; 0: not there
     double repulsion_strength = 0;  ///< K [J]; 0: not there
+    bool implicit_viscosity = false;  ///< the forces come without viscosity, which is solved for apart
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;
+};
+
+/// Which velocities the viscous force is wanted for.
+struct ViscousMotion {
+    Field velocity = Field::velocity;  ///< of fluid particles and spring bodies; of copies too
+    double of_walls = 1;               ///< times their own velocity; 0: walls at rest
+    double largest_term = 0;           ///< of one pair [N]; sums stay exact up to 128 times that
 };
 
 /// The two sweeps over all pairs that one step makes. Each sweep visits every pair of a cluster and a neighbour once
@@ -43,6 +51,13 @@ class PairSweeps {
     /// particles; with plain walls the solids' density rate too.
     virtual void density_rates(ParticleStore& particles, const ClusterList& list,
                                ClusterChoice choice = ClusterChoice::all) const = 0;
+
+    /// viscous_force [N] alone, of fluid and spring bodies, and, where walls move, of walls.
+    virtual void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
+                                ClusterChoice choice = ClusterChoice::all) const = 0;
+    /// viscous_diagonal [kg/s]: by axis, the force that its own velocity costs a particle, of fluid and spring bodies.
+    virtual void viscous_diagonal(ParticleStore& particles, const ClusterList& list,
+                                  ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
     virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;

@@ -8,10 +8,10 @@ namespace dmp {
 
 namespace {
 
-/// Sum over the owned particles of a group. Forces are multiples of the sweeps' quantum: some of them add up exactly in
-/// a double, which is faster than one by one.
-ExactSum total_force(const ParticleGroup& group, int axis) {
-    constexpr std::size_t at_a_time = 32;
+/// Sum over the owned particles of a group. Forces of one sweep are multiples of its quantum: some of them add up exactly
+/// in a double, which is faster than one by one.
+ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
+    const std::size_t at_a_time = of_one_sweep ? 32 : 1;
     const double* force = group.data(Field::force, axis);
     ExactSum total;
     for (std::size_t begin = 0; begin < group.owned(); begin += at_a_time) {
@@ -41,6 +41,8 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     for (std::size_t i = 0; i < particles.fluid().owned(); ++i) mass.add(particles.fluid().data(Field::mass)[i]);
     ranks.sum(mass);
     fluid_mass_ = mass.value();
+    if (settings.implicit_viscosity)
+        viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
 }
 
 void FluidStep::advance(double t, double dt) {
@@ -54,6 +56,8 @@ void FluidStep::advance(double t, double dt) {
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
+    if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
+    if (viscosity_) add_viscous_forces(t + dt / 2, dt);
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
     walls_.show_motion(particles_.of(ParticleKind::rigid));
@@ -71,6 +75,13 @@ void FluidStep::sweep(const char* stage, const FieldList& fields, const std::fun
     timer_.timed("halo", [&] { neighbours_.finish_exchange(particles_); });
     timer_.timed("near", [&] { look_through_list(); });
     timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
+}
+
+void FluidStep::add_viscous_forces(double t, double dt) {
+    const auto swept = [this](const FieldList& fields, const auto& over) { sweep("viscosity", fields, over); };
+    timer_.timed("viscosity", [&] {
+        viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_acceleration(t), swept);
+    });
 }
 
 void FluidStep::advance_springs(double dt) {
@@ -115,7 +126,6 @@ std::array<double, 3> FluidStep::body_acceleration(double t) const {
 
 void FluidStep::kick(double t, double dt) {
     const auto g = body_acceleration(t);
-    if (depends_on_place_) kick_by_place(t, dt);
     largest_speed_ = ranks_.largest(passes_.kick(particles_.fluid(), dt, g));
     add_impulses(dt, g);
 }
@@ -142,7 +152,7 @@ void FluidStep::kick_by_place(double t, double dt) {
 void FluidStep::add_impulses(double dt, const std::array<double, 3>& g) {
     for (int axis = 0; axis < particles_.dimension(); ++axis) {
         impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
-        ExactSum on_walls = total_force(particles_.of(ParticleKind::rigid), axis);
+        ExactSum on_walls = total_force(particles_.of(ParticleKind::rigid), axis, !viscosity_);
         ranks_.sum(on_walls);
         impulses_.of_fixed[axis] -= dt * on_walls.value();
     }
@@ -162,6 +172,7 @@ void FluidStep::archive(Archive& file) {
     file("fluid/impulse_of_fixed", impulses_.of_fixed);
     file("fluid/impulse_of_drag", impulses_.of_drag);
     springs_.archive(file);
+    if (viscosity_) viscosity_->archive(file);
     if (file.loading()) neighbours_.forget();
 }
 

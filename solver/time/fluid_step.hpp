@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/fluid_passes.hpp"
+#include "solver/time/implicit_viscosity.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/time/wall_motion.hpp"
@@ -29,7 +31,7 @@ struct FluidExtremes {
 /// One step of weakly compressible flow with spring bodies, drift-kick-drift:
 ///   positions and densities half a step; forces there; velocities a whole step; density rates with the new
 ///   velocities; positions and densities the second half. The sound waves' two halves of the step are then a
-///   staggered (symplectic) pair; viscosity is explicit.
+///   staggered (symplectic) pair; viscosity is explicit, or solved for just before the kick (ImplicitViscosity).
 /// Spring bodies live at the middles of the steps: kicked by the fluid there, they move under their own forces to the
 /// next middle before the density rates are taken, so that the fluid feels exactly the displacement they will make.
 /// After `advance` they stand half a step ahead of the fluid.
@@ -59,6 +61,8 @@ class FluidStep {
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
     [[nodiscard]] const SpringBodies& springs() const { return springs_; }
     [[nodiscard]] int threads() const { return settings_.threads; }
+    /// Null where viscosity is explicit.
+    [[nodiscard]] const ViscousSolves* viscous_solves() const { return viscosity_ ? &viscosity_->solves() : nullptr; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -71,6 +75,7 @@ class FluidStep {
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
+    void add_viscous_forces(double t, double dt);
     void drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
 
@@ -79,6 +84,7 @@ class FluidStep {
     const Ranks& ranks_;
     std::unique_ptr<PairSweeps> sweeps_;
     FluidPasses passes_;
+    std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;
     WallMotion walls_;
     Neighbours neighbours_;

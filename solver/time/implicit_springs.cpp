@@ -52,6 +52,37 @@ void SpringBody::advance_in_parts(double dt, int halvings_left, Impulses& impuls
     advance_in_parts(dt / 2, halvings_left - 1, impulses);
 }
 
+std::vector<Vector<double, 2>> SpringBody::balance(std::span<const Vector<double, 2>> w, double dt) const {
+    Vectors middle = position_;
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) middle[n] += (dt / 2) * w[n];
+    const Vectors velocity(w.begin(), w.end());
+    Vectors sum = forces(middle, velocity);
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        sum[n] = 0.5 * (sum[n] - drag_ * w[n]) - (mass_[n] / dt) * (w[n] - velocity_[n]);
+    return sum;
+}
+
+void SpringBody::prepare_in_fluid(std::span<const Vector<double, 2>> w, std::span<const Vector<double, 2>> drag,
+                                  double dt) {
+    if (!in_fluid_) in_fluid_ = std::make_unique<ImplicitSystem>(*this);
+    Vectors middle = position_, drag_in_step(drag.begin(), drag.end());
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        if (!fixed_[n]) middle[n] += (dt / 2) * w[n];
+        drag_in_step[n] = dt * drag_in_step[n];
+    }
+    in_fluid_->factorise(*this, middle, dt, drag_in_step);
+    in_fluid_step_ = dt;
+}
+
+void SpringBody::multiply_in_fluid(std::span<Vector<double, 2>> values) const {
+    in_fluid_->multiply(values, 1 / in_fluid_step_);
+}
+
+void SpringBody::solve_in_fluid(std::span<Vector<double, 2>> values) const {
+    in_fluid_->solve(values, in_fluid_step_);
+}
+
 bool SpringBody::solve_step(double dt, Impulses& impulses) {
     const std::size_t nodes = ids_.size();
     // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.

@@ -54,7 +54,8 @@ void SpringBody::ImplicitSystem::add(const std::array<int, 3>& nodes, int count,
         }
 }
 
-void SpringBody::ImplicitSystem::factorise(const SpringBody& body, const Vectors& position, double dt) {
+void SpringBody::ImplicitSystem::factorise(const SpringBody& body, const Vectors& position, double dt,
+                                           std::span<const Vector<double, 2>> more) {
     dt_ = dt;
     position_ = position;
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
@@ -76,7 +77,15 @@ void SpringBody::ImplicitSystem::factorise(const SpringBody& body, const Vectors
         add({hinge.a, hinge.centre, hinge.b}, 3, {by_a, -1.0 * (by_a + by_b), by_b},
             dt / 2 * hinge.force.dashpot + dt * dt / 4 * 2 * hinge.force.stiffness);
     }
-    solver_.factorize(matrix_);
+    if (more.empty()) {
+        solver_.factorize(matrix_);
+    } else {
+        Matrix sum = matrix_;
+        for (std::size_t node = 0; node < unknown_.size(); ++node)
+            for (int i = 0; i < 2 && unknown_[node] >= 0; ++i)
+                sum.coeffRef(unknown_[node] + i, unknown_[node] + i) += more[node][i];
+        solver_.factorize(sum);
+    }
     if (solver_.info() != Eigen::Success)
         throw DivergenceError("the stiffness of a spring body is no longer finite",
                               "lower accuracy.step_factor or check the drive");
@@ -88,6 +97,26 @@ void SpringBody::ImplicitSystem::archive(Archive& file, const std::string& name,
     file(name + "/factors_dt", dt);
     file(name + "/factors_position", position);
     if (file.loading() && dt > 0) factorise(body, position, dt);
+}
+
+template <class Map>
+void SpringBody::ImplicitSystem::change(std::span<Vector<double, 2>> values, double scale, const Map& map) const {
+    Eigen::VectorXd free(matrix_.rows());
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < 2 && unknown_[node] >= 0; ++i) free[unknown_[node] + i] = values[node][i];
+    const Eigen::VectorXd image = map(free);
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < 2; ++i) values[node][i] = unknown_[node] >= 0 ? scale * image[unknown_[node] + i] : 0;
+}
+
+void SpringBody::ImplicitSystem::multiply(std::span<Vector<double, 2>> values, double scale) const {
+    change(values, scale, [this](const Eigen::VectorXd& free) -> Eigen::VectorXd {
+        return matrix_.selfadjointView<Eigen::Lower>() * free;
+    });
+}
+
+void SpringBody::ImplicitSystem::solve(std::span<Vector<double, 2>> values, double scale) const {
+    change(values, scale, [this](const Eigen::VectorXd& free) -> Eigen::VectorXd { return solver_.solve(free); });
 }
 
 double SpringBody::ImplicitSystem::correct(const Vectors& residual, double dt, Vectors& position, Vectors& velocity) {

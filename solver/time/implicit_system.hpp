@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "solver/time/spring_bodies.hpp"
@@ -21,7 +22,13 @@ class SpringBody::ImplicitSystem {
 
     /// True when the present factors serve for a step dt: corrections then converge nearly as fast as with its own.
     [[nodiscard]] bool fits(double dt) const { return std::abs(dt - dt_) < 1e-2 * dt_; }
-    void factorise(const SpringBody& body, const Vectors& position, double dt);
+    void factorise(const SpringBody& body, const Vectors& position, double dt) { factorise(body, position, dt, {}); }
+    /// Factors of A plus `more` on the diagonal, by node and axis [kg]; none: of A.
+    void factorise(const SpringBody& body, const Vectors& position, double dt,
+                   std::span<const Vector<double, 2>> more);
+    /// values = scale A values, and values = scale (A + more)^-1 values; 0 for fixed nodes.
+    void multiply(std::span<Vector<double, 2>> values, double scale) const;
+    void solve(std::span<Vector<double, 2>> values, double scale) const;
     /// The factors are what the past made them, and results depend on them in their last bits: they are made again from
     /// the state they came from.
     void archive(Archive& file, const std::string& name, const SpringBody& body);
@@ -37,6 +44,8 @@ class SpringBody::ImplicitSystem {
     /// A += weight g g^T for the gradient g of a length or an angle with respect to `count` nodes.
     void add(const std::array<int, 3>& nodes, int count, const Gradient& gradient, double weight);
     [[nodiscard]] double& entry(int row, int column);
+    template <class Map>
+    void change(std::span<Vector<double, 2>> values, double scale, const Map& map) const;
 
     std::vector<int> unknown_;  ///< node -> its first unknown, -1 when fixed
     Matrix matrix_;             ///< lower triangle

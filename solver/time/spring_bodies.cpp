@@ -59,19 +59,27 @@ void SpringBodies::find_nodes(const ParticleStore& particles) {
     for (const ParticleTag& tag : particles.of(ParticleKind::springs).tags()) nodes_.push_back(by_id_.at(tag.id));
 }
 
-SpringBodies::Vectors SpringBodies::collected_forces(const ParticleStore& particles) const {
-    struct NodeForce {
+std::vector<Vector<double, 2>> SpringBodies::collected(const ParticleStore& particles, Field field) const {
+    struct OfNode {
         std::size_t node;
-        Vector<double, 2> force;
+        Vector<double, 2> value;
     };
     const ParticleGroup& group = particles.of(ParticleKind::springs);
-    std::vector<NodeForce> owned(group.owned());
+    std::vector<OfNode> owned(group.owned());
     for (std::size_t i = 0; i < owned.size(); ++i)
         owned[i] = {first_node_[nodes_[i].body] + nodes_[i].index,
-                    {{group.data(Field::force, 0)[i], group.data(Field::force, 1)[i]}}};
-    Vectors force(first_node_.back());
-    for (const NodeForce& of : ranks_.all_gather(owned)) force[of.node] = of.force;
-    return force;
+                    {{group.data(field, 0)[i], group.data(field, 1)[i]}}};
+    Vectors values(first_node_.back());
+    for (const OfNode& of : ranks_.all_gather(owned)) values[of.node] = of.value;
+    return values;
+}
+
+void SpringBodies::show_in(ParticleStore& particles, Field field,
+                           const std::vector<Vector<double, 2>>& values) const {
+    ParticleGroup& group = particles.of(ParticleKind::springs);
+    for (std::size_t i = 0; i < group.total(); ++i)
+        for (int axis = 0; axis < 2; ++axis)
+            group.data(field, axis)[i] = values[first_node_[nodes_[i].body] + nodes_[i].index][axis];
 }
 
 template <class ValueOf>
@@ -88,7 +96,7 @@ void SpringBodies::show(ParticleStore& particles, Field field, const ValueOf& va
 
 SpringBody::Impulses SpringBodies::advance(ParticleStore& particles, double dt, int threads) {
     const int steps = substeps(dt);
-    const Vectors force = collected_forces(particles);
+    const Vectors force = collected(particles, Field::force);
     std::vector<SpringBody::Impulses> impulses(bodies_.size());
     std::vector<std::exception_ptr> errors(bodies_.size());  // must not leave the parallel loop
     const auto count = static_cast<std::ptrdiff_t>(bodies_.size());

@@ -64,6 +64,19 @@ class SpringBody {
 
     void archive(Archive& file, const std::string& name);
 
+    /// In implicit viscosity (ViscousNodes), of nodes that would move with mean velocity w over the next dt: half the
+    /// springs' forces and drag, less what changing to w takes, F/2 - m / dt (w - v) [N].
+    [[nodiscard]] std::vector<Vector<double, 2>> balance(std::span<const Vector<double, 2>> w, double dt) const;
+    /// The negative derivative of the balance with respect to w, near this w (Gauss-Newton form), and the factors of its
+    /// sum with the nodes' `drag` by axis in the liquid [kg/s].
+    void prepare_in_fluid(std::span<const Vector<double, 2>> w, std::span<const Vector<double, 2>> drag, double dt);
+    /// The derivative times the values, in place; 0 for fixed nodes.
+    void multiply_in_fluid(std::span<Vector<double, 2>> values) const;
+    /// Solves with the factors, in place; 0 for fixed nodes.
+    void solve_in_fluid(std::span<Vector<double, 2>> values) const;
+    [[nodiscard]] bool fixed(std::size_t node) const { return fixed_[node] != 0; }
+    [[nodiscard]] double mass(std::size_t node) const { return mass_[node]; }  ///< [kg]
+
     /// Bond and hinge energy now [J].
     [[nodiscard]] double energy() const;
     /// Virial SUM F (x) r of each node: xx, yy, xy [J]. Of a bond's, F the force on its first end and r from the second
@@ -114,7 +127,8 @@ class SpringBody {
     Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
     Vectors position_before_;              ///< before the last advance
     Vectors position_at_rest_;             ///< as drawn
-    std::unique_ptr<ImplicitSystem> system_;
+    std::unique_ptr<ImplicitSystem> system_, in_fluid_;
+    double in_fluid_step_ = 0;  ///< that the latter was made for [s]
 };
 
 /// All spring bodies of a scene.
@@ -144,11 +158,15 @@ class SpringBodies {
 
     [[nodiscard]] bool empty() const { return bodies_.empty(); }
     [[nodiscard]] const std::vector<SpringBody>& bodies() const { return bodies_; }
+    [[nodiscard]] std::vector<SpringBody>& bodies() { return bodies_; }
+
+    /// A vector field of all nodes of all bodies, one body after another, as the ranks that own them have it.
+    [[nodiscard]] std::vector<Vector<double, 2>> collected(const ParticleStore& particles, Field field) const;
+    /// Hands such values to the store, to copies too.
+    void show_in(ParticleStore& particles, Field field, const std::vector<Vector<double, 2>>& values) const;
 
   private:
     using Vectors = std::vector<Vector<double, 2>>;
-    /// The forces on all nodes of all bodies, as the ranks that own them found them.
-    [[nodiscard]] Vectors collected_forces(const ParticleStore& particles) const;
     template <class ValueOf>
     void show(ParticleStore& particles, Field field, const ValueOf& value_of) const;
 
