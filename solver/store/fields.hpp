@@ -23,6 +23,9 @@ enum class Field {
     pressure,
     force,
     shift,
+    correction,
+    correction_off_diagonal,
+    transport_velocity,
     count  // how many there are
 };
 
@@ -53,6 +56,9 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"pressure", "Pa", false, false},
     {"force", "N", true, false},
     {"shift", "1/m", true, false},
+    {"correction", "1", true, false},
+    {"correction_off_diagonal", "1", true, false},
+    {"transport_velocity", "m/s", true, true},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }
