@@ -23,13 +23,45 @@ const Words<Arrangement>& words_of() {
 
 template <>
 const Words<KernelKind>& words_of() {
-    static const Words<KernelKind> words = {{KernelKind::wendland_c2, "wendland_c2"}, {KernelKind::lucy, "lucy"}};
+    static const Words<KernelKind> words = {{KernelKind::wendland_c2, "wendland_c2"},
+                                            {KernelKind::wendland_c4, "wendland_c4"},
+                                            {KernelKind::lucy, "lucy"},
+                                            {KernelKind::cubic_spline, "cubic_spline"},
+                                            {KernelKind::quintic_spline, "quintic_spline"}};
     return words;
 }
 
 template <>
 const Words<WallModel>& words_of() {
     static const Words<WallModel> words = {{WallModel::extrapolated, "extrapolated"}, {WallModel::plain, "plain"}};
+    return words;
+}
+
+template <>
+const Words<EquationOfState>& words_of() {
+    static const Words<EquationOfState> words = {{EquationOfState::tait, "tait"}, {EquationOfState::linear, "linear"}};
+    return words;
+}
+
+template <>
+const Words<DensityModel>& words_of() {
+    static const Words<DensityModel> words = {{DensityModel::continuity, "continuity"},
+                                              {DensityModel::summation, "summation"}};
+    return words;
+}
+
+template <>
+const Words<ViscousLaw>& words_of() {
+    static const Words<ViscousLaw> words = {{ViscousLaw::morris, "morris"},
+                                            {ViscousLaw::monaghan, "monaghan"},
+                                            {ViscousLaw::monaghan_approaching, "monaghan_approaching"}};
+    return words;
+}
+
+template <>
+const Words<ViscosityMean>& words_of() {
+    static const Words<ViscosityMean> words = {{ViscosityMean::harmonic, "harmonic"},
+                                               {ViscosityMean::arithmetic, "arithmetic"}};
     return words;
 }
 
@@ -95,6 +127,10 @@ std::string find_word(Enumeration value) {
 std::string word(PartKind kind) { return find_word(kind); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(WallModel walls) { return find_word(walls); }
+std::string word(EquationOfState equation) { return find_word(equation); }
+std::string word(DensityModel density) { return find_word(density); }
+std::string word(ViscousLaw law) { return find_word(law); }
+std::string word(ViscosityMean mean) { return find_word(mean); }
 std::string word(SpringStepping stepping) { return find_word(stepping); }
 std::string word(ViscosityStepping stepping) { return find_word(stepping); }
 std::string word(FluidField field) { return find_word(field); }

@@ -31,8 +31,12 @@ struct Value {
 
 enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
-enum class KernelKind { wendland_c2, lucy };
+enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 enum class WallModel { extrapolated, plain };
+enum class EquationOfState { tait, linear };
+enum class DensityModel { continuity, summation };
+enum class ViscousLaw { morris, monaghan, monaghan_approaching };
+enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
 enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
@@ -116,6 +120,7 @@ struct Scene {
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
         Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
         Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
+        Value<double> largest_pressure;          ///< largest pressure expected [Pa]; 0 = not given
     } flow;
 
     struct {
@@ -128,9 +133,16 @@ struct Scene {
         Value<double> support = 3.0;      ///< support radius [spacings]
         Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
         Value<WallModel> walls = WallModel::extrapolated;
-        Value<double> density_diffusion = 0.1;  ///< delta of Molteni & Colagrossi [-]; 0 switches it off
-        Value<double> shifting = 4.0;           ///< strength s of the particle shifting [-]; 0 switches it off
-        Value<double> step_factor = 0.3;        ///< c0 dt / support radius [-]
+        Value<EquationOfState> equation_of_state = EquationOfState::tait;
+        Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
+        Value<DensityModel> density = DensityModel::continuity;
+        Value<bool> gradient_correction = false;  ///< Bonet & Lok 1999
+        Value<ViscousLaw> viscous_law = ViscousLaw::morris;
+        Value<ViscosityMean> viscosity_mean = ViscosityMean::harmonic;  ///< between fluids of unlike viscosity
+        Value<double> density_diffusion = 0.1;   ///< delta of Molteni & Colagrossi [-]; 0 switches it off
+        Value<double> shifting = 4.0;            ///< strength s of the particle shifting [-]; 0 switches it off
+        Value<bool> transport_velocity = false;  ///< Adami, Hu & Adams 2013, instead of shifting
+        Value<double> step_factor = 0.3;         ///< c0 dt / support radius [-]
         Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
         Value<double> viscosity_tolerance = 1e-8;  ///< of the implicit solve, relative residual [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
@@ -170,6 +182,10 @@ struct Scene {
 std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
 std::string word(WallModel walls);
+std::string word(EquationOfState equation);
+std::string word(DensityModel density);
+std::string word(ViscousLaw law);
+std::string word(ViscosityMean mean);
 std::string word(SpringStepping stepping);
 std::string word(ViscosityStepping stepping);
 std::string word(FluidField field);

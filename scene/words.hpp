@@ -26,6 +26,14 @@ const Words<KernelKind>& words_of();
 template <>
 const Words<WallModel>& words_of();
 template <>
+const Words<EquationOfState>& words_of();
+template <>
+const Words<DensityModel>& words_of();
+template <>
+const Words<ViscousLaw>& words_of();
+template <>
+const Words<ViscosityMean>& words_of();
+template <>
 const Words<SpringStepping>& words_of();
 template <>
 const Words<ViscosityStepping>& words_of();

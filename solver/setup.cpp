@@ -21,6 +21,19 @@ const Part& part_named(const Scene& scene, const std::string& name) {
     return *part;
 }
 
+/// Harmonic means are worked out only where they differ from the sum.
+bool has_unlike_viscosities(const Scene& scene) {
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    return std::any_of(fluids.begin(), fluids.end(),
+                       [&](const Part* part) { return *part->viscosity != *fluids.front()->viscosity; });
+}
+
+ViscousForce viscous_force(const Scene& scene) {
+    if (*scene.accuracy.viscous_law != ViscousLaw::morris) return ViscousForce::monaghan;
+    const bool harmonic = *scene.accuracy.viscosity_mean == ViscosityMean::harmonic;
+    return harmonic && has_unlike_viscosities(scene) ? ViscousForce::morris_harmonic : ViscousForce::morris;
+}
+
 double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
@@ -37,9 +50,13 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
     settings.kernel = scene.accuracy.kernel;
     settings.walls = scene.accuracy.walls;
+    settings.viscous_force = viscous_force(scene);
+    settings.approaching_pairs_only = *scene.accuracy.viscous_law == ViscousLaw::monaghan_approaching;
+    settings.arithmetic_viscosity = *scene.accuracy.viscosity_mean == ViscosityMean::arithmetic;
     settings.spacing = scene.particles.spacing;
     settings.support = scene.accuracy.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
+    settings.background_pressure = scene.accuracy.background_pressure;
     settings.density_diffusion = scene.accuracy.density_diffusion;
     settings.shifting = scene.accuracy.shifting;
     settings.density = largest_density(scene);
@@ -59,21 +76,21 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     return settings;
 }
 
-std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSpace& space) {
+std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSpace& space) {
     const auto fluids = scene.parts_of(PartKind::fluid);
     const double first_density = fluids.empty() ? 1 : fluids.front()->density.value;
-    std::vector<TaitEquation> equations;
+    std::vector<LiquidState> equations;
     for (const auto& part : space.parts) {
         const bool is_fluid = part.kind == ParticleKind::fluid;
-        equations.push_back(
-            {sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density});
+        equations.push_back({sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density,
+                             scene.accuracy.background_pressure, scene.accuracy.equation_of_state});
     }
     return equations;
 }
 
 std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
     std::vector<double> densities;
-    for (const TaitEquation& state : equations_of_state(scene, set)) densities.push_back(state.rest_density);
+    for (const LiquidState& state : equations_of_state(scene, set)) densities.push_back(state.rest_density);
     return densities;
 }
 
@@ -127,7 +144,15 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     const auto fluids = scene.parts_of(PartKind::fluid);
     if (!fluids.empty()) {
         const std::string fluid = "part '" + fluids.front()->name.value + "' at " + fluids.front()->name.place.text();
-        models.push_back({"Tait equation of state", "Monaghan 1994", fluid});
+        const bool tait = *scene.accuracy.equation_of_state == EquationOfState::tait;
+        models.push_back({tait ? "Tait equation of state" : "linear equation of state",
+                          tait ? "Monaghan 1994" : "Morris, Fox & Zhu 1997, eq. 8",
+                          scene.accuracy.equation_of_state.given()
+                              ? because(scene.accuracy.equation_of_state, "accuracy.equation_of_state")
+                              : fluid});
+        if (*scene.accuracy.background_pressure != 0)
+            models.push_back({"background pressure", "added to the equation of state",
+                              because(scene.accuracy.background_pressure, "accuracy.background_pressure")});
         models.push_back({"continuity", "Monaghan 1994, in volume form", fluid});
         models.push_back({"pressure force", "Bonet & Lok 1999", fluid});
         models.push_back(

@@ -24,6 +24,22 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
     }
 }
 
+template <VectorUnit unit>
+std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimension) {
+    switch (settings.kernel) {
+        case KernelKind::wendland_c4:
+            return compiled_sweeps<unit, KernelKind::wendland_c4>(settings, dimension);
+        case KernelKind::lucy:
+            return compiled_sweeps<unit, KernelKind::lucy>(settings, dimension);
+        case KernelKind::cubic_spline:
+            return compiled_sweeps<unit, KernelKind::cubic_spline>(settings, dimension);
+        case KernelKind::quintic_spline:
+            return compiled_sweeps<unit, KernelKind::quintic_spline>(settings, dimension);
+        default:
+            return compiled_sweeps<unit, KernelKind::wendland_c2>(settings, dimension);
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles) {
@@ -31,12 +47,12 @@ std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, Parti
     switch (chosen_vector_unit(settings.vector_unit)) {
 #if defined(__x86_64__)
         case VectorUnit::avx512:
-            return sweeps_for_avx512(settings, particles.dimension());
+            return sweeps_for<VectorUnit::avx512>(settings, particles.dimension());
         default:
-            return sweeps_for_avx2(settings, particles.dimension());
+            return sweeps_for<VectorUnit::avx2>(settings, particles.dimension());
 #else
         default:
-            return sweeps_for_this_processor(settings, particles.dimension());
+            return sweeps_for<VectorUnit::generic>(settings, particles.dimension());
 #endif
     }
 }

@@ -11,18 +11,28 @@
 
 namespace dmp {
 
+/// The viscous law of the force sweep. `none` leaves viscous forces to others.
+enum class ViscousForce { morris, morris_harmonic, monaghan, none };
+
 /// What the pair terms of a scene need to know, in SI.
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
     WallModel walls = WallModel::extrapolated;
-    double spacing = 0;             ///< dx [m]
-    double support = 0;             ///< support radius R [m]
-    double sound_speed = 0;         ///< c0 [m/s]
-    double density = 0;             ///< largest rest density [kg/m^3]
-    double viscosity = 0;           ///< largest dynamic viscosity [Pa s]
-    double density_diffusion = 0;   ///< delta [-]; 0: not there
-    double shifting = 0;            ///< s [-]; 0: not there
-    double repulsion_strength = 0;  ///< K [J]; 0: not there
+    ViscousForce viscous_force = ViscousForce::morris;
+    bool approaching_pairs_only = false;  ///< of Monaghan's viscosity
+    bool arithmetic_viscosity = false;    ///< of Monaghan's viscosity: the mean of two fluids' viscosities
+    bool density_by_summation = false;
+    bool gradient_correction = false;
+    bool transport_velocity = false;
+    double spacing = 0;              ///< dx [m]
+    double support = 0;              ///< support radius R [m]
+    double sound_speed = 0;          ///< c0 [m/s]
+    double density = 0;              ///< largest rest density [kg/m^3]
+    double viscosity = 0;            ///< largest dynamic viscosity [Pa s]
+    double background_pressure = 0;  ///< [Pa]
+    double density_diffusion = 0;    ///< delta [-]; 0: not there
+    double shifting = 0;             ///< s [-]; 0: not there
+    double repulsion_strength = 0;   ///< K [J]; 0: not there
     bool implicit_viscosity = false;  ///< the forces come without viscosity, which is solved for apart
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;

@@ -13,22 +13,27 @@ namespace dmp {
 template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ViscousSweep {
   public:
-    /// `velocity` of fluid particles and of spring bodies; walls move with their own velocity times `wall_motion`, which
-    /// is 1, or 0 for the part of the force that is proportional to `velocity`.
+    struct Motion {
+        OrderFree order_free;
+        Field velocity;      ///< of fluid particles and spring bodies
+        double wall_motion;  ///< times the walls' own velocity: 1, or 0 for what is proportional to `velocity`
+    };
+
     ViscousSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-                 const OrderFree& order_free, Field velocity, double wall_motion, int threads)
+                 const Viscosity& viscosity, const Motion& motion, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           solid_(solid),
-          order_free_(order_free),
-          wall_motion_(wall_motion),
+          viscosity_(viscosity),
+          order_free_(motion.order_free),
+          wall_motion_(motion.wall_motion),
           threads_(threads),
           fluid_(particles.fluid()),
           rigid_(particles.of(ParticleKind::rigid)),
           springs_(particles.of(ParticleKind::springs)),
-          fluid_velocity_(axes_of<D>(particles.fluid(), velocity)),
-          springs_velocity_(axes_of<D>(particles.of(ParticleKind::springs), velocity)) {}
+          fluid_velocity_(axes_of<D>(particles.fluid(), motion.velocity)),
+          springs_velocity_(axes_of<D>(particles.of(ParticleKind::springs), motion.velocity)) {}
 
     /// viscous_force on fluid and spring bodies; where walls move, theirs too.
     void forces(ClusterChoice choice) {
@@ -156,14 +161,15 @@ class ViscousSweep {
     [[nodiscard]] auto pair(const I& i, const J& j, const Force& separation) const {
         const L distance = sqrt(dot(separation, separation));
         const Pair law{i, j, separation, distance, 1.0};
-        return kernel_.slope(distance) * Viscosity::law(law);
+        return kernel_.slope(distance) * viscosity_.law(law);
     }
 
     ParticleStore& particles_;
     const ClusterList& list_;
     const Kernel& kernel_;
     const Solid& solid_;
-    const OrderFree& order_free_;
+    const Viscosity& viscosity_;
+    OrderFree order_free_;
     double wall_motion_;
     int threads_;
     FluidReader<L, D> fluid_;

@@ -25,7 +25,7 @@ ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
 }  // namespace
 
 FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
-                     std::vector<TaitEquation> state_of_part, const Ranks& ranks)
+                     std::vector<LiquidState> state_of_part, const Ranks& ranks)
     : particles_(particles),
       settings_(settings),
       ranks_(ranks),

@@ -38,7 +38,7 @@ struct FluidExtremes {
 class FluidStep {
   public:
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
-              std::vector<TaitEquation> state_of_part, const Ranks& ranks);
+              std::vector<LiquidState> state_of_part, const Ranks& ranks);
 
     /// From time t to t + dt.
     void advance(double t, double dt);
