@@ -71,17 +71,16 @@ void add_springs(FrameGroup& group, const SpringBodies& springs) {
     for (std::size_t k = 0; k < group.id.size(); ++k) index_of[group.id[k]] = static_cast<std::int32_t>(k);
     FrameField displacement{"displacement", "m", 3, std::vector<float>(3 * group.id.size(), 0.0F)};
     FrameField strain{"strain", "1", 1, {}}, force{"force", "N", 1, {}};
-    for (const SpringBody& body : springs.bodies()) {
-        const auto& position = body.positions();
-        for (std::size_t n = 0; n < body.ids().size(); ++n)
-            for (int axis = 0; axis < 2; ++axis)
-                displacement.values[3 * index_of.at(body.ids()[n]) + axis] =
-                    static_cast<float>(position[n][axis] - body.positions_at_rest()[n][axis]);
-        for (const Bond& bond : body.bonds()) {
-            group.bond_ends.push_back(index_of.at(body.ids()[bond.a]));
-            group.bond_ends.push_back(index_of.at(body.ids()[bond.b]));
-            const auto ends = position[bond.a] - position[bond.b];
-            const double stretch = std::sqrt(dot(ends, ends)) - bond.rest_length;
+    for (const auto& body : springs.bodies()) {
+        for (std::size_t n = 0; n < body->nodes(); ++n) {
+            const Vec way = body->place(n) - body->place_at_rest(n);
+            for (int axis = 0; axis < 3; ++axis)
+                displacement.values[3 * index_of.at(body->ids()[n]) + axis] = static_cast<float>(way[axis]);
+        }
+        for (const Bond& bond : body->bonds()) {
+            group.bond_ends.push_back(index_of.at(body->ids()[bond.a]));
+            group.bond_ends.push_back(index_of.at(body->ids()[bond.b]));
+            const double stretch = (body->place(bond.a) - body->place(bond.b)).norm() - bond.rest_length;
             strain.values.push_back(static_cast<float>(stretch / bond.rest_length));
             force.values.push_back(static_cast<float>(2 * bond.stiffness * stretch));
         }
