@@ -118,9 +118,10 @@ Conserved Simulation::State::conserved() const {
     for (ExactSum& axis : momentum) ranks.sum(axis);
     // Every rank holds all bodies.
     Conserved sum;
-    for (const SpringBody& body : fluid.springs().bodies()) {
-        mass.add(body.free_mass());
-        for (int axis = 0; axis < 2; ++axis) momentum[axis].add(body.momentum()[axis]);
+    for (const auto& body : fluid.springs().bodies()) {
+        mass.add(body->free_mass());
+        const Vec of_body = body->total_momentum();
+        for (int axis = 0; axis < 3; ++axis) momentum[axis].add(of_body[axis]);
     }
     sum.mass = mass.value();
     for (int axis = 0; axis < 3; ++axis) sum.momentum[axis] = momentum[axis].value();

@@ -5,17 +5,9 @@
 
 namespace dmp {
 
-namespace {
-
-Vector<double, 2> displacement(const SpringBody& body, std::size_t node) {
-    return body.positions()[node] - body.positions_at_rest()[node];
-}
-
-}  // namespace
-
 MeanDisplacement::MeanDisplacement(const Scene& scene, const SpringBodies& springs) : from_(scene.output.average_from) {
     if (!scene.asks_for(SolidField::mean_displacement)) return;
-    for (const SpringBody& body : springs.bodies()) moment_.emplace_back(body.ids().size(), Vector<double, 2>{});
+    for (const auto& body : springs.bodies()) moment_.emplace_back(body->nodes(), Vec::Zero());
 }
 
 void MeanDisplacement::add(const SpringBodies& springs, double time, double dt) {
@@ -24,11 +16,11 @@ void MeanDisplacement::add(const SpringBodies& springs, double time, double dt) 
     duration_ += counted;
     for (std::size_t b = 0; b < moment_.size(); ++b)
         for (std::size_t node = 0; node < moment_[b].size(); ++node)
-            moment_[b][node] += counted * displacement(springs.bodies()[b], node);
+            moment_[b][node] += counted * springs.bodies()[b]->displacement(node);
 }
 
-Vector<double, 2> MeanDisplacement::of(const SpringBodies& springs, std::size_t body, std::size_t node) const {
-    return duration_ > 0 ? (1 / duration_) * moment_[body][node] : displacement(springs.bodies()[body], node);
+Vec MeanDisplacement::of(const SpringBodies& springs, std::size_t body, std::size_t node) const {
+    return duration_ > 0 ? Vec((1 / duration_) * moment_[body][node]) : springs.bodies()[body]->displacement(node);
 }
 
 void MeanDisplacement::archive(Archive& file) {

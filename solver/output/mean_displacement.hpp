@@ -18,13 +18,13 @@ class MeanDisplacement {
     /// After the step from `time` to `time` + dt [s].
     void add(const SpringBodies& springs, double time, double dt);
     /// Of a node of a body [m].
-    [[nodiscard]] Vector<double, 2> of(const SpringBodies& springs, std::size_t body, std::size_t node) const;
+    [[nodiscard]] Vec of(const SpringBodies& springs, std::size_t body, std::size_t node) const;
     void archive(Archive& file);
 
   private:
-    double from_;                                         ///< [s]
-    double duration_ = 0;                                 ///< so far [s]
-    std::vector<std::vector<Vector<double, 2>>> moment_;  ///< SUM u dt by body and node [m s]; empty: not wanted
+    double from_;                           ///< [s]
+    double duration_ = 0;                   ///< so far [s]
+    std::vector<std::vector<Vec>> moment_;  ///< SUM u dt by body and node [m s]; empty: not wanted
 };
 
 }  // namespace dmp

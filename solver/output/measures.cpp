@@ -225,15 +225,14 @@ double Measures::kinetic_energy(const ParticleGroup& fluid) const {
 
 double Measures::gap(const Measure& measure, const SpringBodies& springs) const {
     std::vector<const SpringBody*> bodies;
-    for (const SpringBody& body : springs.bodies())
-        if (body.part() == measure.part.value) bodies.push_back(&body);
+    for (const auto& body : springs.bodies())
+        if (body->part() == measure.part.value) bodies.push_back(body.get());
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = a + 1; b < bodies.size(); ++b)
-            for (const auto& here : bodies[a]->positions())
-                for (const auto& there : bodies[b]->positions())
-                    smallest =
-                        std::min(smallest, nearest(Vec(here[0] - there[0], here[1] - there[1], 0)).squaredNorm());
+            for (std::size_t i = 0; i < bodies[a]->nodes(); ++i)
+                for (std::size_t j = 0; j < bodies[b]->nodes(); ++j)
+                    smallest = std::min(smallest, nearest(bodies[a]->place(i) - bodies[b]->place(j)).squaredNorm());
     return std::sqrt(smallest);
 }
 

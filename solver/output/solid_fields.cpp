@@ -19,10 +19,10 @@ class SolidFields {
     }
 
     void add_bonds() {
-        for (const SpringBody& body : springs_.bodies())
-            for (const Bond& bond : body.bonds())
+        for (const auto& body : springs_.bodies())
+            for (const Bond& bond : body->bonds())
                 for (const int end : {bond.a, bond.b})
-                    group_.bond_ends.push_back(static_cast<std::int32_t>(index_of_.at(body.ids()[end])));
+                    group_.bond_ends.push_back(static_cast<std::int32_t>(index_of_.at(body->ids()[end])));
     }
 
     void add(SolidField field) {
@@ -31,12 +31,11 @@ class SolidFields {
                 return;  // the store knows it
             case SolidField::displacement:
                 return add_nodes("displacement", "m", 3, [&](std::size_t body, std::size_t node) {
-                    const SpringBody& of = springs_.bodies()[body];
-                    return vector(of.positions()[node] - of.positions_at_rest()[node]);
+                    return springs_.bodies()[body]->displacement(node);
                 });
             case SolidField::mean_displacement:
                 return add_nodes("mean_displacement", "m", 3, [&](std::size_t body, std::size_t node) {
-                    return vector(mean_displacement_.of(springs_, body, node));
+                    return mean_displacement_.of(springs_, body, node);
                 });
             case SolidField::stress:
                 return add_nodes("stress", "Pa", 6,
@@ -55,14 +54,12 @@ class SolidFields {
     }
 
   private:
-    static std::array<double, 3> vector(const Vector<double, 2>& v) { return {v[0], v[1], 0}; }
-
     std::array<double, 6> stress(std::size_t body, std::size_t node) {
         if (virial_.empty())
-            for (const SpringBody& each : springs_.bodies()) virial_.push_back(each.virial());
-        const auto& [xx, yy, xy] = virial_[body][node];
-        const double per_volume = -1 / volume_[index_of_.at(springs_.bodies()[body].ids()[node])];
-        return {per_volume * xx, per_volume * yy, 0, per_volume * xy, 0, 0};
+            for (const auto& each : springs_.bodies()) virial_.push_back(each->virial());
+        std::array<double, 6> stress = virial_[body][node];
+        for (double& component : stress) component /= -volume_[index_of_.at(springs_.bodies()[body]->ids()[node])];
+        return stress;
     }
 
     template <class ValuesOf>
@@ -71,7 +68,7 @@ class SolidFields {
         const auto width = static_cast<std::size_t>(components);
         out.values.resize(width * group_.id.size());
         for (std::size_t body = 0; body < springs_.bodies().size(); ++body) {
-            const auto& ids = springs_.bodies()[body].ids();
+            const auto& ids = springs_.bodies()[body]->ids();
             for (std::size_t node = 0; node < ids.size(); ++node) {
                 const auto values = values_of(body, node);
                 for (std::size_t c = 0; c < width; ++c)
@@ -84,11 +81,9 @@ class SolidFields {
     template <class ValueOf>
     void add_bond_field(const char* name, const char* unit, const ValueOf& value_of) {
         FrameField out{name, unit, 1, {}};
-        for (const SpringBody& body : springs_.bodies())
-            for (const Bond& bond : body.bonds()) {
-                const auto ends = body.positions()[bond.a] - body.positions()[bond.b];
-                out.values.push_back(static_cast<float>(value_of(bond, std::sqrt(dot(ends, ends)) - bond.rest_length)));
-            }
+        for (const auto& body : springs_.bodies())
+            for (const Bond& bond : body->bonds())
+                out.values.push_back(static_cast<float>(value_of(bond, body->stretch(bond))));
         group_.bond_fields.push_back(std::move(out));
     }
 
@@ -97,7 +92,7 @@ class SolidFields {
     const SpringBodies& springs_;
     const MeanDisplacement& mean_displacement_;
     std::unordered_map<std::int64_t, std::size_t> index_of_;
-    std::vector<std::vector<std::array<double, 3>>> virial_;  ///< by body and node, when it was needed
+    std::vector<std::vector<std::array<double, 6>>> virial_;  ///< by body and node, when it was needed
 };
 
 }  // namespace

@@ -58,6 +58,7 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.wall_distance);
     ranks.broadcast(particles.bonds);
     ranks.broadcast(particles.hinges);
+    ranks.broadcast(particles.dihedrals);
 }
 
 }  // namespace dmp

@@ -87,7 +87,7 @@ void FluidStep::add_viscous_forces(double t, double dt) {
 void FluidStep::advance_springs(double dt) {
     if (springs_.empty()) return;
     const auto given = springs_.advance(particles_, dt, settings_.threads);
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         impulses_.of_fixed[axis] += given.of_anchors[axis];
         impulses_.of_drag[axis] += given.of_drag[axis];
     }

@@ -5,33 +5,32 @@ namespace dmp {
 
 namespace {
 
-/// Adds `share` of the symmetric part of F (x) r.
-void add_product(std::array<double, 3>& virial, double share, const Vector<double, 2>& force,
-                 const Vector<double, 2>& reach) {
-    virial[0] += share * force[0] * reach[0];
-    virial[1] += share * force[1] * reach[1];
-    virial[2] += share * 0.5 * (force[0] * reach[1] + force[1] * reach[0]);
+/// Adds the symmetric part of share F (x) r.
+void add_product(std::array<double, 6>& virial, double share, const Vec& force, const Vec& reach) {
+    const auto part = [&](int i, int j) { return share * 0.5 * (force[i] * reach[j] + force[j] * reach[i]); };
+    for (int axis = 0; axis < 3; ++axis) {
+        virial[axis] += part(axis, axis);
+        virial[3 + axis] += axis < 2 ? part(axis, axis + 1) : part(0, 2);
+    }
 }
 
 }  // namespace
 
-std::vector<std::array<double, 3>> SpringBody::virial() const {
-    std::vector<std::array<double, 3>> virial(ids_.size());
-    const Vector<double, 2> at_rest{};
-    for (const LocalBond& bond : bonds_) {
-        const auto reach = position_[bond.a] - position_[bond.b];
-        const auto force = bond.force.law(reach, at_rest);
-        for (const int node : {bond.a, bond.b}) add_product(virial[node], 0.5, force, reach);
-    }
-    for (const LocalHinge& hinge : hinges_) {
-        const auto a = position_[hinge.a] - position_[hinge.centre], b = position_[hinge.b] - position_[hinge.centre];
-        const auto force = hinge.force.law({a, at_rest}, {b, at_rest});
-        for (const int node : {hinge.a, hinge.centre, hinge.b}) {
-            add_product(virial[node], 1.0 / 3, force.on_a, a);
-            add_product(virial[node], 1.0 / 3, force.on_b, b);
-        }
-    }
+template <int D>
+std::vector<std::array<double, 6>> SpringNetwork<D>::virial() const {
+    std::vector<std::array<double, 6>> virial(ids_.size());
+    for_each_spring([&](const auto& spring) {
+        const auto arms = spring.arms(position_);
+        const auto [value, gradient] = spring.law.deviation(arms);
+        const double tension = 2 * spring.law.stiffness * value, share = 1.0 / static_cast<double>(spring.node.size());
+        for (const int node : spring.node)
+            for (std::size_t k = 0; k < arms.size(); ++k)
+                add_product(virial[node], -tension * share, in_space(gradient[k]), in_space(arms[k]));
+    });
     return virial;
 }
+
+template class SpringNetwork<2>;
+template class SpringNetwork<3>;
 
 }  // namespace dmp
