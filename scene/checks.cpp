@@ -106,7 +106,7 @@ void need_plane_point(const Value<Vec>& point) {
                      "leave it out, or write 0");
 }
 
-void check_region(const Scene& scene, const Region& region) {
+void check_region(const Scene& scene, const ResidenceRegion& region) {
     for (const auto* point : {&region.from, &region.to}) {
         if (scene.dimension == 2) need_plane_point(*point);
     }

@@ -9,6 +9,13 @@
 namespace dmp {
 
 template <>
+const Words<Quality>& words_of() {
+    static const Words<Quality> words = {
+        {Quality::draft, "draft"}, {Quality::standard, "standard"}, {Quality::fine, "fine"}};
+    return words;
+}
+
+template <>
 const Words<PartKind>& words_of() {
     static const Words<PartKind> words = {
         {PartKind::fluid, "fluid"}, {PartKind::rigid, "rigid"}, {PartKind::springs, "springs"}};
@@ -124,6 +131,7 @@ std::string find_word(Enumeration value) {
 
 }  // namespace
 
+std::string word(Quality quality) { return find_word(quality); }
 std::string word(PartKind kind) { return find_word(kind); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(WallModel walls) { return find_word(walls); }

@@ -29,6 +29,8 @@ struct Value {
     [[nodiscard]] bool given() const { return place.known(); }
 };
 
+/// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
+enum class Quality { draft, standard, fine };
 enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
@@ -83,7 +85,7 @@ struct Measure {
 };
 
 /// [[region]]: a box along the axes, whose residence time is followed.
-struct Region {
+struct ResidenceRegion {
     Value<std::string> name;
     Value<Vec> from{Vec::Zero()};  ///< one corner [m]
     Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
@@ -97,6 +99,7 @@ struct Scene {
     Value<int> schema = 1;  ///< version of the scene's keys
     Value<std::string> title;
     Value<int> dimension = 2;
+    Value<Quality> quality = Quality::standard;
 
     struct {
         Value<std::string> file;   ///< the drawing, absolute or relative to `directory`
@@ -131,7 +134,8 @@ struct Scene {
     struct {
         Value<KernelKind> kernel = KernelKind::wendland_c2;
         Value<double> support = 3.0;      ///< support radius [spacings]
-        Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
+        Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": flow.largest_speed / mach_number
+        Value<double> mach_number = 0.1;  ///< largest speed over sound speed, where that is "auto" [-]
         Value<WallModel> walls = WallModel::extrapolated;
         Value<EquationOfState> equation_of_state = EquationOfState::tait;
         Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
@@ -166,7 +170,7 @@ struct Scene {
         Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 
-    std::vector<Region> regions;
+    std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
     /// Whether any of a part's formulas is not 0.
@@ -179,6 +183,7 @@ struct Scene {
 };
 
 /// The word a scene uses for it: "fluid", "wendland_c2", ...
+std::string word(Quality quality);
 std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
 std::string word(WallModel walls);

@@ -26,6 +26,8 @@ std::vector<Key<Scene>> top_keys() {
         {"title", &Scene::title, text(), not_given, "What the scene shows; stands on the report and the pictures."},
         {"dimension", &Scene::dimension, integer(Range{2, 3, false, {}}), "2",
          "Dimensions of space; a 2-D scene is 1 m deep."},
+        {"quality", &Scene::quality, word_of<Quality>(), "standard",
+         "Sets what trades accuracy for speed together, where the scene does not give it (docs/accuracy.md)."},
     };
 }
 
@@ -61,7 +63,7 @@ std::vector<Key<Part>> part_keys() {
         {"enabled", all, &Part::enabled, boolean(), "true", "false leaves the part out; its name stays known."},
         {"density", fluid, &Part::density, quantity("1000 kg/m^3", positive), required, "Density at rest."},
         {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
-        {"layers", rigid, &Part::layers, integer(at_least(1)), "3",
+        {"layers", rigid, &Part::layers, integer(at_least(1)), ByQuality{"3", "3", "4"},
          "Rows of wall particles; the wall must be as thick as the kernel's support."},
         {"surface_velocity", rigid, &Part::surface_velocity, formulas("1 m/s"), "[0, 0]",
          "How fast the wall's surface slides in itself, as a lid or a belt does, by formulas of t, x, y."},
@@ -110,10 +112,14 @@ std::vector<Key<Contact>> contact_keys() {
 
 std::vector<Key<Accuracy>> accuracy_keys() {
     return {
-        {"kernel", &Accuracy::kernel, word_of<KernelKind>(), "wendland_c2", "Smoothing kernel."},
-        {"support", &Accuracy::support, number(between(2, 6)), "3.0", "Radius of the kernel's support in spacings."},
+        {"kernel", &Accuracy::kernel, word_of<KernelKind>(), ByQuality{"lucy", "wendland_c2", "wendland_c2"},
+         "Smoothing kernel."},
+        {"support", &Accuracy::support, number(between(2, 6)), ByQuality{"3.0", "3.0", "4.0"},
+         "Radius of the kernel's support in spacings."},
         {"sound_speed", &Accuracy::sound_speed, quantity_or_auto("2 m/s"), "auto",
-         "Speed of sound of the fluid; \"auto\" is 10 times flow.largest_speed."},
+         "Speed of sound of the fluid; \"auto\" is flow.largest_speed over accuracy.mach_number."},
+        {"mach_number", &Accuracy::mach_number, number(Range{0.01, 0.3, false, {}}), "0.1",
+         "Largest speed over the speed of sound where that is \"auto\"; density varies by about its square."},
         {"walls", &Accuracy::walls, word_of<WallModel>(), "extrapolated",
          "What wall particles carry: pressure and velocity extrapolated from the fluid, or plain resting fluid."},
         {"equation_of_state", &Accuracy::equation_of_state, word_of<EquationOfState>(), "tait",
@@ -126,9 +132,9 @@ std::vector<Key<Accuracy>> accuracy_keys() {
          "Mean of two viscosities where fluids of unlike viscosity meet."},
         {"density_diffusion", &Accuracy::density_diffusion, number(between(0, 1)), "0.1",
          "Strength delta of the density diffusion; 0 switches it off."},
-        {"shifting", &Accuracy::shifting, number(not_negative), "4.0",
+        {"shifting", &Accuracy::shifting, number(not_negative), ByQuality{"2.0", "4.0", "4.0"},
          "Strength of the particle shifting; 0 switches it off."},
-        {"step_factor", &Accuracy::step_factor, number(fraction), "0.3",
+        {"step_factor", &Accuracy::step_factor, number(fraction), ByQuality{"0.5", "0.3", "0.3"},
          "Fluid step: speed of sound * step / support radius."},
         {"viscosity_stepping", &Accuracy::viscosity_stepping, word_of<ViscosityStepping>(), "explicit",
          "Viscous forces of velocities as they were, which limits the step, or as they will be, solved for in each step."},
@@ -165,11 +171,11 @@ std::vector<Key<Output>> output_keys() {
     };
 }
 
-std::vector<Key<Region>> region_keys() {
+std::vector<Key<ResidenceRegion>> region_keys() {
     return {
-        {"name", &Region::name, name(), required, "What the region is called; residence_time is of fluid in it."},
-        {"from", &Region::from, point(), required, "One corner of a box along the axes."},
-        {"to", &Region::to, point(), required, "The opposite corner."},
+        {"name", &ResidenceRegion::name, name(), required, "What the region is called; residence_time is of fluid in it."},
+        {"from", &ResidenceRegion::from, point(), required, "One corner of a box along the axes."},
+        {"to", &ResidenceRegion::to, point(), required, "The opposite corner."},
     };
 }
 

@@ -14,13 +14,24 @@
 
 namespace dmp {
 
+/// A default that differs between the levels of quality, each written as on the command line.
+struct ByQuality {
+    const char *draft, *standard, *fine;
+};
+
 /// What stands in for a key that is not given: nothing may (required), nothing need (not_given), or a value, written
 /// as on the command line (texts without their quotes).
 struct Default {
     enum class Presence { required, not_given, value };
     Presence presence = Presence::value;
-    std::string value;
+    std::string value;        ///< of the standard quality, and of all where they do not differ
+    std::string draft, fine;  ///< empty where they do not differ
 
+    [[nodiscard]] bool depends_on_quality() const { return !draft.empty(); }
+    [[nodiscard]] const std::string& at(Quality quality) const;
+
+    Default(const ByQuality& levels)  // NOLINT(google-explicit-constructor): rows read plainly
+        : value(levels.standard), draft(levels.draft), fine(levels.fine) {}
     Default(Presence how) : presence(how) {}    // NOLINT(google-explicit-constructor): rows read plainly
     Default(const char* text) : value(text) {}  // NOLINT(google-explicit-constructor)
 };
@@ -106,7 +117,7 @@ struct Key {
 struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Part>> part;
-    std::vector<Key<Region>> region;
+    std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
 
     /// A key that differs between kinds appears once for each.

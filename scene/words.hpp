@@ -18,6 +18,8 @@ template <class Enumeration>
 const Words<Enumeration>& words_of();
 
 template <>
+const Words<Quality>& words_of();
+template <>
 const Words<PartKind>& words_of();
 template <>
 const Words<Arrangement>& words_of();

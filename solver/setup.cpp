@@ -5,6 +5,7 @@
 
 #include <omp.h>
 
+#include "scene/read_scene.hpp"
 #include "solver/models/contact/repulsion.hpp"
 #include "solver/starting_state.hpp"
 
@@ -43,7 +44,8 @@ double largest_density(const Scene& scene) {
 }  // namespace
 
 double sound_speed(const Scene& scene) {
-    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value : 10 * scene.flow.largest_speed;
+    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value
+                                          : scene.flow.largest_speed / scene.accuracy.mach_number;
 }
 
 PairSettings pair_settings(const Scene& scene, const Resources& resources) {
@@ -137,8 +139,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
 }
 
 std::vector<ModelUse> models_in_use(const Scene& scene) {
-    const auto because = [](const auto& value, const std::string& key) {
-        return value.given() ? key + " at " + value.place.text() : key + " (default)";
+    const auto because = [&](const auto& value, const std::string& key) {
+        return value.given() ? key + " at " + value.place.text() : key + " (" + default_origin(scene, key) + ")";
     };
     std::vector<ModelUse> models;
     const auto fluids = scene.parts_of(PartKind::fluid);
@@ -196,6 +198,13 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     if (scene.contact.range > 0 && has_solids)
         models.push_back(
             {"short-range repulsion", "Monaghan 1994, cut at r*", because(scene.contact.range, "contact.range")});
+    if (scene.asks_for(FluidField::residence_time) && !scene.regions.empty())
+        models.push_back({"residence times", "time in each region",
+                          "'residence_time' asked for, region '" + *scene.regions.front().name + "' at " +
+                              scene.regions.front().name.place.text()});
+    if (scene.asks_for(SolidField::mean_displacement) && !scene.parts_of(PartKind::springs).empty())
+        models.push_back(
+            {"mean displacement", "average over time", because(scene.output.average_from, "output.average_from")});
     return models;
 }
 

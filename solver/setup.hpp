@@ -9,7 +9,8 @@
 
 namespace dmp {
 
-/// c0: the scene's, or ten times the largest speed it expects, which keeps density within about 1 % [m/s].
+/// c0: the scene's, or the largest speed it expects over accuracy.mach_number: 0.1 keeps density within about 1 %
+/// [m/s].
 double sound_speed(const Scene& scene);
 
 /// What the pair terms need; "auto" values decided.

@@ -238,12 +238,23 @@ Plan Simulation::plan() const {
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     plan.models = models_in_use(s.scene);
+    plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {
         if (group.empty()) continue;
         for (const Field field : group.declared()) {
             const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
             plan.fields.push_back(word(static_cast<PartKind>(group.kind())) + std::string(": ") +
                                   std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+            const std::string_view owner = info(field).needed_by;
+            const auto model = std::ranges::find_if(plan.models, [&](const ModelUse& use) {
+                return !owner.empty() && use.model.find(owner) != std::string::npos;
+            });
+            if (model == plan.models.end()) {
+                plan.common_fields.push_back(plan.fields.back());
+            } else {
+                model->fields.push_back(plan.fields.back());
+                model->bytes += bytes;
+            }
         }
     }
     return plan;

@@ -15,6 +15,7 @@
 #include "solver/frame.hpp"
 #include "solver/resources.hpp"
 #include "solver/state/checkpoints.hpp"
+#include "solver/warnings.hpp"
 
 namespace dmp {
 
@@ -27,9 +28,11 @@ struct StepLimit {
 
 /// A model the scene makes run, and why.
 struct ModelUse {
-    std::string model;   ///< "Tait equation of state", "Morris viscosity", ...
-    std::string source;  ///< equation and paper
-    std::string reason;  ///< the scene's line that asks for it, or "default"
+    std::string model;                  ///< "Tait equation of state", "Morris viscosity", ...
+    std::string source;                 ///< equation and paper
+    std::string reason;                 ///< the scene's line that asks for it, or "default"
+    std::vector<std::string> fields{};  ///< per-particle arrays that are there for it
+    std::size_t bytes = 0;              ///< of them, for one particle of each kind that has them
 };
 
 /// What a run will be, before it runs.
@@ -44,7 +47,9 @@ struct Plan {
     std::vector<StepLimit> limits;  ///< of the fluid step and the spring step
     std::string ruling_limit;       ///< which of them sets the fluid step
     std::vector<ModelUse> models;
-    std::vector<std::string> fields;  ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> fields;         ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> common_fields;  ///< those of them that no model alone asked for
+    std::vector<Warning> warnings;
 };
 
 /// Momentum and mass, and what came and went.

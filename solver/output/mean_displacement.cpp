@@ -7,7 +7,7 @@ namespace dmp {
 
 MeanDisplacement::MeanDisplacement(const Scene& scene, const SpringBodies& springs) : from_(scene.output.average_from) {
     if (!scene.asks_for(SolidField::mean_displacement)) return;
-    for (const auto& body : springs.bodies()) moment_.emplace_back(body->nodes(), Vec::Zero());
+    for (const auto& body : springs.bodies()) moment_.emplace_back(body->nodes());
 }
 
 void MeanDisplacement::add(const SpringBodies& springs, double time, double dt) {
@@ -16,11 +16,14 @@ void MeanDisplacement::add(const SpringBodies& springs, double time, double dt) 
     duration_ += counted;
     for (std::size_t b = 0; b < moment_.size(); ++b)
         for (std::size_t node = 0; node < moment_[b].size(); ++node)
-            moment_[b][node] += counted * springs.bodies()[b]->displacement(node);
+            for (int axis = 0; axis < 3; ++axis)
+                moment_[b][node][axis] += counted * springs.bodies()[b]->displacement(node)[axis];
 }
 
 Vec MeanDisplacement::of(const SpringBodies& springs, std::size_t body, std::size_t node) const {
-    return duration_ > 0 ? Vec((1 / duration_) * moment_[body][node]) : springs.bodies()[body]->displacement(node);
+    if (duration_ == 0) return springs.bodies()[body]->displacement(node);
+    const auto& sum = moment_[body][node];
+    return (1 / duration_) * Vec(sum[0], sum[1], sum[2]);
 }
 
 void MeanDisplacement::archive(Archive& file) {

@@ -24,7 +24,7 @@ class MeanDisplacement {
   private:
     double from_;                           ///< [s]
     double duration_ = 0;                   ///< so far [s]
-    std::vector<std::vector<Vec>> moment_;  ///< SUM u dt by body and node [m s]; empty: not wanted
+    std::vector<std::vector<Vector<double, 3>>> moment_;  ///< SUM u dt by body and node [m s]; empty: not wanted
 };
 
 }  // namespace dmp

@@ -52,7 +52,7 @@ std::vector<std::string> column_endings(const Scene& scene, FluidField field, in
         for (const std::size_t c : probed_components(6, dimension))
             endings.push_back("_" + std::string(tensor_components[c]));
     if (field == FluidField::residence_time && scene.regions.size() > 1)
-        for (const Region& region : scene.regions) endings.push_back("_" + *region.name);
+        for (const ResidenceRegion& region : scene.regions) endings.push_back("_" + *region.name);
     if (endings.empty()) endings.emplace_back();
     return endings;
 }

@@ -7,7 +7,7 @@ namespace dmp {
 
 ResidenceTimes::ResidenceTimes(const Scene& scene, ParticleStore& particles) {
     if (!scene.asks_for(FluidField::residence_time)) return;
-    for (const Region& region : scene.regions)
+    for (const ResidenceRegion& region : scene.regions)
         regions_.push_back({region.from->cwiseMin(*region.to), region.from->cwiseMax(*region.to)});
     if (!regions_.empty()) particles.fluid().declare(Field::residence_time, static_cast<int>(regions_.size()));
 }

@@ -44,6 +44,8 @@ struct FieldInfo {
     /// True: a particle takes its value along when it is sorted, sent to another rank or saved. False: it is worked out
     /// anew before it is used.
     bool is_state;
+    /// The model it is there for, or a part of its name (ModelUse::model); empty: more than one needs it.
+    std::string_view needed_by{};
 };
 
 /// By Field, in its order.
@@ -51,26 +53,26 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"position", "m", true, true},
     {"velocity", "m/s", true, true},
     {"density", "kg/m^3", false, true},
-    {"density_rate", "kg/m^3/s", false, true},
+    {"density_rate", "kg/m^3/s", false, true, "continuity"},
     {"mass", "kg", false, true},
-    {"viscosity", "Pa*s", false, true},
-    {"wall_normal", "1", true, true},
-    {"wall_distance", "m", false, true},
-    {"contact_range", "m", false, true},
-    {"wall_contact_range", "m", false, true},
+    {"viscosity", "Pa*s", false, true, "viscous force"},
+    {"wall_normal", "1", true, true, "walls"},
+    {"wall_distance", "m", false, true, "walls"},
+    {"contact_range", "m", false, true, "short-range repulsion"},
+    {"wall_contact_range", "m", false, true, "short-range repulsion"},
     {"volume", "m^3", false, true},
-    {"residence_time", "s", false, true},
-    {"pressure", "Pa", false, false},
+    {"residence_time", "s", false, true, "residence times"},
+    {"pressure", "Pa", false, false, "equation of state"},
     {"force", "N", true, false},
-    {"shift", "1/m", true, false},
-    {"correction", "1", true, false},
-    {"correction_off_diagonal", "1", true, false},
-    {"transport_velocity", "m/s", true, true},
-    {"viscous_force", "N", true, false},
-    {"viscous_velocity", "m/s", true, false},
-    {"viscous_residual", "N", true, false},
-    {"viscous_direction", "m/s", true, false},
-    {"viscous_diagonal", "kg/s", true, false},
+    {"shift", "1/m", true, false, "shifting"},
+    {"correction", "1", true, false, "gradient correction"},
+    {"correction_off_diagonal", "1", true, false, "gradient correction"},
+    {"transport_velocity", "m/s", true, true, "transport velocity"},
+    {"viscous_force", "N", true, false, "implicit viscosity"},
+    {"viscous_velocity", "m/s", true, false, "implicit viscosity"},
+    {"viscous_residual", "N", true, false, "implicit viscosity"},
+    {"viscous_direction", "m/s", true, false, "implicit viscosity"},
+    {"viscous_diagonal", "kg/s", true, false, "implicit viscosity"},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }
