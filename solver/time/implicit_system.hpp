@@ -44,7 +44,7 @@ class SpringNetwork<D>::ImplicitSystem {
     void add(const LocalSpring<Law>& spring, const Slope& slope, double weight);
     [[nodiscard]] double& entry(int row, int column);
     template <class Map>
-    void change(std::span<Vector<double, 2>> values, double scale, const Map& map) const;
+    void change(std::span<Vec> values, double scale, const Map& map) const;
 
     std::vector<int> unknown_;  ///< node -> its first unknown, -1 when fixed
     Matrix matrix_;             ///< lower triangle
