@@ -5,7 +5,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/errors.hpp"
 #include "solver/time/viscous_system.hpp"
 
 namespace dmp {
@@ -51,9 +50,9 @@ void ImplicitViscosity::give_up(double error, long iterations) const {
     std::ostringstream problem;
     problem << "implicit viscosity: the velocities' error is still " << error << " of them after " << iterations
             << " iterations, more than accuracy.viscosity_tolerance = " << tolerance_;
-    throw DivergenceError(problem.str(),
-                          "raise accuracy.viscosity_tolerance (rounding leaves about 1e-13), or lower "
-                          "accuracy.step_factor if the fluid is diverging");
+    throw UnsolvedViscosity(problem.str(),
+                            "raise accuracy.viscosity_tolerance (rounding leaves about 1e-13), or lower "
+                            "accuracy.step_factor if the fluid is diverging");
 }
 
 void ImplicitViscosity::archive(Archive& file) {
