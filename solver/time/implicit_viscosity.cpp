@@ -11,13 +11,15 @@ namespace dmp {
 
 namespace {
 
-/// A solve begins again from its true residual at most this often.
-constexpr int most_cycles = 6;
+/// A solve begins again from its true residual, as springs are not linear and residuals drift, at most this often; and
+/// after the first few times only while that halves the error.
+constexpr int most_cycles = 30, cycles_to_settle = 3;
 
 /// Iterations after which conjugate gradients should long have converged: the number for a matrix of condition kappa,
 /// sqrt(kappa) / 2 ln(2 sqrt(kappa) / tolerance), twice, and some for small systems.
 long patience(double kappa, double tolerance) {
-    return 100 + static_cast<long>(std::sqrt(kappa) * std::log(2 * std::sqrt(kappa) / tolerance));
+    const double root = std::sqrt(std::min(kappa, 1e15));
+    return 100 + static_cast<long>(root * std::log(2 * root / tolerance));
 }
 
 }  // namespace
@@ -32,10 +34,12 @@ void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& 
     long iterations = 0;
     double error = 0;
     for (int cycle = 0;; ++cycle) {
+        const double before = error;
         error = system.true_error();
         const double scale = system.velocity_scale();
         if (error <= tolerance_ * scale) break;
-        if (cycle == most_cycles || !std::isfinite(error)) give_up(error / scale, iterations);
+        const bool stuck = cycle > cycles_to_settle && error > 0.5 * before;
+        if (stuck || cycle == most_cycles || !std::isfinite(error)) give_up(error / scale, iterations);
         // From rest there is no scale yet.
         const double target = scale > 0 ? 0.5 * tolerance_ * scale : 0.01 * error;
         iterations += conjugate_gradients(system, target, most).iterations;

@@ -76,7 +76,7 @@ struct Ratio {
     double step_over_limit;  ///< dt over the explicit limit, about
 };
 
-class AnyStep : public testing::TestWithParam<Ratio> {};
+class AnyStep : public ::testing::TestWithParam<Ratio> {};
 
 TEST_P(AnyStep, poiseuille_flow_becomes_the_parabola) {
     const SceneAndParticles made = poiseuille(GetParam().reynolds, 1.5);
@@ -90,7 +90,7 @@ TEST_P(AnyStep, poiseuille_flow_becomes_the_parabola) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Steps, AnyStep,
-                         testing::Values(Ratio{5.1, 1}, Ratio{0.51, 10}, Ratio{0.051, 100}, Ratio{9.1e-4, 1e3},
+                         ::testing::Values(Ratio{5.1, 1}, Ratio{0.51, 10}, Ratio{0.051, 100}, Ratio{9.1e-4, 1e3},
                                          Ratio{9.1e-6, 1e4}, Ratio{9.1e-8, 1e5}));
 
 TEST(ImplicitViscosity, is_explicit_viscosity_to_first_order_in_the_step) {
@@ -179,7 +179,7 @@ TEST(ImplicitViscosity, goes_on_from_a_checkpoint_as_if_it_had_not_stopped) {
     SceneAndParticles made = mucus_over_water(20, 0.2);
     made.scene.output.every = made.scene.run.duration / 3;
     const Outcome whole = run(made);
-    const TemporaryFolder folder;
+    const testing::TemporaryFolder folder;
     StopsAtSecondFrame sink;
     RunOptions options;
     options.sink = &sink;
@@ -202,8 +202,8 @@ TEST(ImplicitViscosity, says_when_it_finds_no_solution) {
         run(made);
         FAIL() << "a residual below rounding";
     } catch (const DivergenceError& error) {
-        EXPECT_THAT(error.problem(), testing::HasSubstr("implicit viscosity: the velocities' error is still "));
-        EXPECT_THAT(error.what_to_do(), testing::HasSubstr("raise accuracy.viscosity_tolerance"));
+        EXPECT_THAT(error.problem(), ::testing::HasSubstr("implicit viscosity: the velocities' error is still "));
+        EXPECT_THAT(error.what_to_do(), ::testing::HasSubstr("raise accuracy.viscosity_tolerance"));
     }
 }
 
@@ -215,7 +215,7 @@ TEST(ImplicitViscosity, takes_its_limit_out_of_the_step_and_says_so) {
     EXPECT_EQ(explicit_plan.ruling_limit, "viscosity");
     EXPECT_EQ(implicit_plan.ruling_limit, "body force");
     EXPECT_EQ(limit(implicit_plan, "viscosity"), explicit_plan.dt);
-    EXPECT_THAT(implicit_plan.limits.back().formula, testing::EndsWith("; not binding, stepped implicitly"));
+    EXPECT_THAT(implicit_plan.limits.back().formula, ::testing::EndsWith("; not binding, stepped implicitly"));
     EXPECT_LT(explicit_plan.bytes_per_particle, implicit_plan.bytes_per_particle);
     for (const std::string& field : explicit_plan.fields) EXPECT_EQ(field.find("viscous"), std::string::npos) << field;
 }
