@@ -199,19 +199,20 @@ TEST_P(ViscousSweepOf, bits_do_not_depend_on_the_arrangement) {
     for (const VectorUnit unit : available_vector_units()) EXPECT_EQ(forces_in({.vector_unit = unit}), first);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Variants, ViscousSweepOf,
-    testing::Combine(testing::Values(2, 3),
-                     testing::Values(ViscousForce::morris, ViscousForce::morris_harmonic, ViscousForce::monaghan),
-                     testing::Values(WallModel::extrapolated, WallModel::plain)),
-    [](const auto& info) {
-        const auto [dimension, force, walls] = info.param;
-        return std::to_string(dimension) + "d_" +
-               (force == ViscousForce::morris            ? "morris"
-                : force == ViscousForce::morris_harmonic ? "harmonic"
-                                                         : "monaghan") +
-               (walls == WallModel::plain ? "_plain" : "_extrapolated");
-    });
+std::string name_of(const testing::TestParamInfo<Variant>& variant) {
+    const auto [dimension, force, walls] = variant.param;
+    const std::string law = force == ViscousForce::morris            ? "morris"
+                            : force == ViscousForce::morris_harmonic ? "harmonic"
+                                                                     : "monaghan";
+    return std::to_string(dimension) + "d_" + law + (walls == WallModel::plain ? "_plain" : "_extrapolated");
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweepOf,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(ViscousForce::morris, ViscousForce::morris_harmonic,
+                                                          ViscousForce::monaghan),
+                                          testing::Values(WallModel::extrapolated, WallModel::plain)),
+                         name_of);
 
 }  // namespace
 }  // namespace dmp
