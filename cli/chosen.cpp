@@ -63,6 +63,11 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
                                       origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
                                       *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));
+    if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly)
+        list.add("viscosity", fmt::format("implicit ({}), solved to {:.3g} ({})",
+                                          origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
+                                          *accuracy.viscosity_tolerance,
+                                          origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
     list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
                                         origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,

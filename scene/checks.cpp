@@ -53,6 +53,22 @@ void need_largest_speed(const Scene& scene, const TomlNode& document) {
                      "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
 }
 
+/// Implicit viscosity is one linear, symmetric system of the fluid and the springs in it.
+void need_what_implicit_viscosity_solves(const Scene& scene) {
+    const auto& accuracy = scene.accuracy;
+    if (*accuracy.viscosity_stepping != ViscosityStepping::implicitly) return;
+    if (*accuracy.viscous_law == ViscousLaw::monaghan_approaching)
+        throw InputError(first_known(scene, {&accuracy.viscous_law.place}),
+                         "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
+                         "accuracy.viscous_law = \"monaghan_approaching\" is none",
+                         "write viscous_law = \"monaghan\" or \"morris\"");
+    if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
+        throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
+                         "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+                         "accuracy.spring_stepping = \"subcycled\" moves apart from it",
+                         "write spring_stepping = \"implicit\"");
+}
+
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
@@ -173,6 +189,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
     need_largest_speed(scene, document);
+    need_what_implicit_viscosity_solves(scene);
     need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);

@@ -72,7 +72,8 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
                                                                  : 0.002 * settings.density * settings.sound_speed *
                                                                        settings.sound_speed * range * range;
     }
-    settings.implicit_viscosity = *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly;
+    settings.implicit_viscosity =
+        *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
     return settings;

@@ -279,9 +279,10 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     } catch (const DivergenceError& error) {
         time += dt;
         ++step;
-        // The fluid may have gone first; if not, the springs are to blame.
+        // The fluid may have gone first; if not, the springs are to blame, or viscosity speaks for itself.
         stop_if_diverged(options.sink, fluid.extremes());
-        stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
+        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr)
+            stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
     time = target - time <= 1.5 * dt ? target : time + dt;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "particles/kernels.hpp"
 #include "solver/models/sph/monaghan_viscosity.hpp"
@@ -129,14 +130,18 @@ class Sweeps final : public PairSweeps {
     void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const OrderFree& rounding,
                             Field velocity, double wall_motion, const Run& run) const {
         with_viscosity(settings_.viscous_force, [&](const auto& viscosity) {
-            const auto run_with = [&](const auto& solid) {
-                run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
-                    particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion}, settings_.threads));
-            };
-            if (settings_.walls == WallModel::plain) {
-                run_with(PlainSolid<D>{});
-            } else {
-                run_with(ExtrapolatedSolid<D>{Vector<double, D>::zero(), 0.5 * settings_.spacing});
+            using Law = std::decay_t<decltype(viscosity)>;
+            if constexpr (!std::is_same_v<Law, NoViscosity>) {
+                const auto run_with = [&](const auto& solid) {
+                    run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, Law>(
+                        particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion},
+                        settings_.threads));
+                };
+                if (settings_.walls == WallModel::plain) {
+                    run_with(PlainSolid<D>{});
+                } else {
+                    run_with(ExtrapolatedSolid<D>{Vector<double, D>::zero(), 0.5 * settings_.spacing});
+                }
             }
         });
     }

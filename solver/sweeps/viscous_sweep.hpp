@@ -115,7 +115,10 @@ class ViscousSweep {
             const auto moving = moving_along(axis, i);
             for (const std::int32_t index : near.of(ParticleKind::fluid)) {
                 const auto j = at_rest(fluid_(index));
-                sum[axis] -= order_free_(pair(moving, j, moving.position - j.position)[axis]);
+                const Force separation = moving.position - j.position;
+                // A cluster's members are among their own neighbours.
+                const L term = where_less(L(0.0), dot(separation, separation), pair(moving, j, separation)[axis], L(0.0));
+                sum[axis] -= order_free_(term);
             }
             for (const std::int32_t index : near.of(ParticleKind::rigid))
                 sum[axis] -= force_by<true>(moving, at_rest(rigid_(index)))[axis];

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "base/errors.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/simulation.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
@@ -12,6 +13,12 @@
 #include "solver/time/spring_bodies.hpp"
 
 namespace dmp {
+
+/// The viscous forces of a step cannot be found.
+class UnsolvedViscosity : public DivergenceError {
+  public:
+    using DivergenceError::DivergenceError;
+};
 
 /// Viscous forces of the velocities at the end of the step (backward Euler), so that they set no limit to it:
 ///   (m_i / dt) (v_i - v*_i) = SUM_j V_i V_j mu_ij (1/r dW/dr) (v_i - v_j) = F_i(v)   [N]
@@ -30,7 +37,7 @@ class ImplicitViscosity {
     ImplicitViscosity(const PairSweeps& sweeps, const Ranks& ranks, double tolerance, int threads);
 
     /// Adds the viscous forces of the velocities after this step to `force`, which has all others. `g`: body
-    /// acceleration. Throws DivergenceError when they cannot be found.
+    /// acceleration. Throws UnsolvedViscosity.
     void add_forces(ParticleStore& particles, const ClusterList& list, SpringBodies& springs, double dt,
                     const std::array<double, 3>& g, const Sweep& sweep);
 

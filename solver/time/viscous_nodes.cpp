@@ -86,6 +86,13 @@ void ViscousNodes::turn(double beta) {
         direction_[n] = beta == 0 ? preconditioned_[n] : Vec(preconditioned_[n] + beta * direction_[n]);
 }
 
+void ViscousNodes::add_squares(ExactSum& sum) const {
+    for_each_body([&](const SpringBody& body, std::size_t first) {
+        for (std::size_t n = 0; n < body.ids().size(); ++n)
+            sum.add(body.mass(n) * dot(velocity_[first + n], velocity_[first + n]));
+    });
+}
+
 void ViscousNodes::add_errors(ExactSum& sum) const {
     for_each_body([&](const SpringBody& body, std::size_t first) {
         for (std::size_t n = 0; n < body.nodes(); ++n)

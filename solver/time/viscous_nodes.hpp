@@ -36,6 +36,7 @@ class ViscousNodes {
     void turn(double beta);
 
     /// Terms of the sums over all particles; called on every rank after those of the fluid were added up over ranks.
+    void add_squares(ExactSum& sum) const;    ///< m w^2
     void add_errors(ExactSum& sum) const;     ///< (dt r)^2 / m
     void add_residual(ExactSum& sum) const;   ///< r . P^-1 r
     void add_curvature(ExactSum& sum) const;  ///< p . A p

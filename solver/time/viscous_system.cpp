@@ -122,8 +122,9 @@ double ViscousSystem::true_error() {
         sum[1].add(mass[i] * square);
     });
     for (ExactSum& sum : sums) on_.ranks.sum(sum);
-    velocity_scale_ = std::max(velocity_scale_, std::sqrt(sums[1].value()));
     nodes_.add_errors(sums[0]);
+    nodes_.add_squares(sums[1]);
+    velocity_scale_ = std::max(velocity_scale_, std::sqrt(sums[1].value()));
     return std::sqrt(sums[0].value());
 }
 

@@ -221,6 +221,23 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"support_beyond_the_default_wall", "[run]", "[accuracy]\nsupport = 3.5\n[run]",
               "scene.toml:31:11: the wall 'wall' is thinner than the kernel: layers = 3, accuracy.support = 3.5\n"
               "  give the part at least as many layers as the support has spacings"},
+        Fault{"loose_viscosity_tolerance", "[run]", "[accuracy]\nviscosity_tolerance = 0.1\n[run]",
+              "scene.toml:31:23: accuracy.viscosity_tolerance: found 0.1, expected between 1e-14 and 0.01\n"
+              "  give a value that is between 1e-14 and 0.01"},
+        Fault{"unknown_viscosity_stepping", "[run]", "[accuracy]\nviscosity_stepping = \"implicitly\"\n[run]",
+              "scene.toml:31:22: accuracy.viscosity_stepping: found \"implicitly\", expected one of 'explicit' and "
+              "'implicit'\n"
+              "  did you mean \"implicit\"?"},
+        Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
+              "[accuracy]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
+              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+              "accuracy.spring_stepping = \"subcycled\" moves apart from it\n"
+              "  write spring_stepping = \"implicit\""},
+        Fault{"implicit_viscosity_of_approaching_pairs", "[run]",
+              "[accuracy]\nviscosity_stepping = \"implicit\"\nviscous_law = \"monaghan_approaching\"\n[run]",
+              "scene.toml:32:15: accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the "
+              "velocities, and accuracy.viscous_law = \"monaghan_approaching\" is none\n"
+              "  write viscous_law = \"monaghan\" or \"morris\""},
         Fault{"more_than_a_fraction", "[run]", "[accuracy]\nstep_factor = 2\n[run]",
               "scene.toml:31:15: accuracy.step_factor: found 2, expected more than 0 and at most 1\n"
               "  give a value that is more than 0 and at most 1"},

@@ -154,6 +154,10 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.accuracy.shifting, *fresh.accuracy.shifting);
     EXPECT_EQ(*scene.accuracy.step_factor, 0.3);
     EXPECT_EQ(*scene.accuracy.step_factor, *fresh.accuracy.step_factor);
+    EXPECT_EQ(*scene.accuracy.viscosity_stepping, ViscosityStepping::explicitly);
+    EXPECT_EQ(*scene.accuracy.viscosity_stepping, *fresh.accuracy.viscosity_stepping);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-8);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, *fresh.accuracy.viscosity_tolerance);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::implicit);
     EXPECT_EQ(*scene.accuracy.spring_stepping, *fresh.accuracy.spring_stepping);
     EXPECT_EQ(*scene.accuracy.spring_step_factor, 0.5);
@@ -218,6 +222,7 @@ walls = "plain"
 density_diffusion = 0
 shifting = 0
 step_factor = 0.25
+viscosity_tolerance = 1e-6
 spring_stepping = "subcycled"
 spring_step_factor = 1
 [run]
@@ -269,6 +274,7 @@ field = "pressure"
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0);
     EXPECT_EQ(*scene.accuracy.shifting, 0);
     EXPECT_EQ(*scene.accuracy.step_factor, 0.25);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::subcycled);
     EXPECT_EQ(*scene.accuracy.spring_step_factor, 1);
     EXPECT_EQ(*scene.run.duration, 60);
@@ -360,6 +366,7 @@ TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(word(Arrangement::hexagonal), "hexagonal");
     EXPECT_EQ(word(WallModel::plain), "plain");
     EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
+    EXPECT_EQ(word(ViscosityStepping::implicitly), "implicit");
 }
 
 TEST(Override, reaches_every_kind_of_key) {
@@ -442,6 +449,8 @@ walls = "extrapolated"
 density_diffusion = 0.1
 shifting = 4
 step_factor = 0.3
+viscosity_stepping = "explicit"
+viscosity_tolerance = 1e-08
 spring_stepping = "implicit"
 spring_step_factor = 0.5
 
