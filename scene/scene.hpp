@@ -32,6 +32,8 @@ struct Value {
 enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, lucy };
+/// A side of the box around the fluid.
+enum class BoxSide { x_low, x_high, y_low, y_high };
 enum class WallModel { extrapolated, plain };
 enum class SpringStepping { implicit, subcycled };
 enum class MeasureKind { flux, gap, largest_speed, density, probe };
@@ -54,6 +56,12 @@ struct Part {
     // rigid
     /// Velocity of the wall's surface in itself, of a lid or a belt, as functions of t, x, y, z [m/s].
     Value<std::array<Expression, 3>> surface_velocity;
+    Value<bool> slip = false;                   ///< the fluid slides along the wall: no shear stress
+    Value<std::array<Expression, 3>> velocity;  ///< with which the part moves, as functions of t [m/s]
+    Value<Expression> spin;                     ///< with which it turns about `centre`, as a function of t [rad/s]
+    Value<Vec> centre{Vec::Zero()};             ///< at the start; it moves with the part's velocity [m]
+    [[nodiscard]] bool slides() const;          ///< whether the surface has a velocity of its own
+    [[nodiscard]] bool moves() const;           ///< whether the part moves or turns
 
     // springs
     Value<double> bending_stiffness;           ///< EI [N m^2]
@@ -102,6 +110,7 @@ struct Scene {
     struct {
         std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
         std::array<Value<bool>, 3> periodic;     ///< by axis
+        Value<std::vector<BoxSide>> symmetry;    ///< sides on which the scene is mirrored
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
     } flow;
 
@@ -137,8 +146,6 @@ struct Scene {
 
     std::vector<Measure> measures;
 
-    /// Whether any of a part's formulas is not 0.
-    static bool any(const std::array<Expression, 3>& formulas);
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
 };
@@ -146,6 +153,7 @@ struct Scene {
 /// The word a scene uses for it: "fluid", "wendland_c2", ...
 std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
+std::string word(BoxSide side);
 std::string word(WallModel walls);
 std::string word(SpringStepping stepping);
 std::string word(FluidField field);

@@ -12,41 +12,60 @@ namespace dmp {
 
 namespace {
 
+/// A liquid's particle beyond a plane of symmetry stands for its image.
+bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& space, int axis, std::size_t i) {
+    if (particles.kind() != ParticleKind::fluid || axis >= space.dimension || !space.is_mirrored(axis)) return false;
+    const double x = particles.data(Field::position, axis)[i];
+    return space.mirrored_back(x, axis) != x;
+}
+
 /// Fields over this rank's particles of one kind, in the store's order.
-FrameField stored_field(const ParticleGroup& particles, Field field) {
+FrameField stored_field(const ParticleGroup& particles, const ParticleSpace& space, Field field) {
     const FieldInfo& about = info(field);
     FrameField out{std::string(about.name), std::string(about.unit), about.is_vector ? 3 : 1, {}};
     for (std::size_t i = 0; i < particles.owned(); ++i)
-        for (int axis = 0; axis < out.components; ++axis)
-            out.values.push_back(
-                axis == 0 || axis < particles.dimension() ? static_cast<float>(particles.data(field, axis)[i]) : 0.0F);
+        for (int axis = 0; axis < out.components; ++axis) {
+            float value =
+                axis == 0 || axis < particles.dimension() ? static_cast<float>(particles.data(field, axis)[i]) : 0.0F;
+            if (out.components == 3 && is_shown_mirrored(particles, space, axis, i)) value = -value;
+            out.values.push_back(value);
+        }
     return out;
 }
 
-FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space) {
+/// Those of the particles whose part is chosen.
+template <class Chosen>
+FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space,
+                    const Chosen& chosen) {
     FrameGroup group;
     group.name = name;
-    for (std::size_t i = 0; i < particles.owned(); ++i)
+    for (std::size_t i = 0; i < particles.owned(); ++i) {
+        const ParticleTag& tag = particles.tags()[i];
+        if (!chosen(tag.part)) continue;
+        group.id.push_back(tag.id);
+        group.part.push_back(tag.part);
         for (int axis = 0; axis < 3; ++axis) {
             double x = axis < space.dimension ? particles.data(Field::position, axis)[i] : 0;
             if (space.periodic[axis]) x = wrapped(x, space.box.low[axis], space.box.high[axis]);
+            if (is_shown_mirrored(particles, space, axis, i)) x = space.mirrored_back(x, axis);
             group.position.push_back(static_cast<float>(x));
         }
-    for (const ParticleTag& tag : particles.tags().first(particles.owned())) {
-        group.id.push_back(tag.id);
-        group.part.push_back(tag.part);
     }
     return group;
+}
+
+FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space) {
+    return group_of(name, particles, space, [](std::uint16_t) { return true; });
 }
 
 FrameField fluid_field(FluidField field, const ParticleStore& particles, const FluidStep& fluid) {
     switch (field) {
         case FluidField::velocity:
-            return stored_field(particles.fluid(), Field::velocity);
+            return stored_field(particles.fluid(), particles.space(), Field::velocity);
         case FluidField::pressure:
-            return stored_field(particles.fluid(), Field::pressure);
+            return stored_field(particles.fluid(), particles.space(), Field::pressure);
         case FluidField::density:
-            return stored_field(particles.fluid(), Field::density);
+            return stored_field(particles.fluid(), particles.space(), Field::density);
         case FluidField::shear_stress:
             break;
     }
@@ -114,12 +133,18 @@ Frame make_frame(const Scene& scene, const ParticleStore& particles, const Fluid
     add(std::move(liquid), options.in_pieces);
 
     FrameGroup solid = group_of("solid", particles.of(ParticleKind::springs), particles.space());
-    solid.fields.push_back(stored_field(particles.of(ParticleKind::springs), Field::velocity));
+    solid.fields.push_back(stored_field(particles.of(ParticleKind::springs), particles.space(), Field::velocity));
     add(std::move(solid), false);
     if (!frame.groups.empty() && frame.groups.back().name == "solid") add_springs(frame.groups.back(), fluid.springs());
 
+    const ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    const WallMotion& walls = fluid.walls();
     if (options.with_walls)
-        add(group_of("walls", particles.of(ParticleKind::rigid), particles.space()), options.in_pieces);
+        add(group_of("walls", rigid, particles.space(), [&](std::uint16_t part) { return !walls.moves(part); }),
+            options.in_pieces);
+    if (walls.moves())
+        add(group_of("moving_walls", rigid, particles.space(), [&](std::uint16_t part) { return walls.moves(part); }),
+            options.in_pieces);
     return frame;
 }
 

@@ -15,14 +15,17 @@ namespace dmp {
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
     WallModel walls = WallModel::extrapolated;
-    double spacing = 0;             ///< dx [m]
-    double support = 0;             ///< support radius R [m]
-    double sound_speed = 0;         ///< c0 [m/s]
-    double density = 0;             ///< largest rest density [kg/m^3]
-    double viscosity = 0;           ///< largest dynamic viscosity [Pa s]
-    double density_diffusion = 0;   ///< delta [-]; 0: not there
-    double shifting = 0;            ///< s [-]; 0: not there
-    double repulsion_strength = 0;  ///< K [J]; 0: not there
+    bool slip_walls = false;         ///< some walls let the fluid slip
+    bool moving_walls = false;       ///< some walls move
+    std::array<bool, 3> periodic{};  ///< by axis
+    double spacing = 0;              ///< dx [m]
+    double support = 0;              ///< support radius R [m]
+    double sound_speed = 0;          ///< c0 [m/s]
+    double density = 0;              ///< largest rest density [kg/m^3]
+    double viscosity = 0;            ///< largest dynamic viscosity [Pa s]
+    double density_diffusion = 0;    ///< delta [-]; 0: not there
+    double shifting = 0;             ///< s [-]; 0: not there
+    double repulsion_strength = 0;   ///< K [J]; 0: not there
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;
 };

@@ -56,6 +56,7 @@ class FluidStep {
     [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
     [[nodiscard]] const SpringBodies& springs() const { return springs_; }
+    [[nodiscard]] const WallMotion& walls() const { return walls_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -68,6 +69,7 @@ class FluidStep {
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
+    void drift_to_middle(double dt);
     void drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
 
