@@ -47,7 +47,17 @@ struct ParticleSpace {
     double spacing = 0;              ///< [m]
     Box box;                         ///< periodic axes: one period; others: around everything
     std::array<bool, 3> periodic{};  ///< by axis
-    std::vector<PartInfo> parts;     ///< what the part numbers mean
+    /// By axis, low and high: whether that side of the box is a plane of symmetry; nothing lies beyond it.
+    std::array<std::array<bool, 2>, 3> mirrored{};
+    std::vector<PartInfo> parts;  ///< what the part numbers mean
+
+    [[nodiscard]] bool is_mirrored(int axis) const { return mirrored[axis][0] || mirrored[axis][1]; }
+    /// Twice the place of the plane of symmetry that x lies beyond, minus x: its mirror image; else x.
+    [[nodiscard]] double mirrored_back(double x, int axis) const {
+        if (mirrored[axis][0] && x < box.low[axis]) return 2 * box.low[axis] - x;
+        if (mirrored[axis][1] && x > box.high[axis]) return 2 * box.high[axis] - x;
+        return x;
+    }
 };
 
 /// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.

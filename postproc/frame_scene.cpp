@@ -83,6 +83,7 @@ ParticleLayer plain_layer(const FrameGroup& group, Colour colour, double radius)
 RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     fluid_ = read_series(folder_ / "fluid.pvd");
     solid_ = read_series(folder_ / "solid.pvd");
+    moving_walls_ = read_series(folder_ / "moving_walls.pvd");
     for (const auto* series : {&fluid_, &solid_})
         for (const SeriesEntry& entry : *series) times_.push_back(entry.time);
     std::sort(times_.begin(), times_.end());
@@ -100,9 +101,11 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     include(area_, walls_);
     include(area_, first.fluid);
     include(area_, first.solid);
+    include(area_, first.moving_walls);
     const Box limit = is_empty(area_) ? Box{} : Box{area_.low - area_.extent() / 2, area_.high + area_.extent() / 2};
     include(area_, last.fluid, &limit);
     include(area_, last.solid, &limit);
+    include(area_, last.moving_walls, &limit);
     if (is_empty(area_))
         throw InputError("'" + folder_.string() + "': no particle of the first frame has a place",
                          "The run diverged at once or the files are broken; run the simulation again.");
@@ -124,6 +127,7 @@ RunFrame RunFolder::read(std::size_t frame) const {
     };
     take(fluid_, "fluid", result.fluid);
     take(solid_, "solid", result.solid);
+    take(moving_walls_, "moving_walls", result.moving_walls);
     return result;
 }
 
@@ -181,7 +185,8 @@ std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<
         }
         layers.push_back(std::move(layer));
     }
-    if (walls) layers.push_back(plain_layer(*walls, colours::wall, covering_radius_of_lattice * frame.spacing));
+    for (const auto* rigid : {&walls, &frame.moving_walls})
+        if (*rigid) layers.push_back(plain_layer(**rigid, colours::wall, covering_radius_of_lattice * frame.spacing));
     if (frame.solid) {
         ParticleLayer layer = plain_layer(*frame.solid, scale.solid, 0.6 * frame.spacing);
         layer.lines = frame.solid->bond_ends;

@@ -58,10 +58,11 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
     const auto& accuracy = scene.accuracy;
     if (*accuracy.viscosity_stepping != ViscosityStepping::implicitly) return;
     if (*accuracy.viscous_law == ViscousLaw::monaghan_approaching)
-        throw InputError(first_known(scene, {&accuracy.viscous_law.place}),
-                         "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
-                         "accuracy.viscous_law = \"monaghan_approaching\" is none",
-                         "write viscous_law = \"monaghan\" or \"morris\"");
+        throw InputError(
+            first_known(scene, {&accuracy.viscous_law.place}),
+            "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
+            "accuracy.viscous_law = \"monaghan_approaching\" is none",
+            "write viscous_law = \"monaghan\" or \"morris\"");
     if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
         throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
                          "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
@@ -97,11 +98,57 @@ void need_plane_formulas(const std::string& key, const Expression& third, const 
 }
 
 void need_plane_walls(const Scene& scene) {
-    for (const Part* wall : scene.parts_of(PartKind::rigid))
-        if (!wall->surface_velocity.value[2].is_zero())
-            throw InputError(wall->surface_velocity.place,
-                             "surface_velocity of '" + *wall->name + "' has a third component in a 2-D scene",
+    const auto need_plane = [](const Part& wall, const auto& formulas, const std::string& key) {
+        if (!formulas.value[2].is_zero())
+            throw InputError(formulas.place, key + " of '" + *wall.name + "' has a third component in a 2-D scene",
                              "leave it out, or write 0");
+    };
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        need_plane(*wall, wall->surface_velocity, "surface_velocity");
+        need_plane(*wall, wall->velocity, "velocity");
+    }
+}
+
+/// A rigid part moves as a whole, and only walls that continue the fluid can let it slip.
+void check_walls(const Scene& scene) {
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        const bool bends = std::ranges::any_of(wall->velocity.value, &Expression::depends_on_place);
+        if (bends || wall->spin->depends_on_place())
+            throw InputError((bends ? wall->velocity.place : wall->spin.place),
+                             std::string(bends ? "velocity" : "spin") + " of the rigid part '" + *wall->name +
+                                 "' depends on x, y or z: it would not stay rigid",
+                             "give formulas of t; a surface that slides within itself has a surface_velocity");
+        if (wall->slip && *scene.accuracy.walls == WallModel::plain)
+            throw InputError(first_known(scene, {&wall->slip.place, &scene.accuracy.walls.place}),
+                             "the wall '" + *wall->name + "' has slip = true, and plain walls cannot let a fluid slip",
+                             "write accuracy.walls = \"extrapolated\", or leave out slip");
+        if (wall->slip && wall->slides())
+            throw InputError(
+                first_known(scene, {&wall->surface_velocity.place, &wall->slip.place}),
+                "the surface of '" + *wall->name + "' slides, and lets the fluid slip: it would not be felt",
+                "leave out surface_velocity, or slip");
+    }
+}
+
+/// An axis either repeats itself or has planes of symmetry, across which nothing may be driven.
+void check_symmetry(const Scene& scene) {
+    if (!scene.flow.symmetry->empty() && *scene.accuracy.gradient_correction)
+        throw InputError(first_known(scene, {&scene.accuracy.gradient_correction.place, &scene.flow.symmetry.place}),
+                         "accuracy.gradient_correction does not know planes of symmetry (flow.symmetry)",
+                         "leave out one of them");
+    for (const BoxSide side : *scene.flow.symmetry) {
+        const int axis = side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1;
+        if (*scene.flow.periodic[axis])
+            throw InputError(first_known(scene, {&scene.flow.symmetry.place, &scene.flow.periodic[axis].place}),
+                             "flow.symmetry: '" + word(side) + "' lies across an axis that is periodic",
+                             "take the axis out of flow.periodic, or the side out of flow.symmetry");
+        const Expression& across = scene.flow.acceleration[axis];
+        if (!across.is_zero() && !across.depends_on_place())
+            throw InputError(first_known(scene, {&scene.flow.symmetry.place}),
+                             "flow.acceleration pushes across the plane of symmetry '" + word(side) +
+                                 "': the two sides would not be alike",
+                             "leave out that component, or the side");
+    }
 }
 
 /// What a scene starts from is taken once.
@@ -196,6 +243,8 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
     need_start_without_time(scene);
     need_plane_walls(scene);
+    check_walls(scene);
+    check_symmetry(scene);
     need_regions(scene, document);
     for (const auto& region : scene.regions) check_region(scene, region);
     for (const auto& measure : scene.measures) check_measure(scene, measure);

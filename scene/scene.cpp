@@ -39,6 +39,13 @@ const Words<KernelKind>& words_of() {
 }
 
 template <>
+const Words<BoxSide>& words_of() {
+    static const Words<BoxSide> words = {
+        {BoxSide::x_low, "x_low"}, {BoxSide::x_high, "x_high"}, {BoxSide::y_low, "y_low"}, {BoxSide::y_high, "y_high"}};
+    return words;
+}
+
+template <>
 const Words<WallModel>& words_of() {
     static const Words<WallModel> words = {{WallModel::extrapolated, "extrapolated"}, {WallModel::plain, "plain"}};
     return words;
@@ -134,6 +141,7 @@ std::string find_word(Enumeration value) {
 std::string word(Quality quality) { return find_word(quality); }
 std::string word(PartKind kind) { return find_word(kind); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
+std::string word(BoxSide side) { return find_word(side); }
 std::string word(WallModel walls) { return find_word(walls); }
 std::string word(EquationOfState equation) { return find_word(equation); }
 std::string word(DensityModel density) { return find_word(density); }
@@ -146,9 +154,9 @@ std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }
 std::string word(MeasureKind kind) { return find_word(kind); }
 
-bool Scene::any(const std::array<Expression, 3>& formulas) {
-    return !std::all_of(formulas.begin(), formulas.end(), [](const Expression& axis) { return axis.is_zero(); });
-}
+bool Part::slides() const { return !std::ranges::all_of(surface_velocity.value, &Expression::is_zero); }
+
+bool Part::moves() const { return !spin->is_zero() || !std::ranges::all_of(velocity.value, &Expression::is_zero); }
 
 std::vector<const Part*> Scene::parts_of(PartKind kind) const {
     std::vector<const Part*> found;

@@ -34,6 +34,8 @@ enum class Quality { draft, standard, fine };
 enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
+/// A side of the box around the fluid.
+enum class BoxSide { x_low, x_high, y_low, y_high };
 enum class WallModel { extrapolated, plain };
 enum class EquationOfState { tait, linear };
 enum class DensityModel { continuity, summation };
@@ -62,6 +64,12 @@ struct Part {
     // rigid
     /// Velocity of the wall's surface in itself, of a lid or a belt, as functions of t, x, y, z [m/s].
     Value<std::array<Expression, 3>> surface_velocity;
+    Value<bool> slip = false;                   ///< the fluid slides along the wall: no shear stress
+    Value<std::array<Expression, 3>> velocity;  ///< with which the part moves, as functions of t [m/s]
+    Value<Expression> spin;                     ///< with which it turns about `centre`, as a function of t [rad/s]
+    Value<Vec> centre{Vec::Zero()};             ///< at the start; it moves with the part's velocity [m]
+    [[nodiscard]] bool slides() const;          ///< whether the surface has a velocity of its own
+    [[nodiscard]] bool moves() const;           ///< whether the part moves or turns
 
     // springs
     Value<double> bending_stiffness;           ///< EI [N m^2]
@@ -120,10 +128,11 @@ struct Scene {
     struct {
         std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
         std::array<Value<bool>, 3> periodic;     ///< by axis
+        Value<std::vector<BoxSide>> symmetry;    ///< sides on which the scene is mirrored
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
         Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
         Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
-        Value<double> largest_pressure;          ///< largest pressure expected [Pa]; 0 = not given
+        Value<double> largest_pressure;                     ///< largest pressure expected [Pa]; 0 = not given
     } flow;
 
     struct {
@@ -173,8 +182,6 @@ struct Scene {
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
-    /// Whether any of a part's formulas is not 0.
-    static bool any(const std::array<Expression, 3>& formulas);
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// Whether frames or a probe need this field.
@@ -186,6 +193,7 @@ struct Scene {
 std::string word(Quality quality);
 std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
+std::string word(BoxSide side);
 std::string word(WallModel walls);
 std::string word(EquationOfState equation);
 std::string word(DensityModel density);

@@ -15,9 +15,9 @@ struct FrameField {
     std::vector<float> values;
 };
 
-/// Particles that are looked at together: the fluid, the solids or the walls.
+/// Particles that are looked at together: the fluid, the solids, the walls.
 struct FrameGroup {
-    std::string name;             ///< "fluid", "solid" or "walls"
+    std::string name;             ///< "fluid", "solid", "walls" (at rest) or "moving_walls"
     std::vector<float> position;  ///< x, y, z of each particle [m]
     std::vector<std::int64_t> id;
     std::vector<std::int32_t> part;  ///< index into Frame::parts

@@ -2,6 +2,7 @@
 #include "solver/setup.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <omp.h>
 
@@ -74,6 +75,11 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     }
     settings.implicit_viscosity =
         *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) settings.periodic[axis] = scene.flow.periodic[axis];
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        settings.slip_walls = settings.slip_walls || part->slip;
+        settings.moving_walls = settings.moving_walls || part->moves();
+    }
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
     return settings;
@@ -99,9 +105,11 @@ std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
 
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
     const std::vector<double> densities = rest_densities(scene, set);
-    std::vector<double> viscosities;
-    for (const auto& part : set.parts)
+    std::vector<double> viscosities, slips;
+    for (const auto& part : set.parts) {
+        slips.push_back(part.kind == ParticleKind::rigid && part_named(scene, part.name).slip ? 1 : 0);
         viscosities.push_back(part.kind == ParticleKind::fluid ? part_named(scene, part.name).viscosity.value : 0);
+    }
     const double range = scene.contact.range * scene.particles.spacing;
     for (ParticleGroup& group : particles.groups()) {
         const auto fill = [&](Field field, int axis, const auto& value_of) {
@@ -115,8 +123,12 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
         fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
         fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
-        for (int axis = 0; axis < set.dimension; ++axis)
-            fill(Field::wall_normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
+        fill(Field::wall_slip, 0, [&](std::size_t part, std::size_t) { return slips[part]; });
+        for (int axis = 0; axis < set.dimension; ++axis) {
+            for (const Field normal : {Field::wall_normal, Field::drawn_normal})
+                fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
+            fill(Field::drawn_position, axis, [&](std::size_t, std::size_t id) { return set.position[id][axis]; });
+        }
     }
     fill_starting_density(scene, set, equations_of_state(scene, set), particles);
 }
@@ -186,9 +198,17 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
                                                                    : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
                           because(scene.accuracy.walls, "accuracy.walls")});
     for (const Part* part : scene.parts_of(PartKind::rigid))
-        if (Scene::any(part->surface_velocity))
-            models.push_back({"sliding surface of '" + *part->name + "'", "velocity of the wall in the viscous force",
-                              because(part->surface_velocity, "surface_velocity")});
+        for (const auto& [used, model, source, reason] :
+             {std::tuple{part->slides(), "sliding surface of '", "velocity of the wall in the viscous force",
+                         because(part->surface_velocity, "surface_velocity")},
+              std::tuple{part->slip.value, "slip at '", "velocity mirrored about the surface",
+                         because(part->slip, "slip")},
+              std::tuple{part->moves(), "prescribed motion of '", "integrated from its velocity and spin",
+                         part->velocity.given() ? because(part->velocity, "velocity") : because(part->spin, "spin")}})
+            if (used) models.push_back({model + *part->name + "'", source, reason});
+    for (const BoxSide side : *scene.flow.symmetry)
+        models.push_back({"plane of symmetry at " + word(side), "mirror images of all particles",
+                          because(scene.flow.symmetry, "flow.symmetry")});
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
         models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});

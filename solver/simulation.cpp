@@ -131,7 +131,7 @@ Conserved Simulation::State::conserved() const {
 std::vector<StepLimit> Simulation::State::limits_now(double largest_speed) const {
     double g = 0;
     for (const double axis : fluid.body_acceleration(time)) g = std::hypot(g, axis);
-    return fluid_step_limits(scales, largest_speed, g);
+    return fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time)), g);
 }
 
 double Simulation::State::next_step(double target, double largest_speed) const {
@@ -289,6 +289,7 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     ++step;
 
     extremes = fluid.extremes();
+    watch.walls_have_moved(fluid.walls().farthest());
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);
     if (!watch.fluid_is_well(extremes) || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
@@ -373,11 +374,17 @@ RunSummary Simulation::State::summary() const {
     summary.impulse_of_body_forces = given.of_body_forces;
     summary.impulse_of_fixed = given.of_fixed;
     summary.impulse_of_drag = given.of_drag;
+    for (int axis = 0; axis < particles.dimension(); ++axis)
+        // What planes of symmetry take or give is known as the rest.
+        if (particles.space().is_mirrored(axis))
+            summary.impulse_of_fixed[axis] = summary.end.momentum[axis] - summary.start.momentum[axis] -
+                                             given.of_body_forces[axis] - given.of_drag[axis];
     double residual = 0, scale = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double impulse = given.of_body_forces[axis] + given.of_fixed[axis] + given.of_drag[axis];
+        const double impulse = given.of_body_forces[axis] + summary.impulse_of_fixed[axis] + given.of_drag[axis];
         residual = std::hypot(residual, summary.end.momentum[axis] - summary.start.momentum[axis] - impulse);
-        scale += std::abs(given.of_body_forces[axis]) + std::abs(given.of_fixed[axis]) + std::abs(given.of_drag[axis]);
+        scale += std::abs(given.of_body_forces[axis]) + std::abs(summary.impulse_of_fixed[axis]) +
+                 std::abs(given.of_drag[axis]);
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
     const double rest_density = equations_of_state(scene, particles.space()).front().rest_density;

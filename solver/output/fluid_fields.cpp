@@ -11,6 +11,12 @@ Eigen::Matrix3d rate_of_strain(const Eigen::Matrix3d& gradient) { return 0.5 * (
 
 }  // namespace
 
+bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& space, int axis, std::size_t i) {
+    if (particles.kind() != ParticleKind::fluid || axis >= space.dimension || !space.is_mirrored(axis)) return false;
+    const double x = particles.data(Field::position, axis)[i];
+    return space.mirrored_back(x, axis) != x;
+}
+
 double von_mises(const std::array<double, 6>& s) {
     const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
     return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
@@ -31,8 +37,11 @@ FluidValues FluidFields::stored(Field field) const {
     const FieldInfo& about = info(field);
     FluidValues out{std::string(about.name), std::string(about.unit), about.is_vector ? 3 : 1, {}};
     for (std::size_t i = 0; i < fluid.owned(); ++i)
-        for (int axis = 0; axis < out.components; ++axis)
-            out.values.push_back(axis == 0 || axis < fluid.dimension() ? fluid.data(field, axis)[i] : 0.0);
+        for (int axis = 0; axis < out.components; ++axis) {
+            const double value = axis == 0 || axis < fluid.dimension() ? fluid.data(field, axis)[i] : 0.0;
+            const bool turned = about.is_vector && is_shown_mirrored(fluid, particles_.space(), axis, i);
+            out.values.push_back(turned ? -value : value);
+        }
     return out;
 }
 
@@ -48,7 +57,14 @@ std::vector<FluidValues> FluidFields::residence_times() const {
 }
 
 const std::vector<Eigen::Matrix3d>& FluidFields::gradient() {
-    if (!gradient_) gradient_ = velocity_gradient(particles_, step_);
+    if (gradient_) return *gradient_;
+    gradient_ = velocity_gradient(particles_, step_);
+    for (int axis = 0; axis < particles_.dimension(); ++axis)
+        for (std::size_t i = 0; i < gradient_->size(); ++i)
+            if (is_shown_mirrored(particles_.fluid(), particles_.space(), axis, i)) {
+                (*gradient_)[i].row(axis) *= -1;
+                (*gradient_)[i].col(axis) *= -1;
+            }
     return *gradient_;
 }
 

@@ -25,6 +25,9 @@ struct FluidValues {
     std::vector<double> values;
 };
 
+/// Whether a particle lies beyond a plane of symmetry across this axis: a frame then shows its image.
+bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& space, int axis, std::size_t i);
+
 /// What the frames and probes show of the fluid, worked out when it is asked for (docs/results.md):
 ///   velocity, pressure, density   as they are
 ///   stress         sigma = -p I + mu (grad v + grad v^T) [Pa]
@@ -32,6 +35,7 @@ struct FluidValues {
 ///   von_mises      of sigma [Pa]
 ///   vorticity      curl v [1/s]; in 2-D its z alone
 ///   residence_time in each region [s], an array a region
+/// All as they are where the particle is shown.
 /// The velocity gradient is worked out once for all that need it.
 class FluidFields {
   public:

@@ -24,20 +24,29 @@ FrameField stored_field(const ParticleGroup& particles, Field field) {
     return out;
 }
 
-FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space) {
+/// Those of the particles whose part is chosen.
+template <class Chosen>
+FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space,
+                    const Chosen& chosen) {
     FrameGroup group;
     group.name = name;
-    for (std::size_t i = 0; i < particles.owned(); ++i)
+    for (std::size_t i = 0; i < particles.owned(); ++i) {
+        const ParticleTag& tag = particles.tags()[i];
+        if (!chosen(tag.part)) continue;
+        group.id.push_back(tag.id);
+        group.part.push_back(tag.part);
         for (int axis = 0; axis < 3; ++axis) {
             double x = axis < space.dimension ? particles.data(Field::position, axis)[i] : 0;
             if (space.periodic[axis]) x = wrapped(x, space.box.low[axis], space.box.high[axis]);
+            if (is_shown_mirrored(particles, space, axis, i)) x = space.mirrored_back(x, axis);
             group.position.push_back(static_cast<float>(x));
         }
-    for (const ParticleTag& tag : particles.tags().first(particles.owned())) {
-        group.id.push_back(tag.id);
-        group.part.push_back(tag.part);
     }
     return group;
+}
+
+FrameGroup group_of(const std::string& name, const ParticleGroup& particles, const ParticleSpace& space) {
+    return group_of(name, particles, space, [](std::uint16_t) { return true; });
 }
 
 FrameField frame_field(const FluidValues& values) {
@@ -97,8 +106,14 @@ Frame make_frame(const Scene& scene, const ParticleStore& particles, const Fluid
         add_solid_fields(complete, scene.output.solid_fields, volume.values, fluid.springs(), mean_displacement);
     }
 
+    const ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    const WallMotion& walls = fluid.walls();
     if (options.with_walls)
-        add(group_of("walls", particles.of(ParticleKind::rigid), particles.space()), options.in_pieces);
+        add(group_of("walls", rigid, particles.space(), [&](std::uint16_t part) { return !walls.moves(part); }),
+            options.in_pieces);
+    if (walls.moves())
+        add(group_of("moving_walls", rigid, particles.space(), [&](std::uint16_t part) { return walls.moves(part); }),
+            options.in_pieces);
     return frame;
 }
 

@@ -176,7 +176,8 @@ bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
     for (int axis = 0; axis < group.dimension(); ++axis) {
         if (space_.periodic[axis]) continue;
         const double x = group.data(Field::position, axis)[i];
-        if (x < space_.box.low[axis] - support_ || x > space_.box.high[axis] + support_) return true;
+        const double margin = support_ + walls_moved_;
+        if (x < space_.box.low[axis] - margin || x > space_.box.high[axis] + margin) return true;
     }
     return false;
 }

@@ -58,14 +58,27 @@ class Sweeps final : public PairSweeps {
             if (settings_.walls == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                ExtrapolatedSolid<D> solid{{}, 0.5 * settings_.spacing};
-                for (int axis = 0; axis < D; ++axis) solid.acceleration[axis] = body_acceleration[axis];
-                run(solid);
+                with_flag(settings_.slip_walls || settings_.moving_walls, [&](auto motion) {
+                    ExtrapolatedSolid<D, decltype(motion)::value> solid{{}, 0.5 * settings_.spacing};
+                    for (int axis = 0; axis < D; ++axis) {
+                        solid.acceleration[axis] = body_acceleration[axis];
+                        solid.driven[axis] = settings_.periodic[axis] ? body_acceleration[axis] : 0;
+                    }
+                    run(solid);
+                });
             }
         });
     }
 
     void density_rates(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+        if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
+            with_flag(settings_.shifting > 0, [&](auto shifting) {
+                DensitySweep<L, D, Kernel, ExtrapolatedSolid<D, true>, true, decltype(shifting)::value>(
+                    particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
+                    .run(choice);
+            });
+            return;
+        }
         with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.walls == WallModel::plain, [&](auto plain) {

@@ -104,7 +104,7 @@ class ForceSweep {
     const OrderFree& order_free_;
     int threads_;
     FluidReader<L, D> fluid_;
-    SolidReader<L, D, Solid::needs_state, Solid::needs_surface> rigid_;
+    SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
     SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 

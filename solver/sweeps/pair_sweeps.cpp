@@ -16,11 +16,14 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (is_fluid && settings.shifting > 0) group.declare({Field::shift});
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
-        if (group.kind() == ParticleKind::rigid) group.declare({Field::wall_normal, Field::wall_distance});
         if (settings.implicit_viscosity) group.declare({Field::viscous_force});
         if (settings.implicit_viscosity && group.kind() != ParticleKind::rigid)
-            group.declare({Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction,
-                           Field::viscous_diagonal});
+            group.declare(
+                {Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction, Field::viscous_diagonal});
+        if (group.kind() != ParticleKind::rigid) continue;
+        group.declare({Field::wall_normal, Field::wall_distance});
+        if (settings.slip_walls) group.declare({Field::wall_slip});
+        if (settings.moving_walls && !plain) group.declare({Field::wall_acceleration});
     }
 }
 

@@ -24,15 +24,18 @@ struct PairSettings {
     bool density_by_summation = false;
     bool gradient_correction = false;
     bool transport_velocity = false;
-    double spacing = 0;              ///< dx [m]
-    double support = 0;              ///< support radius R [m]
-    double sound_speed = 0;          ///< c0 [m/s]
-    double density = 0;              ///< largest rest density [kg/m^3]
-    double viscosity = 0;            ///< largest dynamic viscosity [Pa s]
-    double background_pressure = 0;  ///< [Pa]
-    double density_diffusion = 0;    ///< delta [-]; 0: not there
-    double shifting = 0;             ///< s [-]; 0: not there
-    double repulsion_strength = 0;   ///< K [J]; 0: not there
+    bool slip_walls = false;          ///< some walls let the fluid slip
+    bool moving_walls = false;        ///< some walls move
+    std::array<bool, 3> periodic{};   ///< by axis
+    double spacing = 0;               ///< dx [m]
+    double support = 0;               ///< support radius R [m]
+    double sound_speed = 0;           ///< c0 [m/s]
+    double density = 0;               ///< largest rest density [kg/m^3]
+    double viscosity = 0;             ///< largest dynamic viscosity [Pa s]
+    double background_pressure = 0;   ///< [Pa]
+    double density_diffusion = 0;     ///< delta [-]; 0: not there
+    double shifting = 0;              ///< s [-]; 0: not there
+    double repulsion_strength = 0;    ///< K [J]; 0: not there
     bool implicit_viscosity = false;  ///< the forces come without viscosity, which is solved for apart
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;

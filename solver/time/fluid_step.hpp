@@ -63,6 +63,7 @@ class FluidStep {
     [[nodiscard]] int threads() const { return settings_.threads; }
     /// Null where viscosity is explicit.
     [[nodiscard]] const ViscousSolves* viscous_solves() const { return viscosity_ ? &viscosity_->solves() : nullptr; }
+    [[nodiscard]] const WallMotion& walls() const { return walls_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -76,6 +77,7 @@ class FluidStep {
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
     void add_viscous_forces(double t, double dt);
+    void drift_to_middle(double dt);
     void drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
 

@@ -116,6 +116,40 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"wall_thinner_than_kernel", "kind = \"rigid\"", "kind = \"rigid\"\nlayers = 2",
               "scene.toml:19:10: the wall 'wall' is thinner than the kernel: layers = 2, accuracy.support = 3\n"
               "  give the part at least as many layers as the support has spacings"},
+        Fault{"sliding_without_unit", "kind = \"rigid\"", "kind = \"rigid\"\nsurface_velocity = [1]",
+              "scene.toml:19:21: missing unit: surface_velocity = 1, expected a speed such as \"1 m/s\"\n"
+              "  write surface_velocity = \"1 m/s\", with the unit you mean"},
+        Fault{"sliding_out_of_the_plane", "kind = \"rigid\"", "kind = \"rigid\"\nsurface_velocity = [0, 0, \"1 m/s\"]",
+              "scene.toml:19:20: surface_velocity of 'wall' has a third component in a 2-D scene\n"
+              "  leave it out, or write 0"},
+        Fault{"wall_that_bends", "kind = \"rigid\"", "kind = \"rigid\"\nvelocity = [\"x / 1 s\", 0]",
+              "scene.toml:19:12: velocity of the rigid part 'wall' depends on x, y or z: it would not stay rigid\n"
+              "  give formulas of t; a surface that slides within itself has a surface_velocity"},
+        Fault{"spin_by_place", "kind = \"rigid\"", "kind = \"rigid\"\nspin = \"y * 1 rad/m/s\"",
+              "scene.toml:19:8: spin of the rigid part 'wall' depends on x, y or z: it would not stay rigid\n"
+              "  give formulas of t; a surface that slides within itself has a surface_velocity"},
+        Fault{"spin_of_a_length", "kind = \"rigid\"", "kind = \"rigid\"\nspin = \"2 m\"",
+              "scene.toml:19:9: part.wall.spin: found \"2 m\" (length), expected a frequency such as \"2 rad/s\"\n"
+              "  check the units of its factors: the whole formula must be a frequency"},
+        Fault{"slip_that_slides", "kind = \"rigid\"",
+              "kind = \"rigid\"\nslip = true\nsurface_velocity = [\"1 m/s\", 0]",
+              "scene.toml:20:20: the surface of 'wall' slides, and lets the fluid slip: it would not be felt\n"
+              "  leave out surface_velocity, or slip"},
+        Fault{"slip_at_plain_walls", "kind = \"rigid\"", "kind = \"rigid\"\nslip = true\n[accuracy]\nwalls = \"plain\"",
+              "scene.toml:19:8: the wall 'wall' has slip = true, and plain walls cannot let a fluid slip\n"
+              "  write accuracy.walls = \"extrapolated\", or leave out slip"},
+        Fault{"plane_across_a_period", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\nsymmetry = [\"y_low\", \"x_high\"]",
+              "scene.toml:30:12: flow.symmetry: 'x_high' lies across an axis that is periodic\n"
+              "  take the axis out of flow.periodic, or the side out of flow.symmetry"},
+        Fault{"drive_across_a_plane", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nacceleration = [0, \"1 m/s^2\"]\nsymmetry = [\"y_low\"]",
+              "scene.toml:30:12: flow.acceleration pushes across the plane of symmetry 'y_low': the two sides would "
+              "not be "
+              "alike\n  leave out that component, or the side"},
+        Fault{"unknown_side", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nsymmetry = [\"bottom\"]",
+              "scene.toml:29:13: flow.symmetry: found \"bottom\", expected one of 'x_low', 'x_high', 'y_low' and "
+              "'y_high'\n  write one of these words"},
         Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
               "  springs parts have two rows of particles for now: write layers = 2"},
