@@ -31,6 +31,13 @@ std::string models_text(const Plan& plan) {
     return text;
 }
 
+std::string warnings_text(const Plan& plan) {
+    std::string text;
+    for (const std::string& warning : plan.warnings)
+        text += Style(Stream::output).warning("warning: ") + warning + "\n";
+    return text.empty() ? text : text + "\n";
+}
+
 std::string memory_text(const Plan& plan) {
     std::size_t total = 0;
     for (const auto& [kind, count] : plan.particles) total += count;
@@ -60,7 +67,7 @@ int execute(const ExplainCommand& command) {
     const Simulation simulation(prepared.scene, prepared.particles, threads);
     const Plan plan = simulation.plan();
     print(head + "\n" + chosen_text(prepared.scene, plan, prepared.origin) + "\n" + models_text(plan) + "\n" +
-          limits_text(plan) + "\n" + memory_text(plan));
+          warnings_text(plan) + limits_text(plan) + "\n" + memory_text(plan));
     return exit_done;
 }
 

@@ -157,4 +157,17 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     return models;
 }
 
+std::vector<std::string> missing_contact(const Scene& scene, double strength) {
+    const auto springs = scene.parts_of(PartKind::springs);
+    if (springs.empty() || (scene.contact.range > 0 && strength > 0)) return {};
+    const std::string bodies = "spring bodies ('" + springs.front()->name.value + "'" +
+                               (springs.size() > 1 ? ", ..." : "") +
+                               ") pass through each other, through walls and through themselves: ";
+    if (scene.contact.range > 0)
+        return {bodies + "contact.strength = \"auto\" follows the fluid, and there is none; give it in J"};
+    return {bodies + "contact.range = 0" +
+            (scene.contact.range.given() ? " at " + scene.contact.range.place.text() : std::string()) +
+            "; 1 is the default"};
+}
+
 }  // namespace dmp

@@ -30,4 +30,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
 /// Which models run and why.
 std::vector<ModelUse> models_in_use(const Scene& scene);
 
+/// Spring bodies that may touch something and have no contact that would stop them, in words; `strength` of the
+/// repulsion in use [J].
+std::vector<std::string> missing_contact(const Scene& scene, double strength);
+
 }  // namespace dmp

@@ -224,6 +224,7 @@ Plan Simulation::plan() const {
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     plan.models = models_in_use(s.scene);
+    plan.warnings = missing_contact(s.scene, s.settings.repulsion_strength);
     for (const ParticleGroup& group : s.particles.groups()) {
         if (group.empty()) continue;
         for (const Field field : group.declared()) {

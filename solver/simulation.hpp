@@ -43,7 +43,8 @@ struct Plan {
     std::vector<StepLimit> limits;  ///< of the fluid step and the spring step
     std::string ruling_limit;       ///< which of them sets the fluid step
     std::vector<ModelUse> models;
-    std::vector<std::string> fields;  ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> fields;    ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> warnings;  ///< models that are missing or without effect
 };
 
 /// Momentum and mass, and what came and went.

@@ -10,13 +10,14 @@
 
 namespace dmp {
 
-std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body) {
-    if (set.dimension == 3) return std::make_unique<SpringNetwork<3>>(set, part, body);
-    return std::make_unique<SpringNetwork<2>>(set, part, body);
+std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body,
+                                             const SpringContact& contact) {
+    if (set.dimension == 3) return std::make_unique<SpringNetwork<3>>(set, part, body, contact);
+    return std::make_unique<SpringNetwork<2>>(set, part, body, contact);
 }
 
 template <int D>
-SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body)
+SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
     : SpringBody(part.name), drag_(part.drag), spacing_(set.spacing) {
     std::unordered_map<int, int> local;
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -67,6 +68,11 @@ SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int bo
                              "write dimension = 3, or leave them out");
         }
     }
+    if (!contact.on()) return;
+    double longest = 0;
+    for (const Bond& bond : drawn_bonds_) longest = std::max(longest, bond.rest_length);
+    self_contact_ = std::make_unique<SelfContact<D>>(contact, position_at_rest_,
+                                                     SelfContact<D>::neighbourhood(contact.range, longest));
 }
 
 template <int D>
@@ -85,6 +91,7 @@ SpringImpulses SpringNetwork<D>::advance(std::span<const double> force, double d
     Vectors on_nodes(ids_.size());
     for (std::size_t n = 0; n < ids_.size(); ++n)
         for (int axis = 0; axis < D; ++axis) on_nodes[n][axis] = force[D * n + axis];
+    if (self_contact_) self_contact_->add_forces(position_, on_nodes);
     const Point of_holders = kick_from_outside(on_nodes, dt);
     Impulses given = substeps > 0 ? advance_subcycled(dt, substeps) : advance_implicit(dt);
     given.of_anchors += of_holders;
