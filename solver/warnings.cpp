@@ -38,9 +38,13 @@ class Warnings {
     }
 
     [[nodiscard]] bool is_driven() const {
-        return std::ranges::any_of(scene_.flow.acceleration, [](const Expression& axis) {
-            return axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0;
-        });
+        const auto any = [](const std::array<Expression, 3>& formulas) {
+            return !std::ranges::all_of(formulas, &Expression::is_zero);
+        };
+        return any(scene_.flow.acceleration) || any(*scene_.flow.initial_velocity) ||
+               !scene_.flow.initial_pressure->is_zero() ||
+               std::ranges::any_of(scene_.parts_of(PartKind::rigid),
+                                   [](const Part* wall) { return wall->slides() || wall->moves(); });
     }
 
     void about_drive() {
@@ -62,6 +66,11 @@ class Warnings {
         } else if (!walls_ && !springs_) {
             has_no_effect("contact.range", contact.range, "no part is solid");
             has_no_effect("contact.strength", contact.strength, "no part is solid");
+        } else if (springs_ && !fluid_ && *contact.strength == 0) {
+            add("contact.strength", contact.strength.place,
+                "is \"auto\", which follows the fluid, and there is none: spring bodies that touch will pass through "
+                "each other and themselves",
+                "give it in J");
         }
     }
 

@@ -31,7 +31,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       ranks_(ranks),
       sweeps_(make_pair_sweeps(settings, particles)),
       passes_(std::move(state_of_part), settings.threads),
-      springs_(set, scene, ranks),
+      springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
       walls_(scene, set, particles),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),

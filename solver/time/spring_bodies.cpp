@@ -8,7 +8,7 @@
 
 namespace dmp {
 
-SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks)
+SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact)
     : ranks_(ranks),
       dimension_(set.dimension),
       implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit) {
@@ -23,7 +23,7 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
         if (part == parts.end())
             throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
                              "mesh the scene again");
-        bodies_.push_back(SpringBody::make(set, **part, body));
+        bodies_.push_back(SpringBody::make(set, **part, body, contact));
         const double limit = bodies_.back()->step_limit();
         shortest = std::min(shortest, limit);
         const auto known =

@@ -19,7 +19,7 @@ namespace dmp {
 class SpringBodies {
   public:
     /// Every rank holds all bodies and moves them alike: they are few, and no rank then waits for another.
-    SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks);
+    SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact = {});
 
     /// Largest stable explicit step by part name [s].
     struct PartLimit {

@@ -11,6 +11,7 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/state/archive.hpp"
+#include "solver/time/self_contact.hpp"
 
 namespace dmp {
 
@@ -27,10 +28,11 @@ class SpringBody {
 
     /// The body of this number, with the springs that are among its nodes. Throws InputError for one in the plane that
     /// has dihedrals.
-    static std::unique_ptr<SpringBody> make(const ParticleSet& set, const Part& part, int body);
+    static std::unique_ptr<SpringBody> make(const ParticleSet& set, const Part& part, int body,
+                                            const SpringContact& contact = {});
 
-    /// Kicks the nodes by forces from outside [N], then moves them over dt under the body's own forces: in so many
-    /// equal explicit steps, or in one implicit one (0).
+    /// Kicks the nodes by forces from outside [N] and by contact of the body with itself; then moves them over dt under
+    /// the springs' forces: in so many equal explicit steps, or in one implicit one (0).
     virtual SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) = 0;
 
     /// In implicit viscosity (ViscousNodes), of nodes that would move with mean velocity w over the next dt: half the

@@ -10,13 +10,14 @@
 
 namespace dmp {
 
-std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body) {
-    if (set.dimension == 3) return std::make_unique<SpringNetwork<3>>(set, part, body);
-    return std::make_unique<SpringNetwork<2>>(set, part, body);
+std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body,
+                                             const SpringContact& contact) {
+    if (set.dimension == 3) return std::make_unique<SpringNetwork<3>>(set, part, body, contact);
+    return std::make_unique<SpringNetwork<2>>(set, part, body, contact);
 }
 
 template <int D>
-SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body)
+SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
     : SpringBody(part.name), drag_(part.drag), spacing_(set.spacing) {
     std::unordered_map<int, int> local;
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -65,6 +66,11 @@ SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int bo
                              "write dimension = 3, or leave them out");
         }
     }
+    if (!contact.on()) return;
+    double longest = 0;
+    for (const Bond& bond : drawn_bonds_) longest = std::max(longest, bond.rest_length);
+    self_contact_ = std::make_unique<SelfContact<D>>(contact, position_at_rest_,
+                                                     SelfContact<D>::neighbourhood(contact.range, longest));
 }
 
 template <int D>
@@ -82,6 +88,7 @@ template <int D>
 SpringImpulses SpringNetwork<D>::advance(std::span<const Vec> force, double dt, int substeps) {
     Vectors on_nodes(ids_.size());
     for (std::size_t n = 0; n < ids_.size(); ++n) on_nodes[n] = of_space(force[n]);
+    if (self_contact_) self_contact_->add_forces(position_, on_nodes);
     const Point of_holders = kick_from_outside(on_nodes, dt);
     Impulses given = substeps > 0 ? advance_subcycled(dt, substeps) : advance_implicit(dt);
     given.of_anchors += of_holders;

@@ -46,7 +46,7 @@ class SpringNetwork final : public SpringBody {
     using Point = Vector<double, D>;
     using Vectors = std::vector<Point>;
 
-    SpringNetwork(const ParticleSet& set, const Part& part, int body);
+    SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact = {});
     ~SpringNetwork() override;
     SpringNetwork(SpringNetwork&& other) noexcept;
     SpringNetwork& operator=(SpringNetwork&& other) noexcept;
@@ -150,6 +150,7 @@ class SpringNetwork final : public SpringBody {
     Vectors position_at_rest_;             ///< as drawn
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
     double in_fluid_step_ = 0;  ///< that the latter was made for [s]
+    std::unique_ptr<SelfContact<D>> self_contact_;  ///< none where contact is off
 };
 
 extern template class SpringNetwork<2>;
