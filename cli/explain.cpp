@@ -35,7 +35,7 @@ const MeasuredTime* time_of(const std::string& model, const std::optional<ModelC
 
 std::string time_text(const MeasuredTime& time) {
     if (time.ns > time.spread) return fmt::format("{:.3g} ns a particle and step (+- {:.2g})", time.ns, time.spread);
-    return fmt::format("less than {:.2g} ns a particle and step: lost in the noise", std::abs(time.ns) + time.spread);
+    return fmt::format("less than {:.3g} ns a particle and step: lost in the noise", std::abs(time.ns) + time.spread);
 }
 
 std::string models_text(const Plan& plan, const std::optional<ModelCosts>& costs) {
