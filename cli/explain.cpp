@@ -34,7 +34,8 @@ const MeasuredTime* time_of(const std::string& model, const std::optional<ModelC
 }
 
 std::string time_text(const MeasuredTime& time) {
-    return fmt::format("{:.3g} ns a particle and step (give or take {:.2g})", time.ns, time.spread);
+    if (time.ns > time.spread) return fmt::format("{:.3g} ns a particle and step (+- {:.2g})", time.ns, time.spread);
+    return fmt::format("less than {:.3g} ns a particle and step: lost in the noise", std::abs(time.ns) + time.spread);
 }
 
 std::string models_text(const Plan& plan, const std::optional<ModelCosts>& costs) {
@@ -46,11 +47,7 @@ std::string models_text(const Plan& plan, const std::optional<ModelCosts>& costs
         for (std::size_t k = 0; k < use.fields.size(); ++k)
             text += (k == 0 ? "      fields  " : "              ") + use.fields[k] + "\n";
         if (const MeasuredTime* time = time_of(use.model, costs))
-            text += "      costs   " +
-                    (time->ns > time->spread ? time_text(*time)
-                                             : fmt::format("less than {:.2g} ns a particle and step, the noise",
-                                                           std::abs(time->ns) + time->spread)) +
-                    ", with it less without it\n";
+            text += "      costs   " + time_text(*time) + ", with it less without it\n";
     }
     return text;
 }
@@ -59,7 +56,7 @@ std::string costs_text(const ModelCosts& costs) {
     Listing list;
     list.add("whole step", time_text(costs.step));
     for (const MeasuredTime& stage : costs.stages) list.add(stage.of, fmt::format("{:.3g} ns", stage.ns));
-    list.add("", fmt::format("wall time on this machine as it is now, {}, over the scene's first {}",
+    list.add("", fmt::format("fastest of some rounds on this machine as it is now, {}, in the scene's first {}",
                              count_text(static_cast<std::size_t>(costs.threads), "thread"),
                              count_text(static_cast<std::size_t>(costs.steps), "step")));
     list.add("", "'forces' holds pressure, viscosity, walls and repulsion, 'density' continuity, diffusion, shifting");

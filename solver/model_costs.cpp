@@ -81,11 +81,11 @@ class Trial {
     std::map<std::string, double> seconds_;
 };
 
-MeasuredTime middle_of(const std::string& of, std::vector<double> values) {
-    if (values.empty()) return {of, 0, 0};
-    std::ranges::sort(values);
-    const std::size_t n = values.size();
-    return {of, 0.5 * (values[(n - 1) / 2] + values[n / 2]), 0.5 * (values[n - 1 - n / 4] - values[n / 4])};
+MeasuredTime fastest_of(const std::string& of, const std::vector<Trial::Round>& rounds) {
+    std::vector<double> ns;
+    for (const Trial::Round& round : rounds) ns.push_back(round.ns);
+    std::ranges::sort(ns);
+    return {of, ns.front(), ns[std::min<std::size_t>(2, ns.size() - 1)] - ns.front()};
 }
 
 /// The scene without what a trial has no use for.
@@ -119,23 +119,23 @@ ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const
     const double a_round = left / (rounds * static_cast<double>(1 + without.size()));
     const long steps = std::clamp(static_cast<long>(a_round / step_seconds), 1L, 1000L);
 
-    ModelCosts costs;
-    std::vector<double> totals;
-    std::map<std::string, std::vector<double>> stages;
-    std::vector<std::vector<double>> differences(without.size());
+    std::vector<Trial::Round> of_whole;
+    std::vector<std::vector<Trial::Round>> of_others(without.size());
     for (int round = 0; round < rounds && (round < 1 || seconds_since(start) < seconds); ++round) {
-        const Trial::Round now = whole.run(steps);
-        costs.steps += now.steps;
-        costs.threads = now.threads;
-        totals.push_back(now.ns);
-        for (const auto& [stage, ns] : now.stages) stages[stage].push_back(ns);
-        for (std::size_t k = 0; k < without.size(); ++k) differences[k].push_back(now.ns - without[k]->run(steps).ns);
+        of_whole.push_back(whole.run(steps));
+        for (std::size_t k = 0; k < without.size(); ++k) of_others[k].push_back(without[k]->run(steps));
     }
-    costs.step = middle_of("step", totals);
-    for (const auto& [stage, values] : stages) costs.stages.push_back(middle_of(stage, values));
+    ModelCosts costs;
+    costs.step = fastest_of("step", of_whole);
+    costs.threads = of_whole.front().threads;
+    for (const Trial::Round& round : of_whole) costs.steps += round.steps;
+    for (const auto& [stage, ns] : std::ranges::min_element(of_whole, {}, &Trial::Round::ns)->stages)
+        costs.stages.push_back({stage, ns, 0});
     std::ranges::sort(costs.stages, std::greater{}, &MeasuredTime::ns);
-    for (std::size_t k = 0; k < without.size(); ++k)
-        costs.models.push_back(middle_of(left_out[k].model, differences[k]));
+    for (std::size_t k = 0; k < without.size(); ++k) {
+        const MeasuredTime other = fastest_of(left_out[k].model, of_others[k]);
+        costs.models.push_back({other.of, costs.step.ns - other.ns, costs.step.spread + other.spread});
+    }
     return costs;
 }
 

@@ -13,13 +13,13 @@ namespace dmp {
 /// Wall time measured on the scene's own particles [ns per particle and step].
 struct MeasuredTime {
     std::string of;     ///< a stage of the step, or a model
-    double ns = 0;      ///< median over the rounds
-    double spread = 0;  ///< half of the range of the middle half of the rounds
+    double ns = 0;      ///< of the fastest round: whatever else the machine does only adds to it
+    double spread = 0;  ///< how much longer the third fastest took
 };
 
 struct ModelCosts {
     MeasuredTime step;                 ///< all of it
-    std::vector<MeasuredTime> stages;  ///< of which
+    std::vector<MeasuredTime> stages;  ///< of which, in its fastest round
     /// Of each model that can be left out: the scene with it less the scene without it, both run in turns.
     std::vector<MeasuredTime> models;
     long steps = 0;   ///< of the whole scene that were timed

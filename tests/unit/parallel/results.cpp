@@ -173,8 +173,10 @@ TEST(Results, are_the_bits_of_one_rank_alone) {
         EXPECT_EQ(alone.values(field), together.values(field)) << word(field);
 }
 
+constexpr double speed = 0.5;
+
 TEST(ResidenceTimes, of_a_crossing_are_length_over_speed) {
-    constexpr double speed = 0.5, dt = 0.004;
+    constexpr double dt = 0.008;
     Scene scene = water_scene(2);
     ResidenceRegion strip, corner;
     strip.name = std::string("strip");

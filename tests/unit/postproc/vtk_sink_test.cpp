@@ -119,7 +119,7 @@ TEST(VtkSink, TensorsHaveTheComponentsThatParaViewKnows) {
         for (vtkIdType i = 0; i < stress->GetNumberOfTuples(); ++i)
             for (int c = 0; c < 6; ++c) EXPECT_EQ(stress->GetComponent(i, c), 0.5 * static_cast<double>(6 * i + c));
         EXPECT_EQ(opened.text("units:stress"), "Pa");
-        const FrameField& read = read_frame(file, name).frame.groups[0].fields.back();
+        const FrameField read = read_frame(file, name).frame.groups[0].fields.back();
         EXPECT_EQ(read.components, 6);
         EXPECT_EQ(read.values, group.fields.back().values);
     }

@@ -57,7 +57,7 @@ TEST(ExplainKey, a_key_that_differs_between_kinds) {
               "part.*.layers\n"
               "    Rows of wall particles; the wall must be as thick as the kernel's support.\n"
               "    type:    a whole number, at least 1\n"
-              "    default: 3\n"
+              "    default: 3 (draft: 3, fine: 4)\n"
               "    only for rigid parts\n"
               "\n"
               "part.*.layers\n"

@@ -69,6 +69,8 @@ TEST_P(EachWarning, names_key_and_place) {
     EXPECT_THAT(texts(scene), ElementsAre(AllOf(HasSubstr(GetParam().key), HasSubstr(GetParam().problem))));
 }
 
+std::string name_of(const ::testing::TestParamInfo<Oddity>& oddity) { return oddity.param.name; }
+
 INSTANTIATE_TEST_SUITE_P(
     Warnings, EachWarning,
     ::testing::Values(
@@ -155,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:7:9: output.average_from", "is not before the run's end"},
         Oddity{"picture_of_nothing", [](Scene& s) { give(s.output.picture_field, FluidField::pressure); },
                "scene.toml:7:9: output.picture_field", "'pressure' is not among output.fields"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    name_of);
 
 TEST(Warnings, of_missing_contact_count_bodies) {
     Scene scene = pipe();
