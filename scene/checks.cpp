@@ -75,9 +75,17 @@ void need_thick_walls(const Scene& scene) {
 void need_plane_formulas(const std::string& key, const Expression& third, const TomlNode& document) {
     const TomlNode* list = document.find(key);
     if (list == nullptr || list->children.size() < 3) return;
-    if (!third.depends_on_time() && !third.depends_on_place() && third(0) == 0) return;
+    if (third.is_zero()) return;
     throw InputError(list->children[2].place, key + " has a third component in a 2-D scene",
                      "leave it out, or write 0");
+}
+
+void need_plane_walls(const Scene& scene) {
+    for (const Part* wall : scene.parts_of(PartKind::rigid))
+        if (!wall->surface_velocity.value[2].is_zero())
+            throw InputError(wall->surface_velocity.place,
+                             "surface_velocity of '" + *wall->name + "' has a third component in a 2-D scene",
+                             "leave it out, or write 0");
 }
 
 /// What a scene starts from is taken once.
@@ -133,6 +141,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
     need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
     need_start_without_time(scene);
+    need_plane_walls(scene);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
 }
 

@@ -51,6 +51,10 @@ struct Part {
     // rigid and springs
     Value<int> layers;  ///< rows of particles; default 3 for rigid, 2 for springs
 
+    // rigid
+    /// Velocity of the wall's surface in itself, of a lid or a belt, as functions of t, x, y, z [m/s].
+    Value<std::array<Expression, 3>> surface_velocity;
+
     // springs
     Value<double> bending_stiffness;           ///< EI [N m^2]
     Value<double> axial_stiffness;             ///< EA [N]
@@ -137,6 +141,8 @@ struct Scene {
 
     std::vector<Measure> measures;
 
+    /// Whether any of a part's formulas is not 0.
+    static bool any(const std::array<Expression, 3>& formulas);
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
 };

@@ -63,6 +63,8 @@ std::vector<Key<Part>> part_keys() {
         {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
         {"layers", rigid, &Part::layers, integer(at_least(1)), "3",
          "Rows of wall particles; the wall must be as thick as the kernel's support."},
+        {"surface_velocity", rigid, &Part::surface_velocity, formulas("1 m/s"), "[0, 0]",
+         "How fast the wall's surface slides in itself, as a lid or a belt does, by formulas of t, x, y."},
         {"layers", springs, &Part::layers,
          integer(exactly(2, "springs parts have two rows of particles for now: write layers = 2")), "2",
          "Rows of particles across the solid's thickness."},

@@ -152,6 +152,10 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
                           scene.accuracy.walls == WallModel::plain ? "Monaghan 1994"
                                                                    : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
                           because(scene.accuracy.walls, "accuracy.walls")});
+    for (const Part* part : scene.parts_of(PartKind::rigid))
+        if (Scene::any(part->surface_velocity))
+            models.push_back({"sliding surface of '" + *part->name + "'", "velocity of the wall in the viscous force",
+                              because(part->surface_velocity, "surface_velocity")});
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
         models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});

@@ -11,6 +11,7 @@
 #include "solver/time/fluid_passes.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
+#include "solver/time/wall_motion.hpp"
 
 namespace dmp {
 
@@ -78,6 +79,7 @@ class FluidStep {
     std::unique_ptr<PairSweeps> sweeps_;
     FluidPasses passes_;
     SpringBodies springs_;
+    WallMotion walls_;
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;  ///< the acceleration
