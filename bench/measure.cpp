@@ -96,6 +96,7 @@ class EngineRuns {
         steps_.push_back(per_particle(summary.wall_s));
         times_.steps = summary.steps;
         times_.step_seconds = summary.simulated_s / static_cast<double>(summary.steps);
+        times_.viscous_iterations = summary.viscous_solves.mean_iterations();
         times_.density_low = summary.density_low / Liquid::density;
         times_.density_high = summary.density_high / Liquid::density;
         times_.planned_bytes = plan.bytes_per_particle;

@@ -63,6 +63,8 @@ class Parser {
         app_.add_flag("--accurate", options_.accurate,
                       "As scenes have it by default: support 3, shifting, diffusion, contact, extrapolated walls")
             ->excludes(plain);
+        app_.add_flag("--implicit-viscosity", options_.channel.implicit_viscosity,
+                      "Solve for the viscous forces instead of taking them from the last velocities");
         app_.add_option("--vector-unit", vector_unit_, "The engine's: avx2 or avx512; default: the widest")
             ->type_name("NAME");
         number("--threads", options_.threads, "The engine's threads; default: 1");

@@ -57,6 +57,8 @@ std::string engine_text(const Measured& measured) {
                                    engine.resident_bytes ? fmt::format("{:.0f}", *engine.resident_bytes) : "unknown"));
     list.add("run", fmt::format("{} steps of {:.3g} s, density {:.4f} to {:.4f} of that at rest", engine.steps,
                                 engine.step_seconds, engine.density_low, engine.density_high));
+    if (engine.viscous_iterations > 0)
+        list.add("viscosity", fmt::format("{:.1f} iterations a step", engine.viscous_iterations));
     return "engine\n" + list.text() + "  stages\n" + stages_text(engine);
 }
 
@@ -92,6 +94,7 @@ Json json_of(const Measured& measured) {
               {"sweeps_per_step", sweeps_per_step},
               {"particle_sweeps_per_s_core", sweeps_per_step * steps_per_second},
               {"pairs_per_s_core", sweeps_per_step * steps_per_second * measured.pairs},
+              {"viscous_iterations_per_step", engine.viscous_iterations},
               {"bytes_per_particle_planned", engine.planned_bytes},
               {"bytes_per_particle_resident", nullptr},
               {"processor_percent", 100 * engine.processor},
@@ -116,6 +119,7 @@ std::string json_text(const Options& options, const Measured& measured) {
               {"density_diffusion", channel.density_diffusion},
               {"shifting", channel.shifting},
               {"contact_range", channel.contact_range},
+              {"implicit_viscosity", channel.implicit_viscosity},
               {"vector_unit", word(options.vector_unit)},
               {"accurate", options.accurate},
               {"threads", options.threads},

@@ -154,6 +154,7 @@ sound_speed = "{} m/s"
 walls = "{}"
 density_diffusion = {}
 shifting = {}
+viscosity_stepping = "{}"
 
 [run]
 duration = "1 s"
@@ -165,7 +166,8 @@ measure_every = "1 s"
                        channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
                        Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "",
                        Liquid::speed, channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed,
-                       word(channel.walls), channel.density_diffusion, channel.shifting);
+                       word(channel.walls), channel.density_diffusion, channel.shifting,
+                       word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly));
 }
 
 Scene make_scene(const Channel& channel) {

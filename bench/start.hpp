@@ -31,6 +31,7 @@ struct Channel {
     double density_diffusion = 0;  ///< delta; 0: none
     double shifting = 0;           ///< s; 0: none
     double contact_range = 0;      ///< [dx]; 0: none
+    bool implicit_viscosity = false;
 };
 
 /// Largest displacement along each axis of a disordered start [dx].

@@ -148,6 +148,8 @@ class Parser {
         add_set(*explain_app_, explain_.subject.overrides);
         add_threads(*explain_app_, explain_.threads);
         add_particles(*explain_app_, explain_.subject);
+        explain_app_->add_flag("!--no-measure", explain_.measure,
+                               "Do not time the scene's first steps, which takes up to two seconds");
         explain_app_->footer(
             examples(program_, {"explain cases/vein_valve", "explain particles.spacing", "explain accuracy.support"}));
     }

@@ -7,26 +7,40 @@
 
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "scene/read_scene.hpp"
 
 namespace dmp::cli {
 
 namespace {
 
-template <class T>
-std::string origin_text(const Value<T>& value, const char* key) {
-    return value.given() ? fmt::format("{}, {}", key, value.place.text()) : fmt::format("{}, default", key);
-}
+/// Where values come from, by their keys.
+class Origins {
+  public:
+    explicit Origins(const Scene& scene) : scene_(scene) {}
+    template <class T>
+    std::string operator()(const Value<T>& value, const char* key) const {
+        return fmt::format("{}, {}", key, value.given() ? value.place.text() : default_origin(scene_, key));
+    }
+
+  private:
+    const Scene& scene_;
+};
 
 std::string sound_speed_text(const Scene& scene, const Plan& plan) {
+    const Origins origin_text(scene);
     const bool automatic = *scene.accuracy.sound_speed == 0;
     return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
-                       automatic ? fmt::format("(10 x the largest speed expected, {}; accuracy.sound_speed = \"auto\")",
-                                               quantity_text(plan.largest_speed, "m/s"))
-                                 : "(" + origin_text(scene.accuracy.sound_speed, "accuracy.sound_speed") + ")");
+                       automatic
+                           ? fmt::format("(the largest speed expected, {}, over Mach {:.3g}; accuracy.sound_speed = "
+                                         "\"auto\"; {})",
+                                         quantity_text(plan.largest_speed, "m/s"), *scene.accuracy.mach_number,
+                                         origin_text(scene.accuracy.mach_number, "accuracy.mach_number"))
+                           : "(" + origin_text(scene.accuracy.sound_speed, "accuracy.sound_speed") + ")");
 }
 
 std::string contact_text(const Scene& scene) {
     const auto& contact = scene.contact;
+    const Origins origin_text(scene);
     if (*contact.range == 0) return "none (" + origin_text(contact.range, "contact.range") + ")";
     const std::string strength = *contact.strength == 0 ? "auto" : quantity_text(*contact.strength, "J");
     return fmt::format("repulsion within {:.3g} x the spacing ({}), strength {} ({})", *contact.range,
@@ -38,7 +52,9 @@ std::string contact_text(const Scene& scene) {
 
 std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
     const auto& accuracy = scene.accuracy;
+    const Origins origin_text(scene);
     Listing list;
+    list.add("quality", fmt::format("{} ({})", word(*scene.quality), origin_text(scene.quality, "quality")));
     list.add("sound speed", sound_speed_text(scene, plan));
     list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", word(*accuracy.kernel),
                                    origin_text(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
@@ -47,6 +63,13 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
                                       origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
                                       *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));
+    if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly)
+        list.add("viscosity", fmt::format("implicit ({}), solved to {:.3g} ({})",
+                                          origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
+                                          *accuracy.viscosity_tolerance,
+                                          origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
+    list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
+                                        origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& [part, constants] : origin.springs) list.add("springs " + part, constants);
@@ -60,6 +83,9 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
         list.add("spring steps",
                  fmt::format("{} ({}), {} in each time step", word(*accuracy.spring_stepping),
                              origin_text(accuracy.spring_stepping, "accuracy.spring_stepping"), plan.spring_substeps));
+        if (*accuracy.spring_stepping == SpringStepping::subcycled)
+            list.add("", fmt::format("{:.4g} of the largest stable one ({})", *accuracy.spring_step_factor,
+                                     origin_text(accuracy.spring_step_factor, "accuracy.spring_step_factor")));
     }
     list.add("contact", contact_text(scene));
     for (const auto& note : origin.notes) list.add("note", note);

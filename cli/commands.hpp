@@ -50,6 +50,7 @@ struct ConvertCommand {
 struct ExplainCommand {
     SceneChoice subject;  ///< path: the scene or the key
     int threads = 0;
+    bool measure = true;  ///< time the scene's first steps
 };
 
 /// `dmp doctor`: is this machine all right?

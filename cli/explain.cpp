@@ -1,5 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -11,34 +14,71 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "scene/read_scene.hpp"
+#include "solver/model_costs.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {
 
 namespace {
 
+constexpr double measuring_seconds = 1.5;
+
 bool names_a_scene(const std::string& subject) {
     return std::filesystem::exists(subject) || subject.ends_with(".toml") || subject.find('/') != std::string::npos;
 }
 
-std::string models_text(const Plan& plan) {
+const MeasuredTime* time_of(const std::string& model, const std::optional<ModelCosts>& costs) {
+    if (!costs) return nullptr;
+    const auto found = std::ranges::find(costs->models, model, &MeasuredTime::of);
+    return found == costs->models.end() ? nullptr : &*found;
+}
+
+std::string time_text(const MeasuredTime& time) {
+    if (time.ns > time.spread) return fmt::format("{:.3g} ns a particle and step (+- {:.2g})", time.ns, time.spread);
+    return fmt::format("less than {:.3g} ns a particle and step: lost in the noise", std::abs(time.ns) + time.spread);
+}
+
+std::string models_text(const Plan& plan, const std::optional<ModelCosts>& costs) {
     std::string text = Style(Stream::output).strong("Models") + "\n";
     for (const auto& use : plan.models) {
         text += "  " + use.model + "\n";
         if (!use.source.empty()) text += "      source  " + use.source + "\n";
         text += "      why     " + use.reason + "\n";
+        for (std::size_t k = 0; k < use.fields.size(); ++k)
+            text += (k == 0 ? "      fields  " : "              ") + use.fields[k] + "\n";
+        if (const MeasuredTime* time = time_of(use.model, costs))
+            text += "      costs   " + time_text(*time) + ", with it less without it\n";
     }
     return text;
+}
+
+std::string costs_text(const ModelCosts& costs) {
+    Listing list;
+    list.add("whole step", time_text(costs.step));
+    for (const MeasuredTime& stage : costs.stages) list.add(stage.of, fmt::format("{:.3g} ns", stage.ns));
+    list.add("", fmt::format("fastest of some rounds on this machine as it is now, {}, in the scene's first {}",
+                             count_text(static_cast<std::size_t>(costs.threads), "thread"),
+                             count_text(static_cast<std::size_t>(costs.steps), "step")));
+    list.add("", "'forces' holds pressure, viscosity, walls and repulsion, 'density' continuity, diffusion, shifting");
+    return Style(Stream::output).strong("Measured") + "\n" + list.text();
 }
 
 std::string memory_text(const Plan& plan) {
     std::size_t total = 0;
     for (const auto& [kind, count] : plan.particles) total += count;
     std::string fields;
-    for (const auto& field : plan.fields) fields += "  " + field + "\n";
-    return Style(Stream::output).strong("Fields of a particle") + "\n" + fields +
-           fmt::format("  {} a particle, {} for {}\n", bytes_text(static_cast<double>(plan.bytes_per_particle)),
+    for (const auto& field : plan.common_fields) fields += "  " + field + "\n";
+    return Style(Stream::output).strong("Fields that several models need") + "\n" + fields +
+           fmt::format("  {} a particle with those of the models, {} for {}\n",
+                       bytes_text(static_cast<double>(plan.bytes_per_particle)),
                        bytes_text(static_cast<double>(plan.bytes_per_particle * total)), count_text(total, "particle"));
+}
+
+std::string warnings_text(const Plan& plan) {
+    if (plan.warnings.empty()) return "";
+    std::string text = "\n" + Style(Stream::output).strong("Warnings") + "\n";
+    for (const Warning& warning : plan.warnings) text += "  " + warning.text() + "\n";
+    return text;
 }
 
 }  // namespace
@@ -59,8 +99,18 @@ int execute(const ExplainCommand& command) {
     const int threads = threads_for(prepared.scene, command.threads);
     const Simulation simulation(prepared.scene, prepared.particles, threads);
     const Plan plan = simulation.plan();
-    print(head + "\n" + chosen_text(prepared.scene, plan, prepared.origin) + "\n" + models_text(plan) + "\n" +
-          limits_text(plan) + "\n" + memory_text(plan));
+    std::optional<ModelCosts> costs;
+    std::string measured;
+    if (command.measure) {
+        try {
+            costs = measure_costs(prepared.scene, prepared.particles, threads, measuring_seconds);
+            measured = "\n" + costs_text(*costs);
+        } catch (const DivergenceError& error) {
+            measured = "\nNothing was measured: " + std::string(error.problem()) + "\n";
+        }
+    }
+    print(head + "\n" + chosen_text(prepared.scene, plan, prepared.origin) + "\n" + models_text(plan, costs) + "\n" +
+          limits_text(plan) + "\n" + memory_text(plan) + measured + warnings_text(plan));
     return exit_done;
 }
 

@@ -30,10 +30,12 @@ bool matters(const std::string& table, const std::string& key) {
     if (table.empty()) return key == "dimension";
     if (table == "geometry") return key != "file";
     if (table == "particles") return true;
-    if (table == "flow") return key == "periodic";
+    if (table == "flow") return key == "periodic" || key == "symmetry";
     if (table == "contact") return key == "range";
     if (table == "accuracy") return key == "support";
-    return table == "part" && key != "viscosity" && key != "bond_damping" && key != "drag";
+    constexpr std::array others{"viscosity", "bond_damping", "drag", "surface_velocity",
+                                "slip",      "velocity",     "spin", "centre"};
+    return table == "part" && std::ranges::find(others, key) == others.end();
 }
 
 /// Key and value of each line.

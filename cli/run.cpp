@@ -1,4 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -121,6 +122,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     prepared.particles = {};
     const Plan plan = simulation.plan();
     print(head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n");
+    flush_output();
+    for (const Warning& warning : plan.warnings)
+        fmt::print(stderr, "{} {}\n", Style(Stream::error).warning("warning:"), warning.text());
     if (command.dry_run) {
         flush_output();
         print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),

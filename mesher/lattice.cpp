@@ -12,15 +12,16 @@ std::array<double, 2> Lattice::wanted_step(double spacing, Arrangement arrangeme
     return {nearest, nearest * std::sqrt(0.75)};
 }
 
-Lattice::Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement)
+Lattice::Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement,
+                 const std::array<bool, 3>& fitted)
     : box_(box), periodic_(periodic), arrangement_(arrangement) {
     const bool hexagonal = arrangement == Arrangement::hexagonal;
     step_ = wanted_step(spacing, arrangement);
     for (int axis = 0; axis < 2; ++axis) {
-        if (!periodic[axis]) continue;
+        if (!periodic[axis] && !fitted[axis]) continue;
         const double period = box.extent()[axis];
         // Hexagonal rows alternate, so two of them make the cell that repeats in y.
-        const double rows = hexagonal && axis == 1 ? 2 : 1;
+        const double rows = hexagonal && axis == 1 && periodic[axis] ? 2 : 1;
         step_[axis] = period / (rows * std::max(1.0, std::round(period / (rows * step_[axis]))));
     }
 }

@@ -14,7 +14,9 @@ namespace dmp {
 /// that they have equally many particles; on the hexagonal lattice the nearest are then 1.0746 spacings apart.
 class Lattice {
   public:
-    Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement);
+    /// Along `fitted` axes the box is a whole number of cells long, as it is along periodic ones.
+    Lattice(const Box& box, const std::array<bool, 3>& periodic, double spacing, Arrangement arrangement,
+            const std::array<bool, 3>& fitted = {});
 
     /// All points in the box widened by `margin` along axes that are not periodic, row after row (y, then x).
     [[nodiscard]] std::vector<Vec> points(double margin) const;

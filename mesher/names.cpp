@@ -9,6 +9,7 @@
 #include "base/nearest_name.hpp"
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
+#include "mesher/particle_builder.hpp"
 
 namespace dmp {
 
@@ -39,12 +40,14 @@ std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
                          (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
 }
 
-bool on_periodic_side(const Vec& a, const Vec& b, const Scene& scene, const Box& box, double tolerance) {
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!scene.flow.periodic[axis]) continue;
-        for (const double side : {box.low[axis], box.high[axis]})
+bool on_side_that_goes_on(const Vec& a, const Vec& b, const Scene& scene, const Box& box, double tolerance) {
+    const auto mirrored = mirrored_sides(scene);
+    for (int axis = 0; axis < 2; ++axis)
+        for (const bool high : {false, true}) {
+            if (!scene.flow.periodic[axis] && !mirrored[axis][high ? 1 : 0]) continue;
+            const double side = (high ? box.high : box.low)[axis];
             if (std::abs(a[axis] - side) < tolerance && std::abs(b[axis] - side) < tolerance) return true;
-    }
+        }
     return false;
 }
 
@@ -122,14 +125,14 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                 const Vec& a = loop.points[k];
                 const Vec& b = loop.points[(k + 1) % loop.points.size()];
                 const Vec middle = 0.5 * (a + b);
-                if (on_periodic_side(a, b, scene, box, tolerance) || at_wall(middle) ||
+                if (on_side_that_goes_on(a, b, scene, box, tolerance) || at_wall(middle) ||
                     at_another_fluid(middle, &region))
                     continue;
                 throw InputError(part->name.place,
                                  "the boundary of '" + part->name.value + "' is open between " + point_text(a) +
                                      " and " + point_text(b) + ": no rigid part and no periodic side closes it",
                                  "name this curve in the drawing as part of a rigid part, or make the axis periodic "
-                                 "(flow.periodic)");
+                                 "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");
             }
         for (int axis = 0; axis < 2; ++axis)
             if (scene.flow.periodic[axis]) check_sides_match(region, *part, axis, box, spacing);

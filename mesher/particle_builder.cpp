@@ -17,6 +17,12 @@ namespace {
 /// A wall particle nearer than this to a body's node would stand in its place [spacings].
 constexpr double wall_clearance = 0.75;
 
+bool is_beyond_a_plane(const ParticleSet& set, const Vec& point) {
+    for (int axis = 0; axis < set.dimension; ++axis)
+        if (set.mirrored_back(point[axis], axis) != point[axis]) return true;
+    return false;
+}
+
 /// Signed angle from arm a to arm b.
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
 
@@ -36,17 +42,28 @@ Box fluid_box(const Geometry& geometry, const Scene& scene) {
     return box;
 }
 
+/// By axis, low and high.
+std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene) {
+    std::array<std::array<bool, 2>, 3> mirrored{};
+    for (const BoxSide side : *scene.flow.symmetry)
+        mirrored[side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1]
+                [side == BoxSide::x_low || side == BoxSide::y_low ? 0 : 1] = true;
+    return mirrored;
+}
+
 ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
     : geometry_(geometry),
       scene_(scene),
       spacing_(scene.particles.spacing),
       lattice_(fluid_box(geometry, scene), {scene.flow.periodic[0], scene.flow.periodic[1], scene.flow.periodic[2]},
-               spacing_, scene.particles.arrangement) {
+               spacing_, scene.particles.arrangement,
+               {mirrored_sides(scene)[0][1], mirrored_sides(scene)[1][1], false}) {
     ParticleSet& set = result_.particles;
     set.dimension = scene.dimension;
     set.spacing = spacing_;
     set.box = fluid_box(geometry, scene);
     for (int axis = 0; axis < 3; ++axis) set.periodic[axis] = scene.flow.periodic[axis];
+    set.mirrored = mirrored_sides(scene);
     for (const Part* part : scene.parts_of(PartKind::fluid))
         fluids_.push_back({part, InsideTest(*geometry.region(part->name))});
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
@@ -180,6 +197,25 @@ const Part* ParticleBuilder::fluid_at(const Vec& point) const {
     return nullptr;
 }
 
+/// A wall that ends at a plane of symmetry goes on as its own image.
+void ParticleBuilder::look_from_images(const Vec& point, WallPoint& best) const {
+    const ParticleSet& set = result_.particles;
+    for (int axis = 0; axis < set.dimension; ++axis)
+        for (const int side : {0, 1}) {
+            if (!set.mirrored[axis][side]) continue;
+            const double twice_plane = 2 * (side == 0 ? set.box.low : set.box.high)[axis];
+            Vec image = point;
+            image[axis] = twice_plane - image[axis];
+            for (const Wall& wall : walls_) {
+                auto found = wall.curve.nearest(image);
+                if (!found || found->distance >= wall.thickness) continue;
+                if (best.part != nullptr && best.surface.distance <= found->distance) continue;
+                found->point[axis] = twice_plane - found->point[axis];
+                best = {wall.part, *found};
+            }
+        }
+}
+
 ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
     WallPoint best;
     const auto look_from = [&](const Vec& shift) {
@@ -191,6 +227,7 @@ ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
         }
     };
     look_from(Vec::Zero());
+    look_from_images(point, best);
     const ParticleSet& set = result_.particles;
     for (int axis = 0; axis < set.dimension; ++axis) {
         if (!set.periodic[axis]) continue;
@@ -260,7 +297,7 @@ void ParticleBuilder::add_walls(const Part& part) {
     for (const Fluid& fluid : fluids_) density = std::max(density, fluid.part->density.value);
     std::size_t count = 0;
     for (const Vec& point : lattice_.points((part.layers + 1) * spacing_)) {
-        if (fluid_at(point) != nullptr) continue;
+        if (fluid_at(point) != nullptr || is_beyond_a_plane(result_.particles, point)) continue;
         const auto [owner, surface] = wall_at(point);
         if (owner != &part || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
         const Vec to_surface = surface.point - point;
@@ -305,21 +342,21 @@ bool ParticleBuilder::clear_of_bodies(const Vec& point) const {
 MeshResult ParticleBuilder::finish() {
     ParticleSet& set = result_.particles;
     for (int axis = 0; axis < 2; ++axis) {
-        if (set.periodic[axis]) {
+        if (set.periodic[axis] || set.mirrored[axis][1]) {
             const double step = lattice_.step()[axis];
             const double wanted = Lattice::wanted_step(spacing_, scene_.particles.arrangement)[axis];
             if (std::abs(step / wanted - 1) > 1e-9) {
                 std::ostringstream note;
                 note << "lattice stretched along "
-                     << "xyz"[axis] << " by " << 100 * (step / wanted - 1)
-                     << " % so that a whole number of cells makes one period";
+                     << "xyz"[axis] << " by " << 100 * (step / wanted - 1) << " % so that a whole number of cells "
+                     << (set.periodic[axis] ? "makes one period" : "reaches the plane of symmetry");
                 result_.report.notes.push_back(note.str());
             }
-            continue;
         }
+        if (set.periodic[axis]) continue;
         for (const Vec& point : set.position) {
-            set.box.low[axis] = std::min(set.box.low[axis], point[axis]);
-            set.box.high[axis] = std::max(set.box.high[axis], point[axis]);
+            if (!set.mirrored[axis][0]) set.box.low[axis] = std::min(set.box.low[axis], point[axis]);
+            if (!set.mirrored[axis][1]) set.box.high[axis] = std::max(set.box.high[axis], point[axis]);
         }
     }
     return std::move(result_);

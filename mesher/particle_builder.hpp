@@ -11,6 +11,9 @@
 
 namespace dmp {
 
+/// The sides of the box that are planes of symmetry: by axis, low and high.
+std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene);
+
 /// The box around the fluid regions of the scene; along periodic axes exactly one period.
 Box fluid_box(const Geometry& geometry, const Scene& scene);
 
@@ -73,6 +76,7 @@ class ParticleBuilder {
     [[nodiscard]] const Part* fluid_at(const Vec& point) const;
     /// The rigid part the point belongs to, and its surface, looked for across periodic sides as well.
     [[nodiscard]] WallPoint wall_at(const Vec& point) const;
+    void look_from_images(const Vec& point, WallPoint& best) const;
     /// From a point on the surface into the fluid: the mean direction in which fluid lies.
     [[nodiscard]] Vec normal_on_surface(const Vec& point) const;
     [[nodiscard]] double distance_to_spring_nodes(const Vec& point) const;

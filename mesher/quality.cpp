@@ -65,14 +65,27 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, c
     return sums;
 }
 
+std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, double support) {
+    switch (*scene.accuracy.kernel) {
+        case KernelKind::wendland_c4:
+            return sums_by_part(set, scene, WendlandC4<2>(support), support);
+        case KernelKind::lucy:
+            return sums_by_part(set, scene, Lucy<2>(support), support);
+        case KernelKind::cubic_spline:
+            return sums_by_part(set, scene, CubicSpline<2>(support), support);
+        case KernelKind::quintic_spline:
+            return sums_by_part(set, scene, QuinticSpline<2>(support), support);
+        default:
+            return sums_by_part(set, scene, WendlandC2<2>(support), support);
+    }
+}
+
 }  // namespace
 
 void measure_quality(MeshResult& result, const Scene& scene) {
     const ParticleSet& set = result.particles;
     const double support = scene.accuracy.support * scene.particles.spacing;
-    const auto sums = scene.accuracy.kernel.value == KernelKind::lucy
-                          ? sums_by_part(set, scene, Lucy<2>(support), support)
-                          : sums_by_part(set, scene, WendlandC2<2>(support), support);
+    const auto sums = sums_by_part(set, scene, support);
     for (const MeshReport::SpringLine& springs : result.report.springs) {
         MeshReport::PartLine line;
         line.name = springs.part;

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "particles/cell_grid.hpp"
@@ -8,7 +9,7 @@
 
 namespace dmp {
 
-/// A particle set with its periodic images, sorted for neighbour search.
+/// A particle set with its periodic images and those at planes of symmetry, sorted for neighbour search.
 class SearchableParticles {
   public:
     SearchableParticles(const ParticleSet& set, double reach) : owned_(set.size()) {
@@ -21,6 +22,7 @@ class SearchableParticles {
         for (int axis = 0; axis < set.dimension; ++axis)
             for (const PeriodicImage& image : images_)
                 points_[axis].push_back(points_[axis][image.source] + image.shift[axis]);
+        for (int axis = 0; axis < set.dimension; ++axis) mirror(set, axis, reach);
         grid_ = CellGrid(points_, points_[0].size(), set.dimension, reach);
         reach_ = reach;
         dimension_ = set.dimension == 3 ? 3 : 2;
@@ -42,6 +44,20 @@ class SearchableParticles {
     }
 
   private:
+    /// Adds the images that lie within the reach of the planes across an axis.
+    void mirror(const ParticleSet& set, int axis, double reach) {
+        for (const int side : {0, 1}) {
+            if (!set.mirrored[axis][side]) continue;
+            const double plane = (side == 0 ? set.box.low : set.box.high)[axis];
+            for (std::size_t k = 0, count = points_[0].size(); k < count; ++k) {
+                if (std::abs(points_[axis][k] - plane) > reach) continue;
+                for (int a = 0; a < set.dimension; ++a)
+                    points_[a].push_back(a == axis ? 2 * plane - points_[a][k] : points_[a][k]);
+                images_.push_back({k < owned_ ? static_cast<int>(k) : images_[k - owned_].source, {}});
+            }
+        }
+    }
+
     std::size_t owned_;
     Coordinates points_;
     std::vector<PeriodicImage> images_;

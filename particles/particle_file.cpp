@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -87,11 +88,21 @@ std::string problem_with(const ParticleSet& set) {
             return of("hinge", n) + " joins a particle that is not there";
         if (!finite(hinge.rest_angle) || !finite(hinge.stiffness))
             return of("hinge", n) + ": its rest_angle or stiffness is not finite";
+        if (set.dimension == 3 && !(hinge.rest_angle >= 0 && hinge.rest_angle <= std::numbers::pi))
+            return of("hinge", n) + ": its rest_angle is not between 0 and pi, as angles in space are";
+    }
+    if (set.dimension == 2 && !set.dihedrals.empty()) return "it has dihedrals, and there are none in the plane";
+    for (std::size_t n = 0; n < set.dihedrals.size(); ++n) {
+        const Dihedral& dihedral = set.dihedrals[n];
+        if (outside(dihedral.a) || outside(dihedral.b) || outside(dihedral.c) || outside(dihedral.d))
+            return of("dihedral", n) + " joins a particle that is not there";
+        if (!finite(dihedral.rest_angle) || !finite(dihedral.stiffness))
+            return of("dihedral", n) + ": its rest_angle or stiffness is not finite";
     }
     return "";
 }
 
-/// One member of each bond or hinge.
+/// One member of each bond, hinge or dihedral.
 template <class T, class Item>
 std::vector<T> column(const std::vector<Item>& items, T Item::*member) {
     std::vector<T> values(items.size());
@@ -106,6 +117,9 @@ void write_space(Hdf5Writer& to, const ParticleSpace& space) {
     to.write_array<double>("box/high", std::span(space.box.high.data(), 3));
     const std::array<std::uint8_t, 3> periodic{space.periodic[0], space.periodic[1], space.periodic[2]};
     to.write_array<std::uint8_t>("periodic", periodic);
+    std::array<std::uint8_t, 6> mirrored{};
+    for (std::size_t side = 0; side < mirrored.size(); ++side) mirrored[side] = space.mirrored[side / 2][side % 2];
+    to.write_array<std::uint8_t>("mirrored", mirrored);
     std::vector<std::string> names, kinds;
     for (const auto& part : space.parts) {
         names.push_back(part.name);
@@ -147,6 +161,15 @@ void write_springs(Hdf5Writer& to, const ParticleSet& set) {
     to.set_attribute("bonds/stiffness", "unit", "N/m");
     to.set_attribute("hinges/rest_angle", "unit", "rad");
     to.set_attribute("hinges/stiffness", "unit", "J");
+    if (set.dihedrals.empty()) return;
+    to.write_array<std::int32_t>("dihedrals/a", column(set.dihedrals, &Dihedral::a));
+    to.write_array<std::int32_t>("dihedrals/b", column(set.dihedrals, &Dihedral::b));
+    to.write_array<std::int32_t>("dihedrals/c", column(set.dihedrals, &Dihedral::c));
+    to.write_array<std::int32_t>("dihedrals/d", column(set.dihedrals, &Dihedral::d));
+    to.write_array<double>("dihedrals/rest_angle", column(set.dihedrals, &Dihedral::rest_angle));
+    to.write_array<double>("dihedrals/stiffness", column(set.dihedrals, &Dihedral::stiffness));
+    to.set_attribute("dihedrals/rest_angle", "unit", "rad");
+    to.set_attribute("dihedrals/stiffness", "unit", "J");
 }
 
 std::vector<Vec> read_vectors(const Hdf5Reader& from, const std::string& name) {
@@ -172,6 +195,10 @@ void read_space(const Hdf5Reader& from, ParticleSpace& space) {
     if (periodic.size() != 3 || std::ranges::any_of(periodic, [](int flag) { return flag > 1; }))
         from.refuse("periodic is not 0 or 1 for each of three axes");
     std::copy(periodic.begin(), periodic.end(), space.periodic.begin());
+    const auto mirrored = from.array<std::uint8_t>("mirrored");
+    if (mirrored.size() != 6 || std::ranges::any_of(mirrored, [](int flag) { return flag > 1; }))
+        from.refuse("mirrored is not 0 or 1 for each side of three axes");
+    for (std::size_t side = 0; side < mirrored.size(); ++side) space.mirrored[side / 2][side % 2] = mirrored[side] == 1;
     const auto names = from.texts("parts/name"), kinds = from.texts("parts/kind");
     if (names.size() != kinds.size())
         from.refuse(std::to_string(names.size()) + " parts have a name, and " + std::to_string(kinds.size()) +
@@ -217,6 +244,14 @@ void read_springs(const Hdf5Reader& from, ParticleSet& set) {
     read_column(from, "hinges/b", set.hinges, &Hinge::b);
     read_column(from, "hinges/rest_angle", set.hinges, &Hinge::rest_angle);
     read_column(from, "hinges/stiffness", set.hinges, &Hinge::stiffness);
+    if (!from.has("dihedrals/a")) return;
+    set.dihedrals.resize(from.length("dihedrals/a"));
+    read_column(from, "dihedrals/a", set.dihedrals, &Dihedral::a);
+    read_column(from, "dihedrals/b", set.dihedrals, &Dihedral::b);
+    read_column(from, "dihedrals/c", set.dihedrals, &Dihedral::c);
+    read_column(from, "dihedrals/d", set.dihedrals, &Dihedral::d);
+    read_column(from, "dihedrals/rest_angle", set.dihedrals, &Dihedral::rest_angle);
+    read_column(from, "dihedrals/stiffness", set.dihedrals, &Dihedral::stiffness);
 }
 
 }  // namespace

@@ -20,11 +20,20 @@ struct Bond {
     double stiffness = 0;    ///< k_b [N/m]
 };
 
-/// A hinge, U = stiffness (theta - rest_angle)^2 (no 1/2), theta the signed angle from centre->a to centre->b.
+/// A hinge, U = stiffness (theta - rest_angle)^2 (no 1/2); theta in 2-D the signed angle from centre->a to centre->b,
+/// in (-pi, pi]; in 3-D the angle between them, in [0, pi].
 struct Hinge {
     int a = 0, centre = 0, b = 0;
-    double rest_angle = 0;  ///< in (-pi, pi] [rad]
+    double rest_angle = 0;  ///< [rad]
     double stiffness = 0;   ///< k_a [J]
+};
+
+/// A dihedral (3-D), U = stiffness (phi - rest_angle)^2 (no 1/2), phi in (-pi, pi] the angle between the planes abc and
+/// bcd, positive when, seen from b to c, d is turned clockwise from a; pi: all in a plane, a and d on different sides.
+struct Dihedral {
+    int a = 0, b = 0, c = 0, d = 0;
+    double rest_angle = 0;  ///< in (-pi, pi] [rad]
+    double stiffness = 0;   ///< k_d [J]
 };
 
 /// The space that particles live in, and the parts they belong to: all of a particle set that does not grow with it.
@@ -38,7 +47,17 @@ struct ParticleSpace {
     double spacing = 0;              ///< [m]
     Box box;                         ///< periodic axes: one period; others: around everything
     std::array<bool, 3> periodic{};  ///< by axis
-    std::vector<PartInfo> parts;     ///< what the part numbers mean
+    /// By axis, low and high: whether that side of the box is a plane of symmetry; nothing lies beyond it.
+    std::array<std::array<bool, 2>, 3> mirrored{};
+    std::vector<PartInfo> parts;  ///< what the part numbers mean
+
+    [[nodiscard]] bool is_mirrored(int axis) const { return mirrored[axis][0] || mirrored[axis][1]; }
+    /// Twice the place of the plane of symmetry that x lies beyond, minus x: its mirror image; else x.
+    [[nodiscard]] double mirrored_back(double x, int axis) const {
+        if (mirrored[axis][0] && x < box.low[axis]) return 2 * box.low[axis] - x;
+        if (mirrored[axis][1] && x > box.high[axis]) return 2 * box.high[axis] - x;
+        return x;
+    }
 };
 
 /// What the mesher hands on: particles, bonds and walls, as plain arrays. A particle's id is its index.
@@ -56,6 +75,7 @@ struct ParticleSet : ParticleSpace {
 
     std::vector<Bond> bonds;
     std::vector<Hinge> hinges;
+    std::vector<Dihedral> dihedrals;  ///< 3-D only
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
     [[nodiscard]] ParticleKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }

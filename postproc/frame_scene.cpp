@@ -56,13 +56,16 @@ const FrameField* find_field(const FrameGroup& group, const std::string& name) {
     return found == group.fields.end() ? nullptr : &*found;
 }
 
-/// One number a particle: the value, or the vector's magnitude.
+/// One number a particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
 std::vector<float> scalars(const FrameField& field) {
     if (field.components == 1) return field.values;
-    std::vector<float> magnitude(field.values.size() / 3);
+    const auto components = static_cast<std::size_t>(field.components);
+    std::vector<float> magnitude(field.values.size() / components);
     for (std::size_t i = 0; i < magnitude.size(); ++i) {
-        const float* v = &field.values[3 * i];
-        magnitude[i] = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const float* v = &field.values[components * i];
+        float square = 0;
+        for (std::size_t c = 0; c < components; ++c) square += (c < 3 ? 1.0F : 2.0F) * v[c] * v[c];
+        magnitude[i] = std::sqrt(square);
     }
     return magnitude;
 }
@@ -80,6 +83,7 @@ ParticleLayer plain_layer(const FrameGroup& group, Colour colour, double radius)
 RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     fluid_ = read_series(folder_ / "fluid.pvd");
     solid_ = read_series(folder_ / "solid.pvd");
+    moving_walls_ = read_series(folder_ / "moving_walls.pvd");
     for (const auto* series : {&fluid_, &solid_})
         for (const SeriesEntry& entry : *series) times_.push_back(entry.time);
     std::sort(times_.begin(), times_.end());
@@ -97,9 +101,11 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     include(area_, walls_);
     include(area_, first.fluid);
     include(area_, first.solid);
+    include(area_, first.moving_walls);
     const Box limit = is_empty(area_) ? Box{} : Box{area_.low - area_.extent() / 2, area_.high + area_.extent() / 2};
     include(area_, last.fluid, &limit);
     include(area_, last.solid, &limit);
+    include(area_, last.moving_walls, &limit);
     if (is_empty(area_))
         throw InputError("'" + folder_.string() + "': no particle of the first frame has a place",
                          "The run diverged at once or the files are broken; run the simulation again.");
@@ -121,6 +127,7 @@ RunFrame RunFolder::read(std::size_t frame) const {
     };
     take(fluid_, "fluid", result.fluid);
     take(solid_, "solid", result.solid);
+    take(moving_walls_, "moving_walls", result.moving_walls);
     return result;
 }
 
@@ -133,7 +140,7 @@ void FieldRange::include(const RunFrame& frame, const std::string& field) {
         return;
     }
     unit_ = found->unit;
-    vector_ = found->components == 3;
+    vector_ = found->components > 1;
     std::vector<float> values = scalars(*found);
     values.erase(std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }), values.end());
     if (values.empty()) return;
@@ -178,7 +185,8 @@ std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<
         }
         layers.push_back(std::move(layer));
     }
-    if (walls) layers.push_back(plain_layer(*walls, colours::wall, covering_radius_of_lattice * frame.spacing));
+    for (const auto* rigid : {&walls, &frame.moving_walls})
+        if (*rigid) layers.push_back(plain_layer(**rigid, colours::wall, covering_radius_of_lattice * frame.spacing));
     if (frame.solid) {
         ParticleLayer layer = plain_layer(*frame.solid, scale.solid, 0.6 * frame.spacing);
         layer.lines = frame.solid->bond_ends;

@@ -14,11 +14,11 @@
 
 namespace dmp {
 
-/// What is seen at one time, walls aside.
+/// What is seen at one time, walls at rest aside.
 struct RunFrame {
     double time = 0;     ///< [s]
     double spacing = 0;  ///< [m]
-    std::optional<FrameGroup> fluid, solid;
+    std::optional<FrameGroup> fluid, solid, moving_walls;
 };
 
 /// A finished run's folder.
@@ -41,7 +41,7 @@ class RunFolder {
 
   private:
     std::filesystem::path folder_;
-    std::vector<SeriesEntry> fluid_, solid_;
+    std::vector<SeriesEntry> fluid_, solid_, moving_walls_;
     std::vector<double> times_;
     std::optional<FrameGroup> walls_;
     std::string title_;

@@ -38,6 +38,7 @@ view = GetActiveViewOrCreate("RenderView")
 view.InteractionMode = "2D"
 
 show_particles("walls.vtp", [0.6, 0.6, 0.6], -spacing)
+show_particles("moving_walls.pvd", [0.6, 0.6, 0.6], -spacing)
 solid = show_particles("solid.pvd", [0.6, 0.05, 0.1], spacing)
 fluid = show_particles("fluid.pvd", [0.2, 0.4, 0.8], 0)
 GetAnimationScene().UpdateAnimationUsingDataTimeSteps()

@@ -32,10 +32,10 @@ vtkSmartPointer<VtkArray> named_array(const std::string& name, int components, c
     array->SetNumberOfComponents(components);
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
     std::copy(values.begin(), values.end(), array->GetPointer(0));
-    if (components == 3) {
-        const char* const axes[] = {"x", "y", "z"};
-        for (int axis = 0; axis < 3; ++axis) array->SetComponentName(axis, axes[axis]);
-    }
+    // Names and order of symmetric tensors as ParaView has them.
+    const std::vector<const char*> axes{"x", "y", "z"}, pairs{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    if (components == 3 || components == 6)
+        for (int c = 0; c < components; ++c) array->SetComponentName(c, (components == 3 ? axes : pairs)[c]);
     return array;
 }
 

@@ -175,7 +175,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         limits[limit.model] = limit.dt;
         formulas[limit.model] = limit.formula;
     }
-    const Json json{{"title", extra.label.title},
+    Json json{{"title", extra.label.title},
                     {"version", extra.label.version},
                     {"scene_hash", extra.label.scene_hash},
                     {"interrupted", summary.interrupted},
@@ -204,6 +204,11 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
                     {"state_hash", summary.state_hash},
                     {"seconds_by_stage", object_of(summary.seconds_by_stage)},
                     {"files", extra.files}};
+    const ViscousSolves& viscous = summary.viscous_solves;
+    if (viscous.solves > 0)
+        json["implicit_viscosity"] = {{"solves", viscous.solves},
+                                      {"iterations_mean", viscous.mean_iterations()},
+                                      {"iterations_most", viscous.most_iterations}};
     make_folder(folder);
     write_file(folder / summary_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -74,13 +74,15 @@ std::string vtp_text(vtkPolyData* data, const fs::path& file) {
 
 bool is_own_frame(const fs::path& file) {
     const std::string name = file.filename().string();
-    return file.extension() == ".vtp" && (name.starts_with("fluid_") || name.starts_with("solid_"));
+    return file.extension() == ".vtp" &&
+           (name.starts_with("fluid_") || name.starts_with("solid_") || name.starts_with("moving_walls_"));
 }
 
 /// Series first: no .pvd may name a file that is gone.
 void remove_earlier_run(const fs::path& folder) {
     std::error_code failed;
-    for (const char* name : {"fluid.pvd", "solid.pvd", "walls.vtp"}) fs::remove(folder / name, failed);
+    for (const char* name : {"fluid.pvd", "solid.pvd", "moving_walls.pvd", "walls.vtp"})
+        fs::remove(folder / name, failed);
     std::vector<fs::path> old_frames;
     for (const auto& entry : fs::directory_iterator(folder / frames_folder, failed))
         if (is_own_frame(entry.path())) old_frames.push_back(entry.path());
@@ -95,7 +97,7 @@ VtkSink::VtkSink(fs::path folder, RunLabel label) : folder_(std::move(folder)), 
 }
 
 void VtkSink::go_on(long frames) {
-    for (const char* name : {"fluid", "solid"}) {
+    for (const char* name : {"fluid", "solid", "moving_walls"}) {
         std::ifstream file(folder_ / (std::string(name) + ".pvd"));
         static const std::regex entry("timestep=\"([^\"]+)\".* file=\"([^\"]+)\"");
         std::smatch match;

@@ -16,7 +16,7 @@ namespace dmp {
 ///     fluid.pvd, solid.pvd           the series, rewritten after each frame
 ///     frames/fluid_000012.vtp        particles as vertex cells
 ///     frames/solid_000012.vtp        particles as vertex cells, bonds as line cells
-///     walls.vtp                      once
+///     walls.vtp                      once; walls that move: moving_walls.pvd and a frame each
 ///     open_in_paraview.py            opens them all with sensible settings
 ///
 /// A folder holds one run: the first frame removes the frames an earlier run left there.

@@ -53,6 +53,23 @@ void need_largest_speed(const Scene& scene, const TomlNode& document) {
                      "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
 }
 
+/// Implicit viscosity is one linear, symmetric system of the fluid and the springs in it.
+void need_what_implicit_viscosity_solves(const Scene& scene) {
+    const auto& accuracy = scene.accuracy;
+    if (*accuracy.viscosity_stepping != ViscosityStepping::implicitly) return;
+    if (*accuracy.viscous_law == ViscousLaw::monaghan_approaching)
+        throw InputError(
+            first_known(scene, {&accuracy.viscous_law.place}),
+            "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
+            "accuracy.viscous_law = \"monaghan_approaching\" is none",
+            "write viscous_law = \"monaghan\" or \"morris\"");
+    if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
+        throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
+                         "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+                         "accuracy.spring_stepping = \"subcycled\" moves apart from it",
+                         "write spring_stepping = \"implicit\"");
+}
+
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
@@ -81,11 +98,57 @@ void need_plane_formulas(const std::string& key, const Expression& third, const 
 }
 
 void need_plane_walls(const Scene& scene) {
-    for (const Part* wall : scene.parts_of(PartKind::rigid))
-        if (!wall->surface_velocity.value[2].is_zero())
-            throw InputError(wall->surface_velocity.place,
-                             "surface_velocity of '" + *wall->name + "' has a third component in a 2-D scene",
+    const auto need_plane = [](const Part& wall, const auto& formulas, const std::string& key) {
+        if (!formulas.value[2].is_zero())
+            throw InputError(formulas.place, key + " of '" + *wall.name + "' has a third component in a 2-D scene",
                              "leave it out, or write 0");
+    };
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        need_plane(*wall, wall->surface_velocity, "surface_velocity");
+        need_plane(*wall, wall->velocity, "velocity");
+    }
+}
+
+/// A rigid part moves as a whole, and only walls that continue the fluid can let it slip.
+void check_walls(const Scene& scene) {
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        const bool bends = std::ranges::any_of(wall->velocity.value, &Expression::depends_on_place);
+        if (bends || wall->spin->depends_on_place())
+            throw InputError((bends ? wall->velocity.place : wall->spin.place),
+                             std::string(bends ? "velocity" : "spin") + " of the rigid part '" + *wall->name +
+                                 "' depends on x, y or z: it would not stay rigid",
+                             "give formulas of t; a surface that slides within itself has a surface_velocity");
+        if (wall->slip && *scene.accuracy.walls == WallModel::plain)
+            throw InputError(first_known(scene, {&wall->slip.place, &scene.accuracy.walls.place}),
+                             "the wall '" + *wall->name + "' has slip = true, and plain walls cannot let a fluid slip",
+                             "write accuracy.walls = \"extrapolated\", or leave out slip");
+        if (wall->slip && wall->slides())
+            throw InputError(
+                first_known(scene, {&wall->surface_velocity.place, &wall->slip.place}),
+                "the surface of '" + *wall->name + "' slides, and lets the fluid slip: it would not be felt",
+                "leave out surface_velocity, or slip");
+    }
+}
+
+/// An axis either repeats itself or has planes of symmetry, across which nothing may be driven.
+void check_symmetry(const Scene& scene) {
+    if (!scene.flow.symmetry->empty() && *scene.accuracy.gradient_correction)
+        throw InputError(first_known(scene, {&scene.accuracy.gradient_correction.place, &scene.flow.symmetry.place}),
+                         "accuracy.gradient_correction does not know planes of symmetry (flow.symmetry)",
+                         "leave out one of them");
+    for (const BoxSide side : *scene.flow.symmetry) {
+        const int axis = side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1;
+        if (*scene.flow.periodic[axis])
+            throw InputError(first_known(scene, {&scene.flow.symmetry.place, &scene.flow.periodic[axis].place}),
+                             "flow.symmetry: '" + word(side) + "' lies across an axis that is periodic",
+                             "take the axis out of flow.periodic, or the side out of flow.symmetry");
+        const Expression& across = scene.flow.acceleration[axis];
+        if (!across.is_zero() && !across.depends_on_place())
+            throw InputError(first_known(scene, {&scene.flow.symmetry.place}),
+                             "flow.acceleration pushes across the plane of symmetry '" + word(side) +
+                                 "': the two sides would not be alike",
+                             "leave out that component, or the side");
+    }
 }
 
 /// What a scene starts from is taken once.
@@ -100,11 +163,47 @@ void need_start_without_time(const Scene& scene) {
     need("flow.initial_pressure", scene.flow.initial_pressure, scene.flow.initial_pressure.place);
 }
 
+void need_plane_point(const Value<Vec>& point) {
+    if ((*point)[2] == 0) return;
+    throw InputError(point.place, "the third coordinate of a point in a 2-D scene is not 0",
+                     "leave it out, or write 0");
+}
+
+void check_region(const Scene& scene, const ResidenceRegion& region) {
+    for (const auto* point : {&region.from, &region.to}) {
+        if (scene.dimension == 2) need_plane_point(*point);
+    }
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        if ((*region.from)[axis] != (*region.to)[axis]) continue;
+        throw InputError(region.to.place,
+                         "the corners of region '" + *region.name + "' have the same " + "xyz"[axis] +
+                             ": there is nothing between them",
+                         "give two opposite corners of a box");
+    }
+}
+
+/// Residence times are of regions.
+void need_regions(const Scene& scene, const TomlNode& document) {
+    const bool pictured = *scene.output.picture_field == FluidField::residence_time;
+    if (pictured && scene.regions.size() > 1) {
+        throw InputError(first_known(scene, {&scene.output.picture_field.place}),
+                         "output.picture_field = \"residence_time\": there are several regions, and one array for each",
+                         "leave one [[region]], or picture another field");
+    }
+    if (!scene.regions.empty() || !(pictured || scene.asks_for(FluidField::residence_time))) return;
+    const Place* of_probe = nullptr;
+    for (const Measure& measure : scene.measures) {
+        if (*measure.field == FluidField::residence_time) of_probe = &measure.field.place;
+    }
+    throw InputError(
+        first_known(scene, {of_probe, place_of(document, "output.fields"), &scene.output.picture_field.place}),
+        "'residence_time' is asked for, and the scene has no region in which to follow it",
+        "add a [[region]] with a name and the corners from and to");
+}
+
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
-        if ((**point)[2] == 0) continue;
-        throw InputError(point->place, "the third coordinate of a point in a 2-D scene is not 0",
-                         "leave it out, or write 0");
+        need_plane_point(*point);
     }
     if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
         throw InputError(measure.to.place,
@@ -133,15 +232,21 @@ void check_measure(const Scene& scene, const Measure& measure) {
 
 void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
+    refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
     need_largest_speed(scene, document);
+    need_what_implicit_viscosity_solves(scene);
     need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
     need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
     need_start_without_time(scene);
     need_plane_walls(scene);
+    check_walls(scene);
+    check_symmetry(scene);
+    need_regions(scene, document);
+    for (const auto& region : scene.regions) check_region(scene, region);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
 }
 

@@ -53,7 +53,7 @@ bool KeyFacts::is_for(const std::string& kind) const {
 
 std::string key_pattern(const std::string& path) {
     if (path.starts_with("geometry.parameters.")) return "geometry.parameters";
-    for (const std::string item : {"part", "measure"}) {
+    for (const std::string& item : item_lists()) {
         if (path.starts_with(item + ".")) return item + ".*." + split_at_last_dot(path).second;
     }
     return path;
@@ -99,7 +99,7 @@ std::string advice_for_unknown_key(const std::string& pattern) {
             if (!known.empty()) tables.push_back(known.substr(0, known.find('.')));
         }
         const auto nearest = nearest_name(name, tables);
-        const bool list = nearest == "part" || nearest == "measure";
+        const bool list = std::ranges::find(item_lists(), nearest) != item_lists().end();
         if (!nearest.empty()) return "did you mean " + header_of(nearest + (list ? ".*" : "")) + "?";
     }
     if (const auto nearest = nearest_key(pattern); !nearest.empty()) return "did you mean " + shown_key(nearest) + "?";

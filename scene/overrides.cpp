@@ -29,9 +29,10 @@ std::vector<std::string> split_at_dots(const std::string& path) {
     return words;
 }
 
+bool names_a_list(const std::string& word) { return std::ranges::find(item_lists(), word) != item_lists().end(); }
+
 void need_known_key(const std::string& key, const std::vector<std::string>& words, const Place& place) {
-    const bool item = words[0] == "part" || words[0] == "measure";
-    if (item && words.size() != 3) {
+    if (names_a_list(words[0]) && words.size() != 3) {
         throw InputError(place, "'" + key + "' does not say which " + words[0] + " and which of its keys",
                          "write " + words[0] + ".NAME.KEY=VALUE");
     }
@@ -96,7 +97,7 @@ void apply_overrides(TomlNode& document, std::span<const std::string> overrides)
         need_known_key(key, words, place);
 
         TomlNode* table = &document;
-        if (words[0] == "part" || words[0] == "measure") {
+        if (names_a_list(words[0])) {
             table = &find_item(document, words[0], words[1], place);
         } else {
             for (std::size_t i = 0; i + 1 < words.size(); ++i) table = &table_in(*table, words[i], place);

@@ -76,7 +76,7 @@ void check_items(const TomlNode& list, const std::vector<KeyFacts>& facts) {
 void check_keys(const TomlNode& document) {
     const auto facts = schema().facts();
     for (const auto& node : document.children) {
-        if (node.key == "part" || node.key == "measure") {
+        if (std::ranges::find(item_lists(), node.key) != item_lists().end()) {
             check_items(node, facts);
             continue;
         }
@@ -96,13 +96,14 @@ void check_keys(const TomlNode& document) {
 
 /// Reads one key, or its default where `node` is null. `path` names it in messages.
 template <class Owner>
-void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const std::string& path, const Place& table) {
+void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const std::string& path, const Place& table,
+              Quality quality) {
     if (node != nullptr) {
         key.read(owner, *node, path);
     } else if (key.facts.fallback.presence == required) {
         throw InputError(table, "missing key: " + path, "add " + shown_key(key.facts.path) + ": " + key.facts.type);
     } else if (key.facts.fallback.presence == Default::Presence::value) {
-        key.read(owner, parse_toml_value(key.facts.fallback.value, {}), path);
+        key.read(owner, parse_toml_value(key.facts.fallback.at(quality), {}), path);
     }
 }
 
@@ -124,15 +125,16 @@ void need_fitting_key(const Item& item, const TomlNode& node, const std::string&
 }
 
 template <class Item>
-Item read_item(const TomlNode& table, const std::string& what, const std::vector<Key<Item>>& keys) {
+Item read_item(const TomlNode& table, const std::string& what, const std::vector<Key<Item>>& keys, Quality quality) {
     Item item;
     std::string prefix = what;  // "part", and "part.blood" once the name is known
     for (const auto& key : keys) {
         const bool first_two = key.facts.name() == "name" || key.facts.name() == "kind";
-        if (!first_two && !key.facts.is_for(word(*item.kind))) continue;
-        read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.place);
+        if (!first_two && !key.facts.is_for(kind_of(item))) continue;
+        read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.place, quality);
         if (key.facts.name() == "name") prefix = what + "." + *item.name;
-        if (key.facts.name() == "kind") {
+        if constexpr (requires { item.kind; }) {
+            if (key.facts.name() != "kind") continue;
             for (const auto& node : table.children) need_fitting_key(item, node, what, keys);
         }
     }
@@ -140,10 +142,11 @@ Item read_item(const TomlNode& table, const std::string& what, const std::vector
 }
 
 template <class Item>
-std::vector<Item> read_items(const TomlNode& document, const std::string& what, const std::vector<Key<Item>>& keys) {
+std::vector<Item> read_items(const TomlNode& document, const std::string& what, const std::vector<Key<Item>>& keys,
+                             Quality quality) {
     std::vector<Item> items;
     if (const TomlNode* list = document.child(what)) {
-        for (const auto& table : list->children) items.push_back(read_item(table, what, keys));
+        for (const auto& table : list->children) items.push_back(read_item(table, what, keys, quality));
     }
     return items;
 }
@@ -178,10 +181,12 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
         const TomlNode* section = document.find(key.facts.section());
         const bool in_table = section != nullptr && !key.facts.section().empty();
         const Place table = in_table ? section->place : Place{scene.file, 0, 0};
-        read_key(scene, key, document.find(key.facts.path), key.facts.path, table);
+        read_key(scene, key, document.find(key.facts.path), key.facts.path, table,
+                 *scene.quality);  // the quality itself comes before what depends on it
     }
-    scene.parts = read_items(document, "part", schema().part);
-    scene.measures = read_items(document, "measure", schema().measure);
+    scene.parts = read_items(document, "part", schema().part, *scene.quality);
+    scene.regions = read_items(document, "region", schema().region, *scene.quality);
+    scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
     check_scene(scene, document);
     scene.hash = fnv1a(resolved_scene(scene));
     return scene;

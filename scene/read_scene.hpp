@@ -19,6 +19,9 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
 /// Throws InputError with the nearest right key for an unknown one.
 std::string explain_key(const std::string& key);
 
+/// Where the value of a key that the scene does not give comes from: "default", or the scene's quality and its place.
+std::string default_origin(const Scene& scene, const std::string& key);
+
 /// Every scene key with its default, one line each, in the order of the reference page (docs/scene.md is made from
 /// this).
 std::string scene_reference();

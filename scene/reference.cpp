@@ -9,6 +9,14 @@ namespace dmp {
 
 namespace {
 
+std::string shown_value(const std::string& text) {
+    const TomlNode value = parse_toml_value(text, {});
+    if (!value.is_array()) return value.is_table() ? text : value.shown();
+    std::string list = text;
+    std::replace(list.begin(), list.end(), '\'', '"');
+    return list;
+}
+
 std::string shown_default(const KeyFacts& key) {
     switch (key.fallback.presence) {
         case Default::Presence::required:
@@ -18,11 +26,9 @@ std::string shown_default(const KeyFacts& key) {
         case Default::Presence::value:
             break;
     }
-    TomlNode value = parse_toml_value(key.fallback.value, {});
-    if (!value.is_array()) return value.is_table() ? key.fallback.value : value.shown();
-    std::string list = key.fallback.value;
-    std::replace(list.begin(), list.end(), '\'', '"');
-    return list;
+    if (!key.fallback.depends_on_quality()) return shown_value(key.fallback.value);
+    return shown_value(key.fallback.value) + " (draft: " + shown_value(key.fallback.draft) +
+           ", fine: " + shown_value(key.fallback.fine) + ")";
 }
 
 /// "for fluid parts", "for flux measures"; empty for a key of every kind.

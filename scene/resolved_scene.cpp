@@ -18,7 +18,7 @@ void write_items(std::string& text, const std::vector<Item>& items, const std::s
     for (const auto& item : items) {
         text += "\n[[" + what + "]]\n";
         for (const auto& key : keys) {
-            if (key.facts.is_for(word(*item.kind))) write_key(text, item, key);
+            if (key.facts.is_for(kind_of(item))) write_key(text, item, key);
         }
     }
 }
@@ -36,6 +36,7 @@ std::string resolved_scene(const Scene& scene) {
         write_key(text, scene, key);
     }
     write_items(text, scene.parts, "part", schema().part);
+    write_items(text, scene.regions, "region", schema().region);
     write_items(text, scene.measures, "measure", schema().measure);
     return text;
 }

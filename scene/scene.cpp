@@ -9,6 +9,13 @@
 namespace dmp {
 
 template <>
+const Words<Quality>& words_of() {
+    static const Words<Quality> words = {
+        {Quality::draft, "draft"}, {Quality::standard, "standard"}, {Quality::fine, "fine"}};
+    return words;
+}
+
+template <>
 const Words<PartKind>& words_of() {
     static const Words<PartKind> words = {
         {PartKind::fluid, "fluid"}, {PartKind::rigid, "rigid"}, {PartKind::springs, "springs"}};
@@ -23,7 +30,18 @@ const Words<Arrangement>& words_of() {
 
 template <>
 const Words<KernelKind>& words_of() {
-    static const Words<KernelKind> words = {{KernelKind::wendland_c2, "wendland_c2"}, {KernelKind::lucy, "lucy"}};
+    static const Words<KernelKind> words = {{KernelKind::wendland_c2, "wendland_c2"},
+                                            {KernelKind::wendland_c4, "wendland_c4"},
+                                            {KernelKind::lucy, "lucy"},
+                                            {KernelKind::cubic_spline, "cubic_spline"},
+                                            {KernelKind::quintic_spline, "quintic_spline"}};
+    return words;
+}
+
+template <>
+const Words<BoxSide>& words_of() {
+    static const Words<BoxSide> words = {
+        {BoxSide::x_low, "x_low"}, {BoxSide::x_high, "x_high"}, {BoxSide::y_low, "y_low"}, {BoxSide::y_high, "y_high"}};
     return words;
 }
 
@@ -34,9 +52,44 @@ const Words<WallModel>& words_of() {
 }
 
 template <>
+const Words<EquationOfState>& words_of() {
+    static const Words<EquationOfState> words = {{EquationOfState::tait, "tait"}, {EquationOfState::linear, "linear"}};
+    return words;
+}
+
+template <>
+const Words<DensityModel>& words_of() {
+    static const Words<DensityModel> words = {{DensityModel::continuity, "continuity"},
+                                              {DensityModel::summation, "summation"}};
+    return words;
+}
+
+template <>
+const Words<ViscousLaw>& words_of() {
+    static const Words<ViscousLaw> words = {{ViscousLaw::morris, "morris"},
+                                            {ViscousLaw::monaghan, "monaghan"},
+                                            {ViscousLaw::monaghan_approaching, "monaghan_approaching"}};
+    return words;
+}
+
+template <>
+const Words<ViscosityMean>& words_of() {
+    static const Words<ViscosityMean> words = {{ViscosityMean::harmonic, "harmonic"},
+                                               {ViscosityMean::arithmetic, "arithmetic"}};
+    return words;
+}
+
+template <>
 const Words<SpringStepping>& words_of() {
     static const Words<SpringStepping> words = {{SpringStepping::implicit, "implicit"},
                                                 {SpringStepping::subcycled, "subcycled"}};
+    return words;
+}
+
+template <>
+const Words<ViscosityStepping>& words_of() {
+    static const Words<ViscosityStepping> words = {{ViscosityStepping::explicitly, "explicit"},
+                                                   {ViscosityStepping::implicitly, "implicit"}};
     return words;
 }
 
@@ -53,10 +106,23 @@ const Words<MeasureKind>& words_of() {
 
 template <>
 const Words<FluidField>& words_of() {
-    static const Words<FluidField> words = {{FluidField::velocity, "velocity"},
-                                            {FluidField::pressure, "pressure"},
-                                            {FluidField::density, "density"},
-                                            {FluidField::shear_stress, "shear_stress"}};
+    static const Words<FluidField> words = {
+        {FluidField::velocity, "velocity"},   {FluidField::pressure, "pressure"},
+        {FluidField::density, "density"},     {FluidField::shear_stress, "shear_stress"},
+        {FluidField::stress, "stress"},       {FluidField::von_mises, "von_mises"},
+        {FluidField::vorticity, "vorticity"}, {FluidField::residence_time, "residence_time"}};
+    return words;
+}
+
+template <>
+const Words<SolidField>& words_of() {
+    static const Words<SolidField> words = {{SolidField::velocity, "velocity"},
+                                            {SolidField::displacement, "displacement"},
+                                            {SolidField::mean_displacement, "mean_displacement"},
+                                            {SolidField::stress, "stress"},
+                                            {SolidField::von_mises, "von_mises"},
+                                            {SolidField::strain, "strain"},
+                                            {SolidField::force, "force"}};
     return words;
 }
 
@@ -72,17 +138,25 @@ std::string find_word(Enumeration value) {
 
 }  // namespace
 
+std::string word(Quality quality) { return find_word(quality); }
 std::string word(PartKind kind) { return find_word(kind); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
+std::string word(BoxSide side) { return find_word(side); }
 std::string word(WallModel walls) { return find_word(walls); }
+std::string word(EquationOfState equation) { return find_word(equation); }
+std::string word(DensityModel density) { return find_word(density); }
+std::string word(ViscousLaw law) { return find_word(law); }
+std::string word(ViscosityMean mean) { return find_word(mean); }
 std::string word(SpringStepping stepping) { return find_word(stepping); }
+std::string word(ViscosityStepping stepping) { return find_word(stepping); }
 std::string word(FluidField field) { return find_word(field); }
+std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }
 std::string word(MeasureKind kind) { return find_word(kind); }
 
-bool Scene::any(const std::array<Expression, 3>& formulas) {
-    return !std::all_of(formulas.begin(), formulas.end(), [](const Expression& axis) { return axis.is_zero(); });
-}
+bool Part::slides() const { return !std::ranges::all_of(surface_velocity.value, &Expression::is_zero); }
+
+bool Part::moves() const { return !spin->is_zero() || !std::ranges::all_of(velocity.value, &Expression::is_zero); }
 
 std::vector<const Part*> Scene::parts_of(PartKind kind) const {
     std::vector<const Part*> found;
@@ -90,6 +164,18 @@ std::vector<const Part*> Scene::parts_of(PartKind kind) const {
         if (*part.kind == kind && *part.enabled) found.push_back(&part);
     }
     return found;
+}
+
+bool Scene::asks_for(FluidField field) const {
+    const auto probes_it = [&](const Measure& measure) {
+        return *measure.kind == MeasureKind::probe && *measure.field == field;
+    };
+    return std::find(output.fields.begin(), output.fields.end(), field) != output.fields.end() ||
+           std::any_of(measures.begin(), measures.end(), probes_it);
+}
+
+bool Scene::asks_for(SolidField field) const {
+    return std::find(output.solid_fields.begin(), output.solid_fields.end(), field) != output.solid_fields.end();
 }
 
 }  // namespace dmp

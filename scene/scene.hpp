@@ -29,13 +29,23 @@ struct Value {
     [[nodiscard]] bool given() const { return place.known(); }
 };
 
+/// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
+enum class Quality { draft, standard, fine };
 enum class PartKind { fluid, rigid, springs };
 enum class Arrangement { square, hexagonal };
-enum class KernelKind { wendland_c2, lucy };
+enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
+/// A side of the box around the fluid.
+enum class BoxSide { x_low, x_high, y_low, y_high };
 enum class WallModel { extrapolated, plain };
+enum class EquationOfState { tait, linear };
+enum class DensityModel { continuity, summation };
+enum class ViscousLaw { morris, monaghan, monaghan_approaching };
+enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
+enum class ViscosityStepping { explicitly, implicitly };
 enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
-enum class FluidField { velocity, pressure, density, shear_stress };
+enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
+enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
 /// [[part]]: one named region, curve or group of the drawing and what it is made of.
 /// 2-D scenes are 1 m deep: masses in kg, forces in N, energies in J.
@@ -54,6 +64,12 @@ struct Part {
     // rigid
     /// Velocity of the wall's surface in itself, of a lid or a belt, as functions of t, x, y, z [m/s].
     Value<std::array<Expression, 3>> surface_velocity;
+    Value<bool> slip = false;                   ///< the fluid slides along the wall: no shear stress
+    Value<std::array<Expression, 3>> velocity;  ///< with which the part moves, as functions of t [m/s]
+    Value<Expression> spin;                     ///< with which it turns about `centre`, as a function of t [rad/s]
+    Value<Vec> centre{Vec::Zero()};             ///< at the start; it moves with the part's velocity [m]
+    [[nodiscard]] bool slides() const;          ///< whether the surface has a velocity of its own
+    [[nodiscard]] bool moves() const;           ///< whether the part moves or turns
 
     // springs
     Value<double> bending_stiffness;           ///< EI [N m^2]
@@ -76,6 +92,13 @@ struct Measure {
     Value<std::string> part;                         ///< gap: smallest distance between the pieces of this springs part
 };
 
+/// [[region]]: a box along the axes, whose residence time is followed.
+struct ResidenceRegion {
+    Value<std::string> name;
+    Value<Vec> from{Vec::Zero()};  ///< one corner [m]
+    Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
+};
+
 struct Scene {
     std::string file;       ///< path of the scene file as given
     std::string directory;  ///< its folder; relative paths in the scene start here
@@ -84,6 +107,7 @@ struct Scene {
     Value<int> schema = 1;  ///< version of the scene's keys
     Value<std::string> title;
     Value<int> dimension = 2;
+    Value<Quality> quality = Quality::standard;
 
     struct {
         Value<std::string> file;   ///< the drawing, absolute or relative to `directory`
@@ -104,9 +128,11 @@ struct Scene {
     struct {
         std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
         std::array<Value<bool>, 3> periodic;     ///< by axis
+        Value<std::vector<BoxSide>> symmetry;    ///< sides on which the scene is mirrored
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
         Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
         Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
+        Value<double> largest_pressure;                     ///< largest pressure expected [Pa]; 0 = not given
     } flow;
 
     struct {
@@ -117,11 +143,21 @@ struct Scene {
     struct {
         Value<KernelKind> kernel = KernelKind::wendland_c2;
         Value<double> support = 3.0;      ///< support radius [spacings]
-        Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": 10 x flow.largest_speed
+        Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": flow.largest_speed / mach_number
+        Value<double> mach_number = 0.1;  ///< largest speed over sound speed, where that is "auto" [-]
         Value<WallModel> walls = WallModel::extrapolated;
-        Value<double> density_diffusion = 0.1;  ///< delta of Molteni & Colagrossi [-]; 0 switches it off
-        Value<double> shifting = 4.0;           ///< strength s of the particle shifting [-]; 0 switches it off
-        Value<double> step_factor = 0.3;        ///< c0 dt / support radius [-]
+        Value<EquationOfState> equation_of_state = EquationOfState::tait;
+        Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
+        Value<DensityModel> density = DensityModel::continuity;
+        Value<bool> gradient_correction = false;  ///< Bonet & Lok 1999
+        Value<ViscousLaw> viscous_law = ViscousLaw::morris;
+        Value<ViscosityMean> viscosity_mean = ViscosityMean::harmonic;  ///< between fluids of unlike viscosity
+        Value<double> density_diffusion = 0.1;   ///< delta of Molteni & Colagrossi [-]; 0 switches it off
+        Value<double> shifting = 4.0;            ///< strength s of the particle shifting [-]; 0 switches it off
+        Value<bool> transport_velocity = false;  ///< Adami, Hu & Adams 2013, instead of shifting
+        Value<double> step_factor = 0.3;         ///< c0 dt / support radius [-]
+        Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
+        Value<double> viscosity_tolerance = 1e-8;  ///< of the implicit solve, relative residual [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
         Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
     } accuracy;
@@ -137,22 +173,36 @@ struct Scene {
         Value<double> measure_every = 0.0;  ///< time between rows of measures.csv [s]; 0 = every / 4
         Value<bool> pictures = true;
         Value<FluidField> picture_field = FluidField::velocity;
+        /// Fields of solids in the frames; strain and force are the bonds'.
+        std::vector<SolidField> solid_fields{SolidField::velocity, SolidField::displacement, SolidField::strain,
+                                             SolidField::force};
+        Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 
+    std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
-    /// Whether any of a part's formulas is not 0.
-    static bool any(const std::array<Expression, 3>& formulas);
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
+    /// Whether frames or a probe need this field.
+    [[nodiscard]] bool asks_for(FluidField field) const;
+    [[nodiscard]] bool asks_for(SolidField field) const;
 };
 
 /// The word a scene uses for it: "fluid", "wendland_c2", ...
+std::string word(Quality quality);
 std::string word(PartKind kind);
 std::string word(Arrangement arrangement);
+std::string word(BoxSide side);
 std::string word(WallModel walls);
+std::string word(EquationOfState equation);
+std::string word(DensityModel density);
+std::string word(ViscousLaw law);
+std::string word(ViscosityMean mean);
 std::string word(SpringStepping stepping);
+std::string word(ViscosityStepping stepping);
 std::string word(FluidField field);
+std::string word(SolidField field);
 std::string word(KernelKind kernel);
 std::string word(MeasureKind kind);
 

@@ -26,6 +26,8 @@ std::vector<Key<Scene>> top_keys() {
         {"title", &Scene::title, text(), not_given, "What the scene shows; stands on the report and the pictures."},
         {"dimension", &Scene::dimension, integer(Range{2, 3, false, {}}), "2",
          "Dimensions of space; a 2-D scene is 1 m deep."},
+        {"quality", &Scene::quality, word_of<Quality>(), "standard",
+         "Sets what trades accuracy for speed together, where the scene does not give it (docs/accuracy.md)."},
     };
 }
 
@@ -61,10 +63,18 @@ std::vector<Key<Part>> part_keys() {
         {"enabled", all, &Part::enabled, boolean(), "true", "false leaves the part out; its name stays known."},
         {"density", fluid, &Part::density, quantity("1000 kg/m^3", positive), required, "Density at rest."},
         {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
-        {"layers", rigid, &Part::layers, integer(at_least(1)), "3",
+        {"layers", rigid, &Part::layers, integer(at_least(1)), ByQuality{"3", "3", "4"},
          "Rows of wall particles; the wall must be as thick as the kernel's support."},
         {"surface_velocity", rigid, &Part::surface_velocity, formulas("1 m/s"), "[0, 0]",
          "How fast the wall's surface slides in itself, as a lid or a belt does, by formulas of t, x, y."},
+        {"slip", rigid, &Part::slip, boolean(), "false",
+         "Whether the fluid slides along the wall without shear stress; false: it sticks."},
+        {"velocity", rigid, &Part::velocity, formulas("0.1 m/s"), "[0, 0]",
+         "How fast the part moves as a whole, by formulas of t."},
+        {"spin", rigid, &Part::spin, formula("2 rad/s"), "0",
+         "How fast the part turns about its centre, counter-clockwise, by a formula of t."},
+        {"centre", rigid, &Part::centre, point(), "[0, 0]",
+         "What the part turns about, as drawn; it moves with the part's velocity."},
         {"layers", springs, &Part::layers,
          integer(exactly(2, "springs parts have two rows of particles for now: write layers = 2")), "2",
          "Rows of particles across the solid's thickness."},
@@ -90,6 +100,8 @@ std::vector<Key<Flow>> flow_keys() {
         {"acceleration", &Flow::acceleration, formulas("0.1 m/s^2"), "[0, 0]",
          "Body acceleration of the fluid along x and y, as formulas of t, x, y."},
         {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
+        {"symmetry", &Flow::symmetry, list_of_words<BoxSide>(), "[]",
+         "Sides of the box around the fluid on which the whole scene is mirrored."},
         {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
          "Largest speed expected; needed where accuracy.sound_speed is \"auto\"."},
         {"initial_velocity", &Flow::initial_velocity, formulas("0.1 m/s"), "[0, 0]",
@@ -110,18 +122,34 @@ std::vector<Key<Contact>> contact_keys() {
 
 std::vector<Key<Accuracy>> accuracy_keys() {
     return {
-        {"kernel", &Accuracy::kernel, word_of<KernelKind>(), "wendland_c2", "Smoothing kernel."},
-        {"support", &Accuracy::support, number(between(2, 6)), "3.0", "Radius of the kernel's support in spacings."},
+        {"kernel", &Accuracy::kernel, word_of<KernelKind>(), ByQuality{"lucy", "wendland_c2", "wendland_c2"},
+         "Smoothing kernel."},
+        {"support", &Accuracy::support, number(between(2, 6)), ByQuality{"3.0", "3.0", "4.0"},
+         "Radius of the kernel's support in spacings."},
         {"sound_speed", &Accuracy::sound_speed, quantity_or_auto("2 m/s"), "auto",
-         "Speed of sound of the fluid; \"auto\" is 10 times flow.largest_speed."},
+         "Speed of sound of the fluid; \"auto\" is flow.largest_speed over accuracy.mach_number."},
+        {"mach_number", &Accuracy::mach_number, number(Range{0.01, 0.3, false, {}}), ByQuality{"0.15", "0.1", "0.1"},
+         "Largest speed over the speed of sound where that is \"auto\"; density varies by about its square."},
         {"walls", &Accuracy::walls, word_of<WallModel>(), "extrapolated",
          "What wall particles carry: pressure and velocity extrapolated from the fluid, or plain resting fluid."},
+        {"equation_of_state", &Accuracy::equation_of_state, word_of<EquationOfState>(), "tait",
+         "Pressure from density: Tait's equation with exponent 7, or a straight line."},
+        {"background_pressure", &Accuracy::background_pressure, quantity("200 Pa", not_negative), "0",
+         "Pressure added to the equation of state, for fluids that are confined or periodic."},
+        {"viscous_law", &Accuracy::viscous_law, word_of<ViscousLaw>(), "morris",
+         "Viscous force: Morris' form, or Monaghan's along the line of each pair, all pairs or only approaching ones."},
+        {"viscosity_mean", &Accuracy::viscosity_mean, word_of<ViscosityMean>(), "harmonic",
+         "Mean of two viscosities where fluids of unlike viscosity meet."},
         {"density_diffusion", &Accuracy::density_diffusion, number(between(0, 1)), "0.1",
          "Strength delta of the density diffusion; 0 switches it off."},
-        {"shifting", &Accuracy::shifting, number(not_negative), "4.0",
+        {"shifting", &Accuracy::shifting, number(not_negative), ByQuality{"3.0", "4.0", "6.0"},
          "Strength of the particle shifting; 0 switches it off."},
-        {"step_factor", &Accuracy::step_factor, number(fraction), "0.3",
+        {"step_factor", &Accuracy::step_factor, number(fraction), ByQuality{"0.4", "0.3", "0.15"},
          "Fluid step: speed of sound * step / support radius."},
+        {"viscosity_stepping", &Accuracy::viscosity_stepping, word_of<ViscosityStepping>(), "explicit",
+         "Viscous forces of velocities as they were, which limits the step, or as they will be, solved for in each step."},
+        {"viscosity_tolerance", &Accuracy::viscosity_tolerance, number(between(1e-14, 0.01)), "1e-8",
+         "Implicit viscosity: when a solve ends, as the velocities' error by its residual over the velocities."},
         {"spring_stepping", &Accuracy::spring_stepping, word_of<SpringStepping>(), "implicit",
          "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},
         {"spring_step_factor", &Accuracy::spring_step_factor, number(fraction), "0.5",
@@ -145,6 +173,19 @@ std::vector<Key<Output>> output_keys() {
          "Time between rows of measures.csv; \"auto\" is a quarter of output.every."},
         {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are drawn."},
         {"picture_field", &Output::picture_field, word_of<FluidField>(), "velocity", "Field the pictures show."},
+        {"solid_fields", &Output::solid_fields, list_of_words<SolidField>(),
+         "['velocity', 'displacement', 'strain', 'force']",
+         "Fields of spring bodies in the frames; strain and force are of each bond."},
+        {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
+         "When time averages (mean_displacement) begin."},
+    };
+}
+
+std::vector<Key<ResidenceRegion>> region_keys() {
+    return {
+        {"name", &ResidenceRegion::name, name(), required, "What the region is called; residence_time is of fluid in it."},
+        {"from", &ResidenceRegion::from, point(), required, "One corner of a box along the axes."},
+        {"to", &ResidenceRegion::to, point(), required, "The opposite corner."},
     };
 }
 
@@ -197,6 +238,7 @@ Schema whole_schema() {
     add_section(schema.scene, "run", &Scene::run, run_keys());
     add_section(schema.scene, "output", &Scene::output, output_keys());
     schema.part = each_item("part", part_keys());
+    schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
     return schema;
 }
@@ -206,6 +248,11 @@ Schema whole_schema() {
 const Schema& schema() {
     static const Schema whole = whole_schema();
     return whole;
+}
+
+const std::vector<std::string>& item_lists() {
+    static const std::vector<std::string> names{"part", "region", "measure"};
+    return names;
 }
 
 std::vector<KeyFacts> Schema::facts() const {
@@ -218,6 +265,7 @@ std::vector<KeyFacts> Schema::facts() const {
         }
         facts.push_back(key.facts);
     }
+    for (const auto& key : region) facts.push_back(key.facts);
     for (const auto& key : measure) facts.push_back(key.facts);
     return facts;
 }

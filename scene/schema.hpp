@@ -14,13 +14,24 @@
 
 namespace dmp {
 
+/// A default that differs between the levels of quality, each written as on the command line.
+struct ByQuality {
+    const char *draft, *standard, *fine;
+};
+
 /// What stands in for a key that is not given: nothing may (required), nothing need (not_given), or a value, written
 /// as on the command line (texts without their quotes).
 struct Default {
     enum class Presence { required, not_given, value };
     Presence presence = Presence::value;
-    std::string value;
+    std::string value;        ///< of the standard quality, and of all where they do not differ
+    std::string draft, fine;  ///< empty where they do not differ
 
+    [[nodiscard]] bool depends_on_quality() const { return !draft.empty(); }
+    [[nodiscard]] const std::string& at(Quality quality) const;
+
+    Default(const ByQuality& levels)  // NOLINT(google-explicit-constructor): rows read plainly
+        : value(levels.standard), draft(levels.draft), fine(levels.fine) {}
     Default(Presence how) : presence(how) {}    // NOLINT(google-explicit-constructor): rows read plainly
     Default(const char* text) : value(text) {}  // NOLINT(google-explicit-constructor)
 };
@@ -106,6 +117,7 @@ struct Key {
 struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Part>> part;
+    std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
 
     /// A key that differs between kinds appears once for each.
@@ -113,6 +125,16 @@ struct Schema {
 };
 
 const Schema& schema();
+
+/// Names of the lists of tables: "part" for [[part]], ...
+const std::vector<std::string>& item_lists();
+
+/// The word of an item's kind; "" for items without kinds.
+template <class Item>
+std::string kind_of(const Item& item) {
+    if constexpr (requires { item.kind; }) return word(*item.kind);
+    return {};
+}
 
 /// "part.leaflets.density" and "part.density" -> "part.*.density"; "geometry.parameters.width" ->
 /// "geometry.parameters".

@@ -259,6 +259,17 @@ ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
             }};
 }
 
+ValueType<Expression> formula(const std::string& example) {
+    const Expected expected(example);
+    return {"a formula for " + expected.phrase() + ", or 0",
+            [=](const TomlNode& node, const std::string& path) {
+                if (node.is_text()) return read_formula(node.text, expected, path);
+                read_quantity_node(node, path, expected);  // 0 is the only one that passes
+                return Expression();
+            },
+            [](const Expression& value) { return toml_quoted(value.si_text()); }};
+}
+
 ValueType<std::array<Value<bool>, 3>> axes() {
     const std::string description = "a list out of 'x', 'y' and, in 3-D, 'z'";
     return {description,

@@ -18,6 +18,8 @@ template <class Enumeration>
 const Words<Enumeration>& words_of();
 
 template <>
+const Words<Quality>& words_of();
+template <>
 const Words<PartKind>& words_of();
 template <>
 const Words<Arrangement>& words_of();
@@ -26,10 +28,22 @@ const Words<KernelKind>& words_of();
 template <>
 const Words<WallModel>& words_of();
 template <>
+const Words<EquationOfState>& words_of();
+template <>
+const Words<DensityModel>& words_of();
+template <>
+const Words<ViscousLaw>& words_of();
+template <>
+const Words<ViscosityMean>& words_of();
+template <>
 const Words<SpringStepping>& words_of();
+template <>
+const Words<ViscosityStepping>& words_of();
 template <>
 const Words<MeasureKind>& words_of();
 template <>
 const Words<FluidField>& words_of();
+template <>
+const Words<SolidField>& words_of();
 
 }  // namespace dmp

@@ -11,13 +11,13 @@ namespace dmp {
 struct FrameField {
     std::string name;    ///< snake_case, no unit in it
     std::string unit;    ///< "m/s", "Pa"; "1" when dimensionless
-    int components = 1;  ///< 1, or 3 for vectors (z = 0 in 2-D)
+    int components = 1;  ///< 1, 3 for vectors (z = 0 in 2-D), 6 for symmetric tensors: xx, yy, zz, xy, yz, xz
     std::vector<float> values;
 };
 
-/// Particles that are looked at together: the fluid, the solids or the walls.
+/// Particles that are looked at together: the fluid, the solids, the walls.
 struct FrameGroup {
-    std::string name;             ///< "fluid", "solid" or "walls"
+    std::string name;             ///< "fluid", "solid", "walls" (at rest) or "moving_walls"
     std::vector<float> position;  ///< x, y, z of each particle [m]
     std::vector<std::int64_t> id;
     std::vector<std::int32_t> part;  ///< index into Frame::parts

@@ -9,7 +9,7 @@
 namespace dmp {
 
 /// What makes a group one that cannot be kept, or "": arrays whose lengths do not fit the number of particles or bonds,
-/// components other than 1 and 3, a bond to a particle outside the group.
+/// components other than 1, 3 and 6, a bond to a particle outside the group.
 inline std::string problem_with(const FrameGroup& group) {
     const auto length = [&](const std::string& what, std::size_t found, std::size_t expected) {
         return found == expected ? std::string()
@@ -21,9 +21,9 @@ inline std::string problem_with(const FrameGroup& group) {
     if (problem.empty()) problem = length("bond_ends", group.bond_ends.size(), 2 * group.bonds());
     const auto look_at = [&](const FrameField& field, std::size_t count) {
         if (!problem.empty()) return;
-        if (field.components != 1 && field.components != 3)
+        if (field.components != 1 && field.components != 3 && field.components != 6)
             problem = "frame group '" + group.name + "': field " + field.name + " has " +
-                      std::to_string(field.components) + " components, expected 1 or 3";
+                      std::to_string(field.components) + " components, expected 1, 3 or 6";
         else
             problem =
                 length("field " + field.name, field.values.size(), count * static_cast<std::size_t>(field.components));

@@ -2,9 +2,11 @@
 #include "solver/setup.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <omp.h>
 
+#include "scene/read_scene.hpp"
 #include "solver/models/contact/repulsion.hpp"
 #include "solver/starting_state.hpp"
 
@@ -21,6 +23,19 @@ const Part& part_named(const Scene& scene, const std::string& name) {
     return *part;
 }
 
+/// Harmonic means are worked out only where they differ from the sum.
+bool has_unlike_viscosities(const Scene& scene) {
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    return std::any_of(fluids.begin(), fluids.end(),
+                       [&](const Part* part) { return *part->viscosity != *fluids.front()->viscosity; });
+}
+
+ViscousForce viscous_force(const Scene& scene) {
+    if (*scene.accuracy.viscous_law != ViscousLaw::morris) return ViscousForce::monaghan;
+    const bool harmonic = *scene.accuracy.viscosity_mean == ViscosityMean::harmonic;
+    return harmonic && has_unlike_viscosities(scene) ? ViscousForce::morris_harmonic : ViscousForce::morris;
+}
+
 double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
@@ -30,16 +45,21 @@ double largest_density(const Scene& scene) {
 }  // namespace
 
 double sound_speed(const Scene& scene) {
-    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value : 10 * scene.flow.largest_speed;
+    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value
+                                          : scene.flow.largest_speed / scene.accuracy.mach_number;
 }
 
 PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
     settings.kernel = scene.accuracy.kernel;
     settings.walls = scene.accuracy.walls;
+    settings.viscous_force = viscous_force(scene);
+    settings.approaching_pairs_only = *scene.accuracy.viscous_law == ViscousLaw::monaghan_approaching;
+    settings.arithmetic_viscosity = *scene.accuracy.viscosity_mean == ViscosityMean::arithmetic;
     settings.spacing = scene.particles.spacing;
     settings.support = scene.accuracy.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
+    settings.background_pressure = scene.accuracy.background_pressure;
     settings.density_diffusion = scene.accuracy.density_diffusion;
     settings.shifting = scene.accuracy.shifting;
     settings.density = largest_density(scene);
@@ -53,34 +73,43 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
                                                                  : 0.002 * settings.density * settings.sound_speed *
                                                                        settings.sound_speed * range * range;
     }
+    settings.implicit_viscosity =
+        *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) settings.periodic[axis] = scene.flow.periodic[axis];
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        settings.slip_walls = settings.slip_walls || part->slip;
+        settings.moving_walls = settings.moving_walls || part->moves();
+    }
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
     return settings;
 }
 
-std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSpace& space) {
+std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSpace& space) {
     const auto fluids = scene.parts_of(PartKind::fluid);
     const double first_density = fluids.empty() ? 1 : fluids.front()->density.value;
-    std::vector<TaitEquation> equations;
+    std::vector<LiquidState> equations;
     for (const auto& part : space.parts) {
         const bool is_fluid = part.kind == ParticleKind::fluid;
-        equations.push_back(
-            {sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density});
+        equations.push_back({sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density,
+                             scene.accuracy.background_pressure, scene.accuracy.equation_of_state});
     }
     return equations;
 }
 
 std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
     std::vector<double> densities;
-    for (const TaitEquation& state : equations_of_state(scene, set)) densities.push_back(state.rest_density);
+    for (const LiquidState& state : equations_of_state(scene, set)) densities.push_back(state.rest_density);
     return densities;
 }
 
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
     const std::vector<double> densities = rest_densities(scene, set);
-    std::vector<double> viscosities;
-    for (const auto& part : set.parts)
+    std::vector<double> viscosities, slips;
+    for (const auto& part : set.parts) {
+        slips.push_back(part.kind == ParticleKind::rigid && part_named(scene, part.name).slip ? 1 : 0);
         viscosities.push_back(part.kind == ParticleKind::fluid ? part_named(scene, part.name).viscosity.value : 0);
+    }
     const double range = scene.contact.range * scene.particles.spacing;
     for (ParticleGroup& group : particles.groups()) {
         const auto fill = [&](Field field, int axis, const auto& value_of) {
@@ -94,8 +123,12 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
         fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
         fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
-        for (int axis = 0; axis < set.dimension; ++axis)
-            fill(Field::wall_normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
+        fill(Field::wall_slip, 0, [&](std::size_t part, std::size_t) { return slips[part]; });
+        for (int axis = 0; axis < set.dimension; ++axis) {
+            for (const Field normal : {Field::wall_normal, Field::drawn_normal})
+                fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
+            fill(Field::drawn_position, axis, [&](std::size_t, std::size_t id) { return set.position[id][axis]; });
+        }
     }
     fill_starting_density(scene, set, equations_of_state(scene, set), particles);
 }
@@ -107,6 +140,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.accuracy.step_factor;
     scales.shifting = settings.shifting;
+    scales.implicit_viscosity = settings.implicit_viscosity;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
@@ -118,18 +152,29 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
 }
 
 std::vector<ModelUse> models_in_use(const Scene& scene) {
-    const auto because = [](const auto& value, const std::string& key) {
-        return value.given() ? key + " at " + value.place.text() : key + " (default)";
+    const auto because = [&](const auto& value, const std::string& key) {
+        return value.given() ? key + " at " + value.place.text() : key + " (" + default_origin(scene, key) + ")";
     };
     std::vector<ModelUse> models;
     const auto fluids = scene.parts_of(PartKind::fluid);
     if (!fluids.empty()) {
         const std::string fluid = "part '" + fluids.front()->name.value + "' at " + fluids.front()->name.place.text();
-        models.push_back({"Tait equation of state", "Monaghan 1994", fluid});
+        const bool tait = *scene.accuracy.equation_of_state == EquationOfState::tait;
+        models.push_back({tait ? "Tait equation of state" : "linear equation of state",
+                          tait ? "Monaghan 1994" : "Morris, Fox & Zhu 1997, eq. 8",
+                          scene.accuracy.equation_of_state.given()
+                              ? because(scene.accuracy.equation_of_state, "accuracy.equation_of_state")
+                              : fluid});
+        if (*scene.accuracy.background_pressure != 0)
+            models.push_back({"background pressure", "added to the equation of state",
+                              because(scene.accuracy.background_pressure, "accuracy.background_pressure")});
         models.push_back({"continuity", "Monaghan 1994, in volume form", fluid});
         models.push_back({"pressure force", "Bonet & Lok 1999", fluid});
         models.push_back(
             {"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
+        if (*scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly)
+            models.push_back({"implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
+                              because(scene.accuracy.viscosity_stepping, "accuracy.viscosity_stepping")});
         if (scene.accuracy.density_diffusion > 0)
             models.push_back({"density diffusion", "Molteni & Colagrossi 2009",
                               because(scene.accuracy.density_diffusion, "accuracy.density_diffusion")});
@@ -153,9 +198,17 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
                                                                    : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
                           because(scene.accuracy.walls, "accuracy.walls")});
     for (const Part* part : scene.parts_of(PartKind::rigid))
-        if (Scene::any(part->surface_velocity))
-            models.push_back({"sliding surface of '" + *part->name + "'", "velocity of the wall in the viscous force",
-                              because(part->surface_velocity, "surface_velocity")});
+        for (const auto& [used, model, source, reason] :
+             {std::tuple{part->slides(), "sliding surface of '", "velocity of the wall in the viscous force",
+                         because(part->surface_velocity, "surface_velocity")},
+              std::tuple{part->slip.value, "slip at '", "velocity mirrored about the surface",
+                         because(part->slip, "slip")},
+              std::tuple{part->moves(), "prescribed motion of '", "integrated from its velocity and spin",
+                         part->velocity.given() ? because(part->velocity, "velocity") : because(part->spin, "spin")}})
+            if (used) models.push_back({model + *part->name + "'", source, reason});
+    for (const BoxSide side : *scene.flow.symmetry)
+        models.push_back({"plane of symmetry at " + word(side), "mirror images of all particles",
+                          because(scene.flow.symmetry, "flow.symmetry")});
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
         models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});
@@ -166,6 +219,13 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     if (scene.contact.range > 0 && has_solids)
         models.push_back(
             {"short-range repulsion", "Monaghan 1994, cut at r*", because(scene.contact.range, "contact.range")});
+    if (scene.asks_for(FluidField::residence_time) && !scene.regions.empty())
+        models.push_back({"residence times", "time in each region",
+                          "'residence_time' asked for, region '" + *scene.regions.front().name + "' at " +
+                              scene.regions.front().name.place.text()});
+    if (scene.asks_for(SolidField::mean_displacement) && !scene.parts_of(PartKind::springs).empty())
+        models.push_back(
+            {"mean displacement", "average over time", because(scene.output.average_from, "output.average_from")});
     return models;
 }
 

@@ -2,21 +2,22 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "solver/models/sph/tait.hpp"
+#include "solver/models/sph/liquid_state.hpp"
 #include "solver/simulation.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/step_limits.hpp"
 
 namespace dmp {
 
-/// c0: the scene's, or ten times the largest speed it expects, which keeps density within about 1 % [m/s].
+/// c0: the scene's, or the largest speed it expects over accuracy.mach_number: 0.1 keeps density within about 1 %
+/// [m/s].
 double sound_speed(const Scene& scene);
 
 /// What the pair terms need; "auto" values decided.
 PairSettings pair_settings(const Scene& scene, const Resources& resources);
 
 /// Equation of state by part number; solids stand in for the first fluid part.
-std::vector<TaitEquation> equations_of_state(const Scene& scene, const ParticleSpace& space);
+std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSpace& space);
 
 /// By part number: of the liquid that a particle is, or stands in for [kg/m^3].
 std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set);

@@ -9,6 +9,7 @@
 #include "particles/apart.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
+#include "solver/output/residence_times.hpp"
 #include "solver/setup.hpp"
 #include "solver/starting_state.hpp"
 #include "solver/state/checkpoints.hpp"
@@ -52,6 +53,8 @@ struct Simulation::State {
           settings(pair_settings(scene, resources)),
           fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
+          residence_times(scene, particles),
+          mean_displacement(scene, fluid.springs()),
           measures(scene, set, settings, ranks),
           watch(scene, particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
           frame_times(scene.output.every),
@@ -87,6 +90,8 @@ struct Simulation::State {
     PairSettings settings;
     FluidStep fluid;
     StepScales scales;
+    ResidenceTimes residence_times;
+    MeanDisplacement mean_displacement;
     Measures measures;
     Watch watch;
 
@@ -113,9 +118,10 @@ Conserved Simulation::State::conserved() const {
     for (ExactSum& axis : momentum) ranks.sum(axis);
     // Every rank holds all bodies.
     Conserved sum;
-    for (const SpringBody& body : fluid.springs().bodies()) {
-        mass.add(body.free_mass());
-        for (int axis = 0; axis < 2; ++axis) momentum[axis].add(body.momentum()[axis]);
+    for (const auto& body : fluid.springs().bodies()) {
+        mass.add(body->free_mass());
+        const Vec of_body = body->total_momentum();
+        for (int axis = 0; axis < 3; ++axis) momentum[axis].add(of_body[axis]);
     }
     sum.mass = mass.value();
     for (int axis = 0; axis < 3; ++axis) sum.momentum[axis] = momentum[axis].value();
@@ -125,7 +131,7 @@ Conserved Simulation::State::conserved() const {
 std::vector<StepLimit> Simulation::State::limits_now(double largest_speed) const {
     double g = 0;
     for (const double axis : fluid.body_acceleration(time)) g = std::hypot(g, axis);
-    return fluid_step_limits(scales, largest_speed, g);
+    return fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time)), g);
 }
 
 double Simulation::State::next_step(double target, double largest_speed) const {
@@ -148,6 +154,7 @@ void Simulation::State::archive(Archive& file) {
     measures.archive(file);
     for (ParticleGroup& group : particles.groups()) file(std::string(word(static_cast<PartKind>(group.kind()))), group);
     fluid.archive(file);
+    mean_displacement.archive(file);
 }
 
 void Simulation::State::write_frame(FrameSink* sink) {
@@ -160,7 +167,8 @@ void Simulation::State::write_as_it_is(FrameSink* sink) {
     if (frames > 0 && time <= last_frame) return;  // no time twice
     if (ranks.any(sink != nullptr)) {
         const bool in_pieces = ranks.any(sink != nullptr && sink->takes_pieces());
-        const Frame frame = make_frame(scene, particles, fluid, time, step, {frames == 0, in_pieces});
+        const Frame frame =
+            make_frame(scene, particles, fluid, mean_displacement, time, step, {frames == 0, in_pieces});
         if (sink != nullptr) sink->write(frame);
     }
     ++frames;
@@ -170,6 +178,7 @@ void Simulation::State::write_as_it_is(FrameSink* sink) {
 void Simulation::State::write_what_is_due(FrameSink* sink) {
     if (measure_times.due(time)) {
         fluid.update_pressure();
+        if (measures.need_neighbours()) fluid.refresh_neighbours();
         measures.take(time, particles, fluid);
     }
     if (frame_times.due(time)) write_frame(sink);
@@ -220,17 +229,32 @@ Plan Simulation::plan() const {
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(s.scene.run.duration / plan.dt));
     plan.spring_substeps = s.fluid.springs().substeps(plan.dt);
+    if (s.settings.implicit_viscosity && s.scales.kinematic_viscosity > 0) {
+        plan.limits.push_back(viscous_step_limit(s.scales));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
     for (const auto& limit : s.fluid.springs().step_limits())
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     plan.models = models_in_use(s.scene);
+    plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {
         if (group.empty()) continue;
         for (const Field field : group.declared()) {
             const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
             plan.fields.push_back(word(static_cast<PartKind>(group.kind())) + std::string(": ") +
                                   std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+            const std::string_view owner = info(field).needed_by;
+            const auto model = std::ranges::find_if(plan.models, [&](const ModelUse& use) {
+                return !owner.empty() && use.model.find(owner) != std::string::npos;
+            });
+            if (model == plan.models.end()) {
+                plan.common_fields.push_back(plan.fields.back());
+            } else {
+                model->fields.push_back(plan.fields.back());
+                model->bytes += bytes;
+            }
         }
     }
     return plan;
@@ -250,18 +274,22 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     const double dt = next_step(target, extremes.largest_speed);
     try {
         fluid.advance(time, dt);
+        residence_times.add(particles, dt, settings.threads);
+        mean_displacement.add(fluid.springs(), time, dt);
     } catch (const DivergenceError& error) {
         time += dt;
         ++step;
-        // The fluid may have gone first; if not, the springs are to blame.
+        // The fluid may have gone first; if not, the springs are to blame, or viscosity speaks for itself.
         stop_if_diverged(options.sink, fluid.extremes());
-        stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
+        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr)
+            stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
     time = target - time <= 1.5 * dt ? target : time + dt;
     ++step;
 
     extremes = fluid.extremes();
+    watch.walls_have_moved(fluid.walls().farthest());
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);
     if (!watch.fluid_is_well(extremes) || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
@@ -346,11 +374,17 @@ RunSummary Simulation::State::summary() const {
     summary.impulse_of_body_forces = given.of_body_forces;
     summary.impulse_of_fixed = given.of_fixed;
     summary.impulse_of_drag = given.of_drag;
+    for (int axis = 0; axis < particles.dimension(); ++axis)
+        // What planes of symmetry take or give is known as the rest.
+        if (particles.space().is_mirrored(axis))
+            summary.impulse_of_fixed[axis] = summary.end.momentum[axis] - summary.start.momentum[axis] -
+                                             given.of_body_forces[axis] - given.of_drag[axis];
     double residual = 0, scale = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double impulse = given.of_body_forces[axis] + given.of_fixed[axis] + given.of_drag[axis];
+        const double impulse = given.of_body_forces[axis] + summary.impulse_of_fixed[axis] + given.of_drag[axis];
         residual = std::hypot(residual, summary.end.momentum[axis] - summary.start.momentum[axis] - impulse);
-        scale += std::abs(given.of_body_forces[axis]) + std::abs(given.of_fixed[axis]) + std::abs(given.of_drag[axis]);
+        scale += std::abs(given.of_body_forces[axis]) + std::abs(summary.impulse_of_fixed[axis]) +
+                 std::abs(given.of_drag[axis]);
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
     const double rest_density = equations_of_state(scene, particles.space()).front().rest_density;
@@ -360,6 +394,7 @@ RunSummary Simulation::State::summary() const {
         ranks.sum(static_cast<std::int64_t>(watch.lost(particles, fluid.neighbours().list()))));
     summary.state_hash = state_hash(particles, ranks);
     summary.seconds_by_stage = fluid.timer().seconds();
+    if (fluid.viscous_solves() != nullptr) summary.viscous_solves = *fluid.viscous_solves();
     summary.measures = measures.series();
     return summary;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -14,6 +15,7 @@
 #include "solver/frame.hpp"
 #include "solver/resources.hpp"
 #include "solver/state/checkpoints.hpp"
+#include "solver/warnings.hpp"
 
 namespace dmp {
 
@@ -26,9 +28,11 @@ struct StepLimit {
 
 /// A model the scene makes run, and why.
 struct ModelUse {
-    std::string model;   ///< "Tait equation of state", "Morris viscosity", ...
-    std::string source;  ///< equation and paper
-    std::string reason;  ///< the scene's line that asks for it, or "default"
+    std::string model;                  ///< "Tait equation of state", "Morris viscosity", ...
+    std::string source;                 ///< equation and paper
+    std::string reason;                 ///< the scene's line that asks for it, or "default"
+    std::vector<std::string> fields{};  ///< per-particle arrays that are there for it
+    std::size_t bytes = 0;              ///< of them, for one particle of each kind that has them
 };
 
 /// What a run will be, before it runs.
@@ -43,13 +47,23 @@ struct Plan {
     std::vector<StepLimit> limits;  ///< of the fluid step and the spring step
     std::string ruling_limit;       ///< which of them sets the fluid step
     std::vector<ModelUse> models;
-    std::vector<std::string> fields;  ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> fields;         ///< per-particle arrays that are allocated, with their bytes
+    std::vector<std::string> common_fields;  ///< those of them that no model alone asked for
+    std::vector<Warning> warnings;
 };
 
 /// Momentum and mass, and what came and went.
 struct Conserved {
     double mass = 0;                   ///< of all moving particles [kg]
     std::array<double, 3> momentum{};  ///< of all moving particles [kg m/s]
+};
+
+/// How much work implicit viscosity has been.
+struct ViscousSolves {
+    std::int64_t solves = 0, iterations = 0, most_iterations = 0;  ///< the last: of one solve
+    [[nodiscard]] double mean_iterations() const {
+        return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0;
+    }
 };
 
 /// How the ranks shared the work.
@@ -84,6 +98,7 @@ struct RunSummary {
     MeasureSeries measures;
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
+    ViscousSolves viscous_solves;  ///< none where viscosity is explicit
     long first_step = 0;       ///< that this process made; 0 unless it resumed
     bool interrupted = false;  ///< left before its end
     bool out_of_time = false;  ///< by the wall time's limit

@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/output/mean_displacement.hpp"
 #include "solver/time/fluid_step.hpp"
 
 namespace dmp {
@@ -14,9 +15,9 @@ struct FrameOptions {
     bool in_pieces = false;
 };
 
-/// What the particles look like now: fluid with the scene's output fields; solids with velocity, displacement from
-/// the drawing, bond strain and bond force; walls when asked for. In the order of their ids. All ranks take part.
-Frame make_frame(const Scene& scene, const ParticleStore& particles, const FluidStep& fluid, double time, long step,
-                 FrameOptions options);
+/// What the particles look like now: fluid and solids with the scene's output fields; walls when asked for. In the
+/// order of their ids. All ranks take part.
+Frame make_frame(const Scene& scene, const ParticleStore& particles, const FluidStep& fluid,
+                 const MeanDisplacement& mean_displacement, double time, long step, FrameOptions options);
 
 }  // namespace dmp

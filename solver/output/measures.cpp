@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/errors.hpp"
-#include "solver/output/velocity_gradient.hpp"
+#include "solver/output/fluid_fields.hpp"
 
 namespace dmp {
 
@@ -18,11 +19,42 @@ const char* unit_of(FluidField field) {
             return "m/s";
         case FluidField::density:
             return "kg/m^3";
+        case FluidField::vorticity:
+            return "1/s";
+        case FluidField::residence_time:
+            return "s";
         case FluidField::pressure:
         case FluidField::shear_stress:
+        case FluidField::stress:
+        case FluidField::von_mises:
             break;
     }
     return "Pa";
+}
+
+/// The components of vectors and tensors that a probe has columns for: in the plane those that are not 0.
+std::vector<std::size_t> probed_components(int components, int dimension) {
+    if (components == 3 && dimension == 2) return {0, 1};
+    if (components == 6 && dimension == 2) return {0, 1, 2, 3};
+    std::vector<std::size_t> all(static_cast<std::size_t>(components));
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+/// Endings of the names of a probe's columns.
+std::vector<std::string> column_endings(const Scene& scene, FluidField field, int dimension) {
+    std::vector<std::string> endings;
+    const bool vector = field == FluidField::velocity || (field == FluidField::vorticity && dimension == 3);
+    if (vector)
+        for (const std::size_t c : probed_components(3, dimension))
+            endings.push_back("_" + std::string(vector_components[c]));
+    if (field == FluidField::stress)
+        for (const std::size_t c : probed_components(6, dimension))
+            endings.push_back("_" + std::string(tensor_components[c]));
+    if (field == FluidField::residence_time && scene.regions.size() > 1)
+        for (const ResidenceRegion& region : scene.regions) endings.push_back("_" + *region.name);
+    if (endings.empty()) endings.emplace_back();
+    return endings;
 }
 
 /// A gap is between bodies.
@@ -49,7 +81,7 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
 }  // namespace
 
 Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
-    : space_(set), settings_(settings), ranks_(ranks) {
+    : scene_(scene), space_(set), settings_(settings), ranks_(ranks) {
     const auto column = [&](const std::string& name, const char* unit) {
         series_.names.push_back(name);
         series_.units.emplace_back(unit);
@@ -77,12 +109,8 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
                 column(name, "J");
                 break;
             case MeasureKind::probe:
-                if (measure.field.value == FluidField::velocity) {
-                    for (int axis = 0; axis < set.dimension; ++axis)
-                        column(name + "_" + std::string(1, "xyz"[axis]), unit_of(measure.field));
-                } else {
-                    column(name, unit_of(measure.field));
-                }
+                for (const std::string& ending : column_endings(scene, measure.field, set.dimension))
+                    column(name + ending, unit_of(measure.field));
         }
     }
 }
@@ -197,53 +225,45 @@ double Measures::kinetic_energy(const ParticleGroup& fluid) const {
 
 double Measures::gap(const Measure& measure, const SpringBodies& springs) const {
     std::vector<const SpringBody*> bodies;
-    for (const SpringBody& body : springs.bodies())
-        if (body.part() == measure.part.value) bodies.push_back(&body);
+    for (const auto& body : springs.bodies())
+        if (body->part() == measure.part.value) bodies.push_back(body.get());
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = a + 1; b < bodies.size(); ++b)
-            for (const auto& here : bodies[a]->positions())
-                for (const auto& there : bodies[b]->positions())
-                    smallest =
-                        std::min(smallest, nearest(Vec(here[0] - there[0], here[1] - there[1], 0)).squaredNorm());
+            for (std::size_t i = 0; i < bodies[a]->nodes(); ++i)
+                for (std::size_t j = 0; j < bodies[b]->nodes(); ++j)
+                    smallest = std::min(smallest, nearest(bodies[a]->place(i) - bodies[b]->place(j)).squaredNorm());
     return std::sqrt(smallest);
+}
+
+bool Measures::need_neighbours() const {
+    return std::ranges::any_of(measures_, [](const Measure* measure) {
+        return *measure->kind == MeasureKind::probe && FluidFields::need_neighbours(measure->field);
+    });
 }
 
 std::vector<double> Measures::probe(const Measure& measure, const ParticleStore& particles,
                                     const FluidStep& step) const {
-    const FluidField field = measure.field;
     const ParticleGroup& fluid = particles.fluid();
-    const std::vector<double> stress = field == FluidField::shear_stress
-                                           ? shear_stress(particles, step.neighbours().list(), step.sweeps())
-                                           : std::vector<double>();
-    std::vector<ExactSum> sums(field == FluidField::velocity ? static_cast<std::size_t>(space_.dimension) : 1);
     ExactSum weights;
+    std::vector<std::pair<std::size_t, double>> near;  // particle and weight
     for_each_offset(fluid, measure.point, [&](std::size_t i, const Vec& offset) {
         const double distance = offset.norm();
         if (distance >= settings_.support) return;
-        const double weight = fluid.data(Field::volume)[i] * step.sweeps().kernel_value(distance);
-        weights.add(weight);
-        switch (field) {
-            case FluidField::velocity:
-                for (std::size_t axis = 0; axis < sums.size(); ++axis)
-                    sums[axis].add(weight * fluid.data(Field::velocity, static_cast<int>(axis))[i]);
-                break;
-            case FluidField::pressure:
-                sums[0].add(weight * fluid.data(Field::pressure)[i]);
-                break;
-            case FluidField::density:
-                sums[0].add(weight * fluid.data(Field::density)[i]);
-                break;
-            case FluidField::shear_stress:
-                sums[0].add(weight * stress[i]);
-        }
+        near.emplace_back(i, fluid.data(Field::volume)[i] * step.sweeps().kernel_value(distance));
+        weights.add(near.back().second);
     });
     const double all_weights = over_all_ranks(weights);
     std::vector<double> values;
-    // No fluid there now: not a number, which the tables write as empty.
-    for (const ExactSum& sum : sums) {
-        const double value = over_all_ranks(sum);
-        values.push_back(all_weights > 0 ? value / all_weights : std::numeric_limits<double>::quiet_NaN());
+    for (const FluidValues& array : FluidFields(scene_, particles, step).of(measure.field)) {
+        const auto components = static_cast<std::size_t>(array.components);
+        for (const std::size_t c : probed_components(array.components, space_.dimension)) {
+            ExactSum sum;
+            for (const auto& [i, weight] : near) sum.add(weight * array.values[components * i + c]);
+            const double value = over_all_ranks(sum);
+            // No fluid there now: not a number, which the tables write as empty.
+            values.push_back(all_weights > 0 ? value / all_weights : std::numeric_limits<double>::quiet_NaN());
+        }
     }
     return values;
 }

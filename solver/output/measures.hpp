@@ -14,7 +14,8 @@ namespace dmp {
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
-///   probe          a fluid field at a point (Shepard interpolation); velocity has one column an axis
+///   probe          a fluid field at a point (Shepard interpolation); vectors and tensors have one column a component,
+///                  residence_time one a region
 class Measures {
   public:
     Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks);
@@ -24,6 +25,8 @@ class Measures {
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
     void archive(Archive& file);
+    /// Whether a probe reads what follows from neighbours.
+    [[nodiscard]] bool need_neighbours() const;
 
   private:
     /// The shortest of an offset's periodic images.
@@ -35,9 +38,11 @@ class Measures {
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
     [[nodiscard]] double gap(const Measure& measure, const SpringBodies& springs) const;
+    /// A value a column of the probe.
     [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,
                                             const FluidStep& step) const;
 
+    const Scene& scene_;
     ParticleSpace space_;
     PairSettings settings_;
     const Ranks& ranks_;

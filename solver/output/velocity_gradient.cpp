@@ -4,9 +4,13 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "solver/sweeps/order_free.hpp"
+
 namespace dmp {
 
 namespace {
+
+using Matrix = Eigen::Matrix3d;
 
 Vec at(const ParticleGroup& group, Field field, std::int32_t i) {
     Vec value = Vec::Zero();
@@ -14,32 +18,44 @@ Vec at(const ParticleGroup& group, Field field, std::int32_t i) {
     return value;
 }
 
+/// Adds a b^T, each number rounded.
+void add_rounded(Matrix& sum, const OrderFree& rounded, const Vec& a, const Vec& b) {
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) sum(row, column) += rounded(a[row] * b[column]);
+}
+
 }  // namespace
 
-std::vector<double> shear_stress(const ParticleStore& particles, const ClusterList& list, const PairSweeps& sweeps) {
+std::vector<Matrix> velocity_gradient(const ParticleStore& particles, const FluidStep& step) {
+    const double largest_speed = step.extremes().largest_speed;
     const ParticleGroup& fluid = particles.fluid();
-    std::vector<double> stress(fluid.owned(), 0.0);
+    std::vector<Matrix> gradients(fluid.owned(), Matrix::Zero());
+    if (largest_speed == 0) return gradients;
+    // The moments of a full neighbourhood are the unit matrix. A state that has diverged may hold anything.
+    const OrderFree round_moment(1);
+    const OrderFree round_gradient(std::isfinite(largest_speed) ? largest_speed / particles.space().spacing : 1);
+    const ClusterList& list = step.neighbours().list();
     const auto clusters = list.clusters(ParticleKind::fluid);
-    for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const auto count = static_cast<std::ptrdiff_t>(clusters.size());
+#pragma omp parallel for num_threads(step.threads()) schedule(static)
+    for (std::ptrdiff_t c = 0; c < count; ++c) {
         for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
             const Vec x = at(fluid, Field::position, i), v = at(fluid, Field::velocity, i);
-            Eigen::Matrix3d moments = Eigen::Matrix3d::Zero(), gradient = Eigen::Matrix3d::Zero();
-            for (const std::int32_t j : list.neighbours(ParticleKind::fluid, c, ParticleKind::fluid)) {
+            Matrix moments = Matrix::Zero(), sum = Matrix::Zero();
+            for (const std::int32_t j :
+                 list.neighbours(ParticleKind::fluid, static_cast<std::size_t>(c), ParticleKind::fluid)) {
                 const Vec offset = at(fluid, Field::position, j) - x;
-                const double weight = fluid.data(Field::volume)[j] * -sweeps.kernel_slope(offset.norm());
+                const double weight = fluid.data(Field::volume)[j] * -step.sweeps().kernel_slope(offset.norm());
                 if (weight == 0) continue;
-                moments += weight * offset * offset.transpose();
-                gradient += weight * (at(fluid, Field::velocity, j) - v) * offset.transpose();
+                add_rounded(moments, round_moment, weight * offset, offset);
+                add_rounded(sum, round_gradient, at(fluid, Field::velocity, j) - v, weight * offset);
             }
             if (particles.dimension() == 2) moments(2, 2) = 1;
-            // The moments of a full neighbourhood are the unit matrix.
             if (moments.determinant() < 1e-3) continue;
-            gradient = gradient * moments.inverse();
-            const Eigen::Matrix3d rate = 0.5 * (gradient + gradient.transpose());
-            stress[i] = fluid.data(Field::viscosity)[i] * std::sqrt(2 * rate.squaredNorm());
+            gradients[i] = sum * moments.inverse();
         }
     }
-    return stress;
+    return gradients;
 }
 
 }  // namespace dmp

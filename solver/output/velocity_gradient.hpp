@@ -1,17 +1,18 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
-#include "solver/neighbours/cluster_list.hpp"
-#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/fluid_step.hpp"
 
 namespace dmp {
 
-/// Magnitude of the viscous shear stress mu sqrt(2 D : D) of each fluid particle [Pa], D the symmetric part of the
-/// velocity gradient. The gradient is exact for linear fields (kernel-gradient correction of Bonet & Lok 1999)
-/// and uses fluid neighbours alone, so it is one-sided at walls. Particles with too few neighbours for a gradient
-/// (a droplet of one or two) have none: 0. In the order of ids(fluid).
-std::vector<double> shear_stress(const ParticleStore& particles, const ClusterList& list, const PairSweeps& sweeps);
+/// Velocity gradient of each fluid particle of this rank, G_kl = dv_k/dx_l [1/s], in the store's order:
+///   G_i = [SUM_j V_j (v_j - v_i) (x) grad_i W_ij] M_i^-1,   M_i = SUM_j V_j (x_j - x_i) (x) grad_i W_ij
+/// Exact for linear fields, however the particles lie (kernel-gradient correction of Bonet & Lok 1999). It uses fluid
+/// neighbours alone, so it is one-sided at walls. Particles with too few neighbours for a gradient (a droplet of one or
+/// two) have none: 0. The same bits for any order of neighbours; all ranks take part.
+std::vector<Eigen::Matrix3d> velocity_gradient(const ParticleStore& particles, const FluidStep& fluid);
 
 }  // namespace dmp

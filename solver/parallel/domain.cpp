@@ -23,8 +23,10 @@ Box everything(const ParticleSpace& space) {
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
         const bool periodic = axis < space.dimension && space.periodic[axis];
-        box.low[axis] = periodic ? space.box.low[axis] : -std::numeric_limits<double>::infinity();
-        box.high[axis] = periodic ? space.box.high[axis] : std::numeric_limits<double>::infinity();
+        const bool ends_low = periodic || (axis < space.dimension && space.mirrored[axis][0]);
+        const bool ends_high = periodic || (axis < space.dimension && space.mirrored[axis][1]);
+        box.low[axis] = ends_low ? space.box.low[axis] : -std::numeric_limits<double>::infinity();
+        box.high[axis] = ends_high ? space.box.high[axis] : std::numeric_limits<double>::infinity();
     }
     return box;
 }
@@ -51,6 +53,7 @@ Domain::Domain(const Ranks& ranks, const ParticleSpace& space, int threads)
       dimension_(space.dimension),
       threads_(threads),
       periodic_(space.periodic),
+      mirrored_(space.mirrored),
       space_(everything(space)),
       regions_(space_, ranks.size()) {}
 
@@ -79,8 +82,28 @@ int Domain::owner(const Vec& point) const {
     return regions_.owner(place);
 }
 
+/// A particle and its image change places, which changes nothing: where one is lies the other.
+void Domain::mirror_back(ParticleGroup& fluid) const {
+    for (int axis = 0; axis < dimension_; ++axis)
+        for (const bool high : {false, true}) {
+            if (!mirrored_[axis][high ? 1 : 0]) continue;
+            const double plane = high ? space_.high[axis] : space_.low[axis];
+            double* x = fluid.data(Field::position, axis);
+            const auto beyond =
+                select(fluid.owned(), threads_, [=](std::size_t i) { return high ? x[i] > plane : x[i] < plane; });
+            for (const std::int32_t i : beyond) {
+                x[i] = 2 * plane - x[i];
+                for (const Field field : fluid.state())
+                    if (info(field).is_vector && field != Field::position)
+                        fluid.data(field, axis)[i] = -fluid.data(field, axis)[i];
+            }
+        }
+}
+
 void Domain::move_into_box(const GroupList& groups) const {
     std::string trouble;
+    for (ParticleGroup* group : groups)
+        if (group->kind() == ParticleKind::fluid) mirror_back(*group);
     for (ParticleGroup* group : groups)
         for (int axis = 0; axis < dimension_; ++axis) {
             double* x = group->data(Field::position, axis);

@@ -37,13 +37,15 @@ class Domain {
 
     /// The rank that owns this place; along periodic axes it may lie any number of periods away.
     [[nodiscard]] int owner(const Vec& point) const;
-    /// A rank's part of space: infinite outwards where the axis is not periodic (and along z in 2-D); low > high if it
-    /// has none. What lies inside is the rank's; owner() knows about points on a side that two ranks share.
+    /// A rank's part of space: infinite outwards where the axis is not periodic and has no plane of symmetry (and along
+    /// z in 2-D); low > high if it has none. What lies inside is the rank's; owner() knows about points on a side that
+    /// two ranks share.
     [[nodiscard]] const Box& box(int rank) const { return regions_.box(rank); }
 
-    /// Moves every owned particle by whole periods into the box of the space, and to the rank that owns its place, with
-    /// its tag and all state fields. Those that stay keep their order; those that come stand behind them. Copies go.
-    /// Throws DivergenceError, on all ranks, if a particle has no place any more (NaN, infinite or far off).
+    /// Moves every owned particle by whole periods into the box of the space, fluid particles that have passed a plane
+    /// of symmetry to where their mirror image is, and all to the rank that owns its place, with its tag and all state
+    /// fields. Those that stay keep their order; those that come stand behind them. Copies go. Throws DivergenceError,
+    /// on all ranks, if a particle has no place any more (NaN, infinite or far off).
     void migrate(const GroupList& groups) const;
 
     /// The largest rank's load over the mean: 1 is perfect. 1 without particles.
@@ -51,11 +53,13 @@ class Domain {
 
   private:
     void move_into_box(const GroupList& groups) const;
+    void mirror_back(ParticleGroup& fluid) const;
 
     Ranks ranks_;
     int dimension_, threads_;
     std::array<bool, 3> periodic_;
-    Box space_;  ///< one period, or from -infinity to infinity
+    std::array<std::array<bool, 2>, 3> mirrored_;
+    Box space_;  ///< one period, between planes of symmetry, or from -infinity to infinity
     Regions regions_;
 };
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "solver/parallel/communicator.hpp"
-#include "solver/parallel/halo_targets.hpp"
 #include "solver/parallel/select.hpp"
 
 namespace dmp {
@@ -26,13 +25,7 @@ struct Halo::Requests {
 };
 
 Halo::Halo(Ranks ranks, const ParticleSpace& space, int threads)
-    : ranks_(std::move(ranks)),
-      dimension_(space.dimension),
-      threads_(threads),
-      requests_(std::make_unique<Requests>()) {
-    for (int axis = 0; axis < dimension_; ++axis)
-        if (space.periodic[axis]) period_[axis] = space.box.high[axis] - space.box.low[axis];
-}
+    : ranks_(std::move(ranks)), space_(space), threads_(threads), requests_(std::make_unique<Requests>()) {}
 
 Halo::~Halo() = default;
 Halo::Halo(Halo&&) noexcept = default;
@@ -55,10 +48,10 @@ void Halo::build(ParticleGroup& group, const Domain& domain, double reach) {
 /// What each rank needs of this one's particles; nothing for ranks that need none.
 std::vector<Halo::Outgoing> Halo::wanted_copies(const ParticleGroup& group, const Domain& domain, double reach) const {
     std::vector<Outgoing> all;
-    const HaloTargets targets(domain, ranks_, period_, dimension_, reach);
+    const HaloTargets targets(domain, ranks_, space_, reach);
     if (targets.list().empty()) return all;
     std::array<const double*, 3> x{};
-    for (int axis = 0; axis < dimension_; ++axis) x[axis] = group.data(Field::position, axis);
+    for (int axis = 0; axis < space_.dimension; ++axis) x[axis] = group.data(Field::position, axis);
     const std::vector<std::int32_t> candidates =
         select(group.owned(), threads_, [&](std::size_t i) { return targets.may_need(x, i); });
     for (const HaloTarget& target : targets.list()) {
@@ -68,7 +61,7 @@ std::vector<Halo::Outgoing> Halo::wanted_copies(const ParticleGroup& group, cons
         if (all.empty() || all.back().rank != target.rank) all.push_back({target.rank, {}, {}, {}});
         Outgoing& outgoing = all.back();
         for (const std::int32_t k : chosen) outgoing.sources.push_back(candidates[k]);
-        outgoing.runs.push_back({target.shift, outgoing.sources.size()});
+        outgoing.runs.push_back({target.image, outgoing.sources.size()});
     }
     return all;
 }
@@ -155,8 +148,12 @@ void Halo::copy_values(const Outgoing& outgoing, const ParticleGroup& group, Fie
     const std::int32_t* sources = outgoing.sources.data();
     std::size_t begin = 0;
     for (const Run& run : outgoing.runs) {
-        const double shift = field == Field::position ? run.shift[axis] : 0;
-        if (shift == 0)  // adding it would turn -0 into +0
+        const bool mirrored = info(field).is_vector && run.image.mirrored[axis];
+        const double shift = field == Field::position ? run.image.shift[axis] : 0;
+        if (mirrored)
+#pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
+            for (std::size_t k = begin; k < run.end; ++k) to[k] = shift - from[sources[k]];
+        else if (shift == 0)  // adding it would turn -0 into +0
 #pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
             for (std::size_t k = begin; k < run.end; ++k) to[k] = from[sources[k]];
         else

@@ -8,6 +8,7 @@
 
 #include "particles/particle_set.hpp"
 #include "solver/parallel/domain.hpp"
+#include "solver/parallel/halo_targets.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_group.hpp"
 
@@ -18,8 +19,8 @@ struct HaloTraffic {
     std::int64_t messages = 0, bytes = 0;
 };
 
-/// The copies of one group of particles: those of other ranks' particles, and of periodic images, that lie near the
-/// rank's own part of space. A group has a Halo of its own.
+/// The copies of one group of particles: those of other ranks' particles, of periodic images and of mirror images at
+/// planes of symmetry, that lie near the rank's own part of space. A group has a Halo of its own.
 /// build(), exchange(), start(), finish() and copies_per_owned() must be called by all ranks together, for several
 /// groups in the same order. One rank alone calls no MPI.
 class Halo {
@@ -32,11 +33,12 @@ class Halo {
     Halo& operator=(Halo&& other) noexcept;
 
     /// Drops the group's copies and makes new ones, with their tags and all declared fields: every owned particle of
-    /// any rank, moved by any whole periods, that lies within `reach` of this rank's box and is not its own unmoved
-    /// one, once. Particles must be where Domain::migrate left them. No order of the copies is promised.
+    /// any rank, moved by any whole periods and mirrored at planes of symmetry, that lies within `reach` of this rank's
+    /// box and is not its own unmoved one, once. Vectors of mirrored copies are mirrored too. Particles must be where
+    /// Domain::migrate left them. No order of the copies is promised.
     void build(ParticleGroup& group, const Domain& domain, double reach);
 
-    /// Gives the copies the values that their particles have now; positions stay moved by the same periods. Particles
+    /// Gives the copies the values that their particles have now; in the same images. Particles
     /// and copies must be those of the last build().
     void exchange(ParticleGroup& group, const FieldList& fields) {
         start(group, fields);
@@ -55,9 +57,9 @@ class Halo {
     [[nodiscard]] double copies_per_owned() const;
 
   private:
-    /// Consecutive sources of an Outgoing, up to `end`, that are moved by the same periods.
+    /// Consecutive sources of an Outgoing, up to `end`, that appear in the same image.
     struct Run {
-        std::array<double, 3> shift{};
+        HaloImage image;
         std::size_t end = 0;
     };
     /// Which owned particles go to a rank.
@@ -81,8 +83,8 @@ class Halo {
     void copy_values(const Outgoing& outgoing, const ParticleGroup& group, Field field, int axis, double* to) const;
 
     Ranks ranks_;
-    int dimension_, threads_;
-    std::array<double, 3> period_{};  ///< 0: not periodic
+    ParticleSpace space_;
+    int threads_;
     Outgoing own_;                    ///< this rank's own images; their copies come first
     std::vector<Outgoing> outgoing_;  ///< to other ranks
     std::vector<Incoming> incoming_;

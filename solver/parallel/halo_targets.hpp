@@ -10,20 +10,25 @@
 
 namespace dmp {
 
-/// A rank that may need copies of this rank's particles, moved by `shift`.
+/// How a copy comes about from a particle, axis by axis: x becomes x + shift, or shift - x where the axis is mirrored.
+struct HaloImage {
+    std::array<double, 3> shift{};  ///< whole periods, or twice the plane's place [m]
+    std::array<bool, 3> mirrored{};
+    [[nodiscard]] double place(double x, int axis) const { return (mirrored[axis] ? -x : x) + shift[axis]; }
+};
+
+/// A rank that may need copies of this rank's particles, as they appear in `image`.
 struct HaloTarget {
     int rank = 0;
-    std::array<double, 3> shift{};  ///< whole periods [m]
-    Box box;                        ///< the rank's
+    HaloImage image;
+    Box box;  ///< the rank's
 };
 
 /// Who may need copies of a rank's particles: all boxes, its own among them, that lie within the reach of its box once
-/// moved by some whole periods.
+/// moved by some whole periods, and mirrored at planes of symmetry.
 class HaloTargets {
   public:
-    /// `period` by axis [m], 0 where there is none.
-    HaloTargets(const Domain& domain, const Ranks& ranks, const std::array<double, 3>& period, int dimension,
-                double reach);
+    HaloTargets(const Domain& domain, const Ranks& ranks, const ParticleSpace& space, double reach);
 
     /// By rank, and then in an order that depends on the boxes alone.
     [[nodiscard]] const std::vector<HaloTarget>& list() const { return list_; }
@@ -36,11 +41,11 @@ class HaloTargets {
         return deep == 0;
     }
 
-    /// True: particle i, moved, lies within the reach of the target's box.
+    /// True: particle i, as it appears there, lies within the reach of the target's box.
     [[nodiscard]] bool needs(const HaloTarget& target, const std::array<const double*, 3>& x, std::size_t i) const {
         double squared = 0;
         for (int axis = 0; axis < dimension_; ++axis) {
-            const double moved = x[axis][i] + target.shift[axis];  // exact; moving the box might not be
+            const double moved = target.image.place(x[axis][i], axis);  // exact; moving the box might not be
             const double outside = std::max({0.0, target.box.low[axis] - moved, moved - target.box.high[axis]});
             squared += outside * outside;
         }

@@ -32,13 +32,17 @@ void Archive::operator()(const std::string& name, std::int64_t& value) {
 
 void Archive::operator()(const std::string& name, std::vector<double>& values) { array(name, values); }
 
-void Archive::operator()(const std::string& name, std::vector<Vector<double, 2>>& values) {
+template <int D>
+void Archive::vectors(const std::string& name, std::vector<Vector<double, D>>& values) {
     std::vector<double> flat;
-    for (const auto& value : values) flat.insert(flat.end(), {value[0], value[1]});
+    for (const auto& value : values) flat.insert(flat.end(), value.c, value.c + D);
     array(name, flat);
-    values.resize(flat.size() / 2);
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = {{flat[2 * k], flat[2 * k + 1]}};
+    values.resize(flat.size() / D);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        for (int axis = 0; axis < D; ++axis) values[k][axis] = flat[D * k + axis];
 }
+void Archive::operator()(const std::string& name, std::vector<Vector<double, 2>>& values) { vectors(name, values); }
+void Archive::operator()(const std::string& name, std::vector<Vector<double, 3>>& values) { vectors(name, values); }
 
 void Archive::operator()(const std::string& name, std::array<double, 3>& values) {
     std::vector<double> three(values.begin(), values.end());
@@ -65,7 +69,8 @@ std::vector<T> Archive::share(const std::string& name, std::uint64_t begin, std:
 
 void Archive::operator()(const std::string& name, ParticleGroup& group) {
     const auto array_name = [&](Field field, int axis) {
-        return name + "/" + std::string(info(field).name) + (info(field).is_vector ? "_" + std::to_string(axis) : "");
+        return name + "/" + std::string(info(field).name) +
+               (info(field).is_vector || group.axes(field) > 1 ? "_" + std::to_string(axis) : "");
     };
     if (!loading()) {
         const auto tags = group.tags();

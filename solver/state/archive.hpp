@@ -29,6 +29,7 @@ class Archive {
     void operator()(const std::string& name, std::int64_t& value);
     void operator()(const std::string& name, std::vector<double>& values);
     void operator()(const std::string& name, std::vector<Vector<double, 2>>& values);
+    void operator()(const std::string& name, std::vector<Vector<double, 3>>& values);
     void operator()(const std::string& name, std::array<double, 3>& values);
     /// A group's owned particles, their tags and all they take along. Loading, each rank gets a share, wherever they
     /// lie. Throws InputError when the group's fields are not those in the file.
@@ -37,6 +38,8 @@ class Archive {
   private:
     template <class T>
     void array(const std::string& name, std::vector<T>& values);
+    template <int D>
+    void vectors(const std::string& name, std::vector<Vector<double, D>>& values);
     template <class T, class Of>
     void save_of_all(const std::string& name, std::size_t owned, const Of& of);
     template <class T>

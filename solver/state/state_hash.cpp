@@ -38,10 +38,13 @@ std::uint64_t hash_of(const ParticleGroup& group, const ParticleSpace& space, st
     Fnv hash;
     hash.add(static_cast<std::uint64_t>(group.tags()[i].id));
     for (int axis = 0; axis < group.dimension(); ++axis) {
-        const double x = group.data(Field::position, axis)[i];
-        hash.add(std::bit_cast<std::uint64_t>(
-            space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x));
-        hash.add(std::bit_cast<std::uint64_t>(group.data(Field::velocity, axis)[i]));
+        const double x = group.data(Field::position, axis)[i], v = group.data(Field::velocity, axis)[i];
+        // A liquid's particle beyond a plane of symmetry stands for its image.
+        const double shown = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis])
+                             : group.kind() == ParticleKind::fluid ? space.mirrored_back(x, axis)
+                                                                   : x;
+        hash.add(std::bit_cast<std::uint64_t>(shown));
+        hash.add(std::bit_cast<std::uint64_t>(space.is_mirrored(axis) && shown != x ? -v : v));
     }
     if (group.has(Field::density)) hash.add(std::bit_cast<std::uint64_t>(group.data(Field::density)[i]));
     return hash.stirred();

@@ -9,7 +9,8 @@
 namespace dmp {
 
 /// A number for all bits of the particles' ids, positions, velocities and densities, as 16 hex digits: the sum of a
-/// hash of each particle, which needs no order and no memory. Positions as they are in the box, along periodic axes.
+/// hash of each particle, which needs no order and no memory. Positions as they are in the box, along periodic axes and
+/// between planes of symmetry.
 /// All ranks take part; the first one gets the hash.
 std::string state_hash(const ParticleStore& particles, const Ranks& ranks);
 

@@ -33,10 +33,9 @@ std::string setting(const std::string& key, double value) { return key + " = " +
 /// Largest change of a bond's length over its length at rest; not finite when a node's place is not.
 double largest_strain(const SpringBodies& springs) {
     double largest = 0;
-    for (const SpringBody& body : springs.bodies())
-        for (const Bond& bond : body.bonds()) {
-            const auto ends = body.positions()[bond.a] - body.positions()[bond.b];
-            const double strain = std::abs(std::sqrt(dot(ends, ends)) / bond.rest_length - 1);
+    for (const auto& body : springs.bodies())
+        for (const Bond& bond : body->bonds()) {
+            const double strain = std::abs((body->place(bond.a) - body->place(bond.b)).norm() / bond.rest_length - 1);
             if (!(strain <= largest)) largest = strain;
             if (!std::isfinite(strain)) return std::numeric_limits<double>::infinity();
         }
@@ -177,7 +176,8 @@ bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
     for (int axis = 0; axis < group.dimension(); ++axis) {
         if (space_.periodic[axis]) continue;
         const double x = group.data(Field::position, axis)[i];
-        if (x < space_.box.low[axis] - support_ || x > space_.box.high[axis] + support_) return true;
+        const double margin = support_ + walls_moved_;
+        if (x < space_.box.low[axis] - margin || x > space_.box.high[axis] + margin) return true;
     }
     return false;
 }

@@ -20,6 +20,9 @@ class Watch {
           sound_speed_(sound_speed),
           support_(support) {}
 
+    /// Walls stand this far from where they were drawn at most [m], and the fluid with them.
+    void walls_have_moved(double distance) { walls_moved_ = distance; }
+
     struct Finding {
         std::string problem;     ///< the first bad particle: id, part, place, speed, the limit it broke
         std::string what_to_do;  ///< the likely cause
@@ -68,6 +71,7 @@ class Watch {
     std::vector<double> rest_density_;
     double sound_speed_;
     double support_;
+    double walls_moved_ = 0;
 };
 
 }  // namespace dmp

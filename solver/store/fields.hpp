@@ -17,12 +17,25 @@ enum class Field {
     viscosity,
     wall_normal,
     wall_distance,
+    wall_slip,
+    wall_acceleration,
+    drawn_position,
+    drawn_normal,
     contact_range,
     wall_contact_range,
     volume,
+    residence_time,
     pressure,
     force,
     shift,
+    correction,
+    correction_off_diagonal,
+    transport_velocity,
+    viscous_force,
+    viscous_velocity,
+    viscous_residual,
+    viscous_direction,
+    viscous_diagonal,
     count  // how many there are
 };
 
@@ -35,6 +48,8 @@ struct FieldInfo {
     /// True: a particle takes its value along when it is sorted, sent to another rank or saved. False: it is worked out
     /// anew before it is used.
     bool is_state;
+    /// The model it is there for, or a part of its name (ModelUse::model); empty: more than one needs it.
+    std::string_view needed_by{};
 };
 
 /// By Field, in its order.
@@ -42,17 +57,30 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"position", "m", true, true},
     {"velocity", "m/s", true, true},
     {"density", "kg/m^3", false, true},
-    {"density_rate", "kg/m^3/s", false, true},
+    {"density_rate", "kg/m^3/s", false, true, "continuity"},
     {"mass", "kg", false, true},
-    {"viscosity", "Pa*s", false, true},
-    {"wall_normal", "1", true, true},
-    {"wall_distance", "m", false, true},
-    {"contact_range", "m", false, true},
-    {"wall_contact_range", "m", false, true},
+    {"viscosity", "Pa*s", false, true, "viscous force"},
+    {"wall_normal", "1", true, true, "walls"},
+    {"wall_distance", "m", false, true, "walls"},
+    {"wall_slip", "1", false, true, "walls"},
+    {"wall_acceleration", "m/s^2", true, true, "walls"},
+    {"drawn_position", "m", true, true, "walls"},
+    {"drawn_normal", "1", true, true, "walls"},
+    {"contact_range", "m", false, true, "short-range repulsion"},
+    {"wall_contact_range", "m", false, true, "short-range repulsion"},
     {"volume", "m^3", false, true},
-    {"pressure", "Pa", false, false},
+    {"residence_time", "s", false, true, "residence times"},
+    {"pressure", "Pa", false, false, "equation of state"},
     {"force", "N", true, false},
-    {"shift", "1/m", true, false},
+    {"shift", "1/m", true, false, "shifting"},
+    {"correction", "1", true, false, "gradient correction"},
+    {"correction_off_diagonal", "1", true, false, "gradient correction"},
+    {"transport_velocity", "m/s", true, true, "transport velocity"},
+    {"viscous_force", "N", true, false, "implicit viscosity"},
+    {"viscous_velocity", "m/s", true, false, "implicit viscosity"},
+    {"viscous_residual", "N", true, false, "implicit viscosity"},
+    {"viscous_direction", "m/s", true, false, "implicit viscosity"},
+    {"viscous_diagonal", "kg/s", true, false, "implicit viscosity"},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }

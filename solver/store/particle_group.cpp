@@ -12,16 +12,20 @@ constexpr std::size_t lanes_behind_the_end = 16;
 }  // namespace
 
 void ParticleGroup::declare(const FieldList& fields) {
-    for (const Field field : fields) {
-        declared_[static_cast<std::size_t>(field)] = true;
-        for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(total() + lanes_behind_the_end);
-    }
+    for (const Field field : fields) declare(field, axes(field));
+}
+
+void ParticleGroup::declare(Field field, int arrays) {
+    const auto index = static_cast<std::size_t>(field);
+    declared_[index] = arrays;
+    arrays_[index].resize(std::max<std::size_t>(arrays_[index].size(), static_cast<std::size_t>(arrays)));
+    for (int axis = 0; axis < arrays; ++axis) array(field, axis).resize(total() + lanes_behind_the_end);
 }
 
 FieldList ParticleGroup::declared() const {
     FieldList fields;
     for (std::size_t f = 0; f < declared_.size(); ++f)
-        if (declared_[f]) fields.push_back(static_cast<Field>(f));
+        if (declared_[f] > 0) fields.push_back(static_cast<Field>(f));
     return fields;
 }
 

@@ -25,7 +25,9 @@ struct ParticleTag {
 /// lanes may be loaded whole.
 class ParticleGroup {
   public:
-    ParticleGroup(ParticleKind kind, int dimension) : kind_(kind), dimension_(dimension) {}
+    ParticleGroup(ParticleKind kind, int dimension) : kind_(kind), dimension_(dimension) {
+        for (auto& arrays : arrays_) arrays.resize(3);
+    }
 
     [[nodiscard]] ParticleKind kind() const { return kind_; }
     [[nodiscard]] int dimension() const { return dimension_; }
@@ -35,12 +37,16 @@ class ParticleGroup {
 
     /// Allocates the fields (zero-filled) that are not there yet.
     void declare(const FieldList& fields);
-    [[nodiscard]] bool has(Field field) const { return declared_[static_cast<std::size_t>(field)]; }
+    /// The same for a field of `arrays` arrays (residence_time: one a region).
+    void declare(Field field, int arrays);
+    [[nodiscard]] bool has(Field field) const { return declared_[static_cast<std::size_t>(field)] > 0; }
     /// The declared fields that particles take along, in the order of Field.
     [[nodiscard]] FieldList state() const;
     [[nodiscard]] FieldList declared() const;
-    /// Arrays of a field: 1, or the dimension.
-    [[nodiscard]] int axes(Field field) const { return info(field).is_vector ? dimension_ : 1; }
+    /// Arrays of a field: as many as were declared, else 1 or the dimension.
+    [[nodiscard]] int axes(Field field) const {
+        return has(field) ? declared_[static_cast<std::size_t>(field)] : info(field).is_vector ? dimension_ : 1;
+    }
 
     /// The scalar field, or one axis of a vector field, over owned particles and copies.
     [[nodiscard]] double* data(Field field, int axis = 0) { return array(field, axis).data(); }
@@ -67,8 +73,8 @@ class ParticleGroup {
     int dimension_;
     std::size_t owned_ = 0;
     std::vector<ParticleTag> tags_;
-    std::array<bool, static_cast<std::size_t>(Field::count)> declared_{};
-    std::array<std::array<Array, 3>, static_cast<std::size_t>(Field::count)> arrays_;
+    std::array<int, static_cast<std::size_t>(Field::count)> declared_{};             ///< arrays; 0: none
+    std::array<std::vector<Array>, static_cast<std::size_t>(Field::count)> arrays_;  ///< three or more each
     Array moved_;  ///< where an array is put in a new order
 };
 

@@ -10,6 +10,7 @@ struct SmallFacts {
     double spacing;
     std::array<double, 3> low, high;
     std::array<bool, 3> periodic;
+    std::array<std::array<bool, 2>, 3> mirrored;
 };
 
 std::array<double, 3> three(const Vec& v) { return {v[0], v[1], v[2]}; }
@@ -25,12 +26,13 @@ void share(std::vector<Vec>& vectors, const Ranks& ranks) {
 
 void share_space(ParticleSpace& space, const Ranks& ranks) {
     std::vector<SmallFacts> facts{
-        {space.dimension, space.spacing, three(space.box.low), three(space.box.high), space.periodic}};
+        {space.dimension, space.spacing, three(space.box.low), three(space.box.high), space.periodic, space.mirrored}};
     ranks.broadcast(facts);
     space.dimension = facts[0].dimension;
     space.spacing = facts[0].spacing;
     space.box = {vec(facts[0].low), vec(facts[0].high)};
     space.periodic = facts[0].periodic;
+    space.mirrored = facts[0].mirrored;
 
     std::vector<ParticleKind> kinds;
     for (const auto& part : space.parts) kinds.push_back(part.kind);
@@ -58,6 +60,7 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.wall_distance);
     ranks.broadcast(particles.bonds);
     ranks.broadcast(particles.hinges);
+    ranks.broadcast(particles.dihedrals);
 }
 
 }  // namespace dmp

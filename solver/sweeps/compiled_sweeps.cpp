@@ -1,18 +1,23 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All sweeps for one vector unit. Compiled once for each, with its instructions switched on and DMP_SWEEPS_FOR the name
-// of the function that makes them. Everything that is compiled here carries the type of the lanes in its name, so that
-// no part of it can stand in for another unit's (a test looks).
+// All sweeps for one vector unit and one kernel. Compiled once for each, with the unit's instructions switched on and
+// DMP_VECTOR_UNIT and DMP_KERNEL the words for both. Everything that is compiled here carries the type of the lanes or
+// the unit in its name, so that no part of it can stand in for another unit's (a test looks).
 #include "solver/sweeps/compiled_sweeps.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "particles/kernels.hpp"
+#include "solver/models/sph/monaghan_viscosity.hpp"
+#include "solver/models/sph/morris_viscosity.hpp"
+#include "solver/models/sph/no_viscosity.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/near_sweep.hpp"
+#include "solver/sweeps/viscous_sweep.hpp"
 
 namespace dmp {
 
@@ -43,23 +48,37 @@ class Sweeps final : public PairSweeps {
 
     void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
                 ClusterChoice choice) const override {
-        with_flag(settings_.repulsion_strength > 0, [&](auto contact) {
+        const ViscousForce force = settings_.implicit_viscosity ? ViscousForce::none : settings_.viscous_force;
+        with_viscosity(force, [&](const auto& viscosity) {
             const auto run = [&](const auto& solid) {
-                ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(contact)::value>(
-                    particles, list, kernel_, solid, repulsion_, force_rounding_, settings_.threads)
+                ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
+                    particles, list, kernel_, solid, viscosity, repulsion_, force_rounding_, settings_.threads)
                     .run(choice);
             };
             if (settings_.walls == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                ExtrapolatedSolid<D> solid{{}, 0.5 * settings_.spacing};
-                for (int axis = 0; axis < D; ++axis) solid.acceleration[axis] = body_acceleration[axis];
-                run(solid);
+                with_flag(settings_.slip_walls || settings_.moving_walls, [&](auto motion) {
+                    ExtrapolatedSolid<D, decltype(motion)::value> solid{{}, 0.5 * settings_.spacing};
+                    for (int axis = 0; axis < D; ++axis) {
+                        solid.acceleration[axis] = body_acceleration[axis];
+                        solid.driven[axis] = settings_.periodic[axis] ? body_acceleration[axis] : 0;
+                    }
+                    run(solid);
+                });
             }
         });
     }
 
     void density_rates(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+        if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
+            with_flag(settings_.shifting > 0, [&](auto shifting) {
+                DensitySweep<L, D, Kernel, ExtrapolatedSolid<D, true>, true, decltype(shifting)::value>(
+                    particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
+                    .run(choice);
+            });
+            return;
+        }
         with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
@@ -72,12 +91,30 @@ class Sweeps final : public PairSweeps {
         });
     }
 
+    void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
+                        ClusterChoice choice) const override {
+        const OrderFree rounding(motion.largest_term);
+        with_viscous_sweep(particles, list, rounding, motion.velocity, motion.of_walls,
+                           [&](auto sweep) { sweep.forces(choice); });
+    }
+
+    void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+        const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest() / settings_.spacing);
+        with_viscous_sweep(particles, list, rounding, Field::velocity, 0,
+                           [&](auto sweep) { sweep.diagonal(choice); });
+    }
+
     void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
         NearSweep<L, D>(particles, list, reach, settings_.threads).run();
     }
 
     [[nodiscard]] double sound_limit() const override { return Kernel::sound_limit; }
-    [[nodiscard]] double viscous_limit() const override { return Kernel::viscous_limit; }
+    [[nodiscard]] double viscous_limit() const override {
+        return settings_.viscous_force == ViscousForce::monaghan
+                   ? MonaghanViscosity<D>::share_of_morris_step(settings_.approaching_pairs_only) *
+                         Kernel::viscous_limit
+                   : Kernel::viscous_limit;
+    }
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double largest_speed, double dt) const override {
@@ -86,6 +123,42 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
   private:
+    /// Calls then(law) with the law of a viscous force of these settings.
+    template <class Then>
+    void with_viscosity(ViscousForce force, const Then& then) const {
+        switch (force) {
+            case ViscousForce::morris:
+                return then(MorrisViscosity{});
+            case ViscousForce::morris_harmonic:
+                return then(HarmonicMorrisViscosity{});
+            case ViscousForce::monaghan:
+                return then(MonaghanViscosity<D>(settings_.support, settings_.approaching_pairs_only,
+                                                 settings_.arithmetic_viscosity));
+            case ViscousForce::none:
+                return then(NoViscosity{});
+        }
+    }
+
+    template <class Run>
+    void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const OrderFree& rounding,
+                            Field velocity, double wall_motion, const Run& run) const {
+        with_viscosity(settings_.viscous_force, [&](const auto& viscosity) {
+            using Law = std::decay_t<decltype(viscosity)>;
+            if constexpr (!std::is_same_v<Law, NoViscosity>) {
+                const auto run_with = [&](const auto& solid) {
+                    run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, Law>(
+                        particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion},
+                        settings_.threads));
+                };
+                if (settings_.walls == WallModel::plain) {
+                    run_with(PlainSolid<D>{});
+                } else {
+                    run_with(ExtrapolatedSolid<D>{Vector<double, D>::zero(), 0.5 * settings_.spacing});
+                }
+            }
+        });
+    }
+
     [[nodiscard]] double volume() const { return std::pow(settings_.spacing, D); }
     /// Largest |dW/dr| [1/m^(D+1)].
     [[nodiscard]] double steepest() const {
@@ -100,8 +173,9 @@ class Sweeps final : public PairSweeps {
     /// between neighbours, or in contact [N].
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
-        const double pressure = 0.1 * settings_.density * c0 * c0;
-        const double viscous = settings_.viscosity * 0.1 * c0 / settings_.spacing;
+        const double pressure = 0.1 * settings_.density * c0 * c0 + settings_.background_pressure;
+        const double viscous =
+            settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
         return std::max(2 * (pressure + viscous) * volume() * volume() * steepest(),
                         10 * settings_.repulsion_strength / settings_.spacing);
     }
@@ -115,16 +189,42 @@ class Sweeps final : public PairSweeps {
     DensityRounding density_rounding_;
 };
 
-template <class L, int D>
-std::unique_ptr<PairSweeps> sweeps_in(const PairSettings& settings) {
-    if (settings.kernel == KernelKind::lucy) return std::make_unique<Sweeps<L, D, Lucy<D>>>(settings);
-    return std::make_unique<Sweeps<L, D, WendlandC2<D>>>(settings);
+template <KernelKind kernel, int D>
+struct KernelOf;
+template <int D>
+struct KernelOf<KernelKind::wendland_c2, D> {
+    using Type = WendlandC2<D>;
+};
+template <int D>
+struct KernelOf<KernelKind::wendland_c4, D> {
+    using Type = WendlandC4<D>;
+};
+template <int D>
+struct KernelOf<KernelKind::lucy, D> {
+    using Type = Lucy<D>;
+};
+template <int D>
+struct KernelOf<KernelKind::cubic_spline, D> {
+    using Type = CubicSpline<D>;
+};
+template <int D>
+struct KernelOf<KernelKind::quintic_spline, D> {
+    using Type = QuinticSpline<D>;
+};
+
+template <class L, KernelKind kernel, int D>
+std::unique_ptr<PairSweeps> sweeps_with(const PairSettings& settings) {
+    return std::make_unique<Sweeps<L, D, typename KernelOf<kernel, D>::Type>>(settings);
 }
 
 }  // namespace
 
-std::unique_ptr<PairSweeps> DMP_SWEEPS_FOR(const PairSettings& settings, int dimension) {
-    return dimension == 3 ? sweeps_in<Lanes, 3>(settings) : sweeps_in<Lanes, 2>(settings);
+template <VectorUnit unit, KernelKind kernel>
+std::unique_ptr<PairSweeps> compiled_sweeps(const PairSettings& settings, int dimension) {
+    return dimension == 3 ? sweeps_with<Lanes, kernel, 3>(settings) : sweeps_with<Lanes, kernel, 2>(settings);
 }
+
+template std::unique_ptr<PairSweeps> compiled_sweeps<VectorUnit::DMP_VECTOR_UNIT, KernelKind::DMP_KERNEL>(
+    const PairSettings& settings, int dimension);
 
 }  // namespace dmp

@@ -7,10 +7,9 @@
 
 namespace dmp {
 
-/// The sweeps as compiled for one vector unit each; only to be called on a processor that has it.
-std::unique_ptr<PairSweeps> sweeps_for_avx512(const PairSettings& settings, int dimension);
-std::unique_ptr<PairSweeps> sweeps_for_avx2(const PairSettings& settings, int dimension);
-/// On processors that are no x86: for whatever unit the compiler takes for granted.
-std::unique_ptr<PairSweeps> sweeps_for_this_processor(const PairSettings& settings, int dimension);
+/// The sweeps as compiled for one vector unit and one kernel, each pair in a file of its own; only to be called on a
+/// processor that has the unit. Unit `generic` is what the compiler takes for granted, on processors that are no x86.
+template <VectorUnit unit, KernelKind kernel>
+std::unique_ptr<PairSweeps> compiled_sweeps(const PairSettings& settings, int dimension);
 
 }  // namespace dmp

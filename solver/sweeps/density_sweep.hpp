@@ -68,7 +68,14 @@ class DensitySweep {
         const auto i = fluid_(near.cluster);
         Sum sum{0.0, Vector<L, D>::zero()};
         for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum);
-        for (const std::int32_t index : near.of(ParticleKind::rigid)) add<false>(i, rigid_(index), sum);
+        for (const std::int32_t index : near.of(ParticleKind::rigid)) {
+            if constexpr (Solid::needs_motion) {
+                const auto wall = rigid_(index);
+                add<false>(i, Solid::approached(i, wall), sum);
+            } else {
+                add<false>(i, rigid_(index), sum);
+            }
+        }
         for (const std::int32_t index : near.of(ParticleKind::springs)) add<false>(i, springs_(index), sum);
         return sum;
     }
@@ -112,7 +119,8 @@ class DensitySweep {
     const DensityRounding& order_free_;
     int threads_;
     FluidReader<L, D> fluid_;
-    SolidReader<L, D, Solid::needs_state, false> rigid_, springs_;
+    SolidReader<L, D, Solid::needs_state, Solid::needs_motion, Solid::needs_motion> rigid_;
+    SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 
 }  // namespace dmp

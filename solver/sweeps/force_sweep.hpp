@@ -1,27 +1,26 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/models/contact/repulsion.hpp"
-#include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/pressure_force.hpp"
 #include "solver/models/sph/walls.hpp"
-#include "solver/sweeps/cluster_loop.hpp"
-#include "solver/sweeps/order_free.hpp"
+#include "solver/sweeps/contact_sum.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
 namespace dmp {
 
 /// Sums pressure, viscous and contact forces over the neighbours of each cluster, L of its particles at a time.
-template <class L, int D, class Kernel, class Solid, bool WithContact>
+/// `Viscosity` is a law of models/sph/ (NoViscosity where viscous forces are not this sweep's business).
+template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ForceSweep {
   public:
     ForceSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-               const Repulsion& repulsion, const OrderFree& order_free, int threads)
+               const Viscosity& viscosity, const Repulsion& repulsion, const OrderFree& order_free, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           solid_(solid),
-          repulsion_(repulsion),
+          viscosity_(viscosity),
+          contact_(particles, repulsion, order_free),
           order_free_(order_free),
           threads_(threads),
           fluid_(particles.fluid()),
@@ -55,18 +54,18 @@ class ForceSweep {
         }
         for (const std::int32_t index : near.of(ParticleKind::rigid)) force += force_by<true>(i, rigid_(index));
         for (const std::int32_t index : near.of(ParticleKind::springs)) force += force_by<false>(i, springs_(index));
-        return force + contact(near, ParticleKind::rigid, Field::contact_range) +
-               contact(near, ParticleKind::springs, Field::contact_range);
+        return force + contact_(near, ParticleKind::rigid, Field::contact_range) +
+               contact_(near, ParticleKind::springs, Field::contact_range);
     }
 
     [[nodiscard, gnu::flatten]] Force force_on_rigid(const Neighbourhood& near) const {
-        return reaction_to_fluid<true>(near, rigid_) + contact(near, ParticleKind::springs, Field::wall_contact_range);
+        return reaction_to_fluid<true>(near, rigid_) + contact_(near, ParticleKind::springs, Field::wall_contact_range);
     }
 
     [[nodiscard, gnu::flatten]] Force force_on_springs(const Neighbourhood& near) const {
         return reaction_to_fluid<false>(near, springs_) +
-               contact(near, ParticleKind::rigid, Field::wall_contact_range) +
-               contact(near, ParticleKind::springs, Field::contact_range);
+               contact_(near, ParticleKind::rigid, Field::wall_contact_range) +
+               contact_(near, ParticleKind::springs, Field::contact_range);
     }
 
     /// On a fluid particle by a solid one, in whose place it sees liquid.
@@ -84,25 +83,8 @@ class ForceSweep {
     template <bool IsRigid, class Reader>
     [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);
-        Force force = contact(near, ParticleKind::fluid, Field::contact_range);
+        Force force = contact_(near, ParticleKind::fluid, Field::contact_range);
         for (const std::int32_t index : near.of(ParticleKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
-        return force;
-    }
-
-    /// Repulsion by the particles of one kind; `ranges` is the field with r* by particle.
-    [[nodiscard]] Force contact(const Neighbourhood& near, ParticleKind kind, Field ranges) const {
-        Force force = Force::zero();
-        if constexpr (WithContact) {
-            const ParticleGroup& own = particles_.of(near.kind);
-            const ParticleGroup& others = particles_.of(kind);
-            const auto position = load_vector<L, D>(axes_of<D>(own, Field::position), near.cluster);
-            const auto other_position = axes_of<D>(others, Field::position);
-            const L range = load<L>(own.data(ranges), near.cluster);
-            const double* other_range = others.data(ranges);
-            for (const std::int32_t index : near.of(kind))
-                force += order_free_(repulsion_.law(position - load_vector<L, D>(other_position, index),
-                                                    min(range, L(load<L>(other_range, index)))));
-        }
         return force;
     }
 
@@ -110,18 +92,19 @@ class ForceSweep {
     [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
         const L distance = sqrt(dot(separation, separation));
         const Pair pair{i, j, separation, distance, 1.0};
-        return kernel_.slope(distance) * (PressureForce::law(pair) + MorrisViscosity::law(pair));
+        return kernel_.slope(distance) * (PressureForce::law(pair) + viscosity_.law(pair));
     }
 
     ParticleStore& particles_;
     const ClusterList& list_;
     const Kernel& kernel_;
     const Solid& solid_;
-    const Repulsion& repulsion_;
+    const Viscosity& viscosity_;
+    ContactSum<L, D> contact_;
     const OrderFree& order_free_;
     int threads_;
     FluidReader<L, D> fluid_;
-    SolidReader<L, D, Solid::needs_state, Solid::needs_surface> rigid_;
+    SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
     SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 

@@ -16,7 +16,30 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (is_fluid && settings.shifting > 0) group.declare({Field::shift});
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
-        if (group.kind() == ParticleKind::rigid) group.declare({Field::wall_normal, Field::wall_distance});
+        if (settings.implicit_viscosity) group.declare({Field::viscous_force});
+        if (settings.implicit_viscosity && group.kind() != ParticleKind::rigid)
+            group.declare(
+                {Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction, Field::viscous_diagonal});
+        if (group.kind() != ParticleKind::rigid) continue;
+        group.declare({Field::wall_normal, Field::wall_distance});
+        if (settings.slip_walls) group.declare({Field::wall_slip});
+        if (settings.moving_walls && !plain) group.declare({Field::wall_acceleration});
+    }
+}
+
+template <VectorUnit unit>
+std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimension) {
+    switch (settings.kernel) {
+        case KernelKind::wendland_c4:
+            return compiled_sweeps<unit, KernelKind::wendland_c4>(settings, dimension);
+        case KernelKind::lucy:
+            return compiled_sweeps<unit, KernelKind::lucy>(settings, dimension);
+        case KernelKind::cubic_spline:
+            return compiled_sweeps<unit, KernelKind::cubic_spline>(settings, dimension);
+        case KernelKind::quintic_spline:
+            return compiled_sweeps<unit, KernelKind::quintic_spline>(settings, dimension);
+        default:
+            return compiled_sweeps<unit, KernelKind::wendland_c2>(settings, dimension);
     }
 }
 
@@ -27,12 +50,12 @@ std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, Parti
     switch (chosen_vector_unit(settings.vector_unit)) {
 #if defined(__x86_64__)
         case VectorUnit::avx512:
-            return sweeps_for_avx512(settings, particles.dimension());
+            return sweeps_for<VectorUnit::avx512>(settings, particles.dimension());
         default:
-            return sweeps_for_avx2(settings, particles.dimension());
+            return sweeps_for<VectorUnit::avx2>(settings, particles.dimension());
 #else
         default:
-            return sweeps_for_this_processor(settings, particles.dimension());
+            return sweeps_for<VectorUnit::generic>(settings, particles.dimension());
 #endif
     }
 }

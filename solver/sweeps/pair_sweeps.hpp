@@ -11,20 +11,41 @@
 
 namespace dmp {
 
+/// The viscous law of the force sweep. `none` leaves viscous forces to others.
+enum class ViscousForce { morris, morris_harmonic, monaghan, none };
+
 /// What the pair terms of a scene need to know, in SI.
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
     WallModel walls = WallModel::extrapolated;
-    double spacing = 0;             ///< dx [m]
-    double support = 0;             ///< support radius R [m]
-    double sound_speed = 0;         ///< c0 [m/s]
-    double density = 0;             ///< largest rest density [kg/m^3]
-    double viscosity = 0;           ///< largest dynamic viscosity [Pa s]
-    double density_diffusion = 0;   ///< delta [-]; 0: not there
-    double shifting = 0;            ///< s [-]; 0: not there
-    double repulsion_strength = 0;  ///< K [J]; 0: not there
+    ViscousForce viscous_force = ViscousForce::morris;
+    bool approaching_pairs_only = false;  ///< of Monaghan's viscosity
+    bool arithmetic_viscosity = false;    ///< of Monaghan's viscosity: the mean of two fluids' viscosities
+    bool density_by_summation = false;
+    bool gradient_correction = false;
+    bool transport_velocity = false;
+    bool slip_walls = false;          ///< some walls let the fluid slip
+    bool moving_walls = false;        ///< some walls move
+    std::array<bool, 3> periodic{};   ///< by axis
+    double spacing = 0;               ///< dx [m]
+    double support = 0;               ///< support radius R [m]
+    double sound_speed = 0;           ///< c0 [m/s]
+    double density = 0;               ///< largest rest density [kg/m^3]
+    double viscosity = 0;             ///< largest dynamic viscosity [Pa s]
+    double background_pressure = 0;   ///< [Pa]
+    double density_diffusion = 0;     ///< delta [-]; 0: not there
+    double shifting = 0;              ///< s [-]; 0: not there
+    double repulsion_strength = 0;    ///< K [J]; 0: not there
+    bool implicit_viscosity = false;  ///< the forces come without viscosity, which is solved for apart
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;
+};
+
+/// Which velocities the viscous force is wanted for.
+struct ViscousMotion {
+    Field velocity = Field::velocity;  ///< of fluid particles and spring bodies; of copies too
+    double of_walls = 1;               ///< times their own velocity; 0: walls at rest
+    double largest_term = 0;           ///< of one pair [N]; sums stay exact up to 128 times that
 };
 
 /// The two sweeps over all pairs that one step makes. Each sweep visits every pair of a cluster and a neighbour once
@@ -43,6 +64,13 @@ class PairSweeps {
     /// particles; with plain walls the solids' density rate too.
     virtual void density_rates(ParticleStore& particles, const ClusterList& list,
                                ClusterChoice choice = ClusterChoice::all) const = 0;
+
+    /// viscous_force [N] alone, of fluid and spring bodies, and, where walls move, of walls.
+    virtual void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
+                                ClusterChoice choice = ClusterChoice::all) const = 0;
+    /// viscous_diagonal [kg/s]: by axis, the force that its own velocity costs a particle, of fluid and spring bodies.
+    virtual void viscous_diagonal(ParticleStore& particles, const ClusterList& list,
+                                  ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
     virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;

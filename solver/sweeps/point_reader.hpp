@@ -68,8 +68,9 @@ class FluidReader {
 };
 
 /// Reads particles of walls and spring bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
-/// also the wall's normal and depth (rigid particles of extrapolated walls).
-template <class L, int D, bool WithState, bool WithSurface>
+/// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also, where the scene has
+/// them, its slip and its acceleration.
+template <class L, int D, bool WithState, bool WithSurface, bool WithMotion = false>
 class SolidReader {
   public:
     explicit SolidReader(const ParticleGroup& solid)
@@ -79,7 +80,11 @@ class SolidReader {
           volume_(solid.data(Field::volume)),
           density_(solid.data(Field::density)),
           pressure_(solid.data(Field::pressure)),
-          depth_(solid.data(Field::wall_distance)) {}
+          depth_(solid.data(Field::wall_distance)),
+          slip_(solid.data(Field::wall_slip)),
+          acceleration_(axes_of<D>(solid, Field::wall_acceleration)),
+          slips_(solid.has(Field::wall_slip)),
+          accelerates_(solid.has(Field::wall_acceleration)) {}
 
     template <class Index>
     [[nodiscard]] auto operator()(const Index& at) const {
@@ -90,7 +95,9 @@ class SolidReader {
                                T(0.0),
                                T(0.0),
                                Vector<T, D>::zero(),
-                               T(0.0)};
+                               T(0.0),
+                               T(0.0),
+                               Vector<T, D>::zero()};
         if constexpr (WithState) {
             point.density = load<L>(density_, at);
             point.pressure = load<L>(pressure_, at);
@@ -99,12 +106,18 @@ class SolidReader {
             point.normal = load_vector<L, D>(normal_, at);
             point.depth = load<L>(depth_, at);
         }
+        if constexpr (WithMotion) {
+            if (slips_) point.slip = load<L>(slip_, at);
+            if (accelerates_) point.acceleration = load_vector<L, D>(acceleration_, at);
+        }
         return point;
     }
 
   private:
     std::array<const double*, D> position_, velocity_, normal_;
-    const double *volume_, *density_, *pressure_, *depth_;
+    const double *volume_, *density_, *pressure_, *depth_, *slip_;
+    std::array<const double*, D> acceleration_;
+    bool slips_, accelerates_;
 };
 
 }  // namespace dmp

@@ -54,5 +54,9 @@ auto dot(const Vector<A, D>& a, const Vector<B, D>& b) {
     for (int k = 1; k < D; ++k) sum = sum + a.c[k] * b.c[k];
     return sum;
 }
+template <class T>
+Vector<T, 3> cross(const Vector<T, 3>& a, const Vector<T, 3>& b) {
+    return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
 
 }  // namespace dmp

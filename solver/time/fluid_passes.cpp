@@ -31,9 +31,9 @@ double root(double square) { return std::sqrt(square); }
 
 }  // namespace
 
-FluidPasses::FluidPasses(std::vector<TaitEquation> state_of_part, int threads)
+FluidPasses::FluidPasses(std::vector<LiquidState> state_of_part, int threads)
     : state_of_part_(std::move(state_of_part)), threads_(threads) {
-    one_state_ = std::all_of(state_of_part_.begin(), state_of_part_.end(), [&](const TaitEquation& state) {
+    one_state_ = std::all_of(state_of_part_.begin(), state_of_part_.end(), [&](const LiquidState& state) {
         return state.rest_density == state_of_part_.front().rest_density &&
                state.sound_speed == state_of_part_.front().sound_speed;
     });
@@ -66,7 +66,7 @@ void FluidPasses::update_pressure(ParticleGroup& group) const {
     double* pressure = group.data(Field::pressure);
     double* volume = group.data(Field::volume);
     if (one_state_) {
-        const TaitEquation state = state_of_part_.front();
+        const LiquidState state = state_of_part_.front();
         for_each_owned(group, threads_, [=](std::ptrdiff_t i) {
             pressure[i] = state.pressure(density[i]);
             volume[i] = mass[i] / density[i];
@@ -163,7 +163,7 @@ PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
         double square = 0;
         for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
         fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
-        const TaitEquation& state = one_state_ ? state_of_part_.front() : state_of_part_[tags[i].part];
+        const LiquidState& state = one_state_ ? state_of_part_.front() : state_of_part_[tags[i].part];
         const double relative = density[i] / state.rest_density;
         low = std::min(low, relative);
         high = std::max(high, relative);

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "solver/models/sph/tait.hpp"
+#include "solver/models/sph/liquid_state.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {
@@ -27,7 +27,7 @@ struct ShiftStep {
 class FluidPasses {
   public:
     /// Equations of state by part number.
-    FluidPasses(std::vector<TaitEquation> state_of_part, int threads);
+    FluidPasses(std::vector<LiquidState> state_of_part, int threads);
 
     /// x += dt v, rho += dt drho/dt (also of solids that carry a density), then pressure and volume.
     void drift_to_middle(ParticleStore& particles, double dt) const;
@@ -46,7 +46,7 @@ class FluidPasses {
     void update_density(ParticleGroup& group, double dt) const;
     void update_pressure(ParticleGroup& group) const;
 
-    std::vector<TaitEquation> state_of_part_;
+    std::vector<LiquidState> state_of_part_;
     bool one_state_;  ///< all parts share one equation
     int threads_;
 };

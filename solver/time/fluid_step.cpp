@@ -8,10 +8,10 @@ namespace dmp {
 
 namespace {
 
-/// Sum over the owned particles of a group. Forces are multiples of the sweeps' quantum: some of them add up exactly in
-/// a double, which is faster than one by one.
-ExactSum total_force(const ParticleGroup& group, int axis) {
-    constexpr std::size_t at_a_time = 32;
+/// Sum over the owned particles of a group. Forces of one sweep are multiples of its quantum: some of them add up
+/// exactly in a double, which is faster than one by one.
+ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
+    const std::size_t at_a_time = of_one_sweep ? 32 : 1;
     const double* force = group.data(Field::force, axis);
     ExactSum total;
     for (std::size_t begin = 0; begin < group.owned(); begin += at_a_time) {
@@ -25,14 +25,14 @@ ExactSum total_force(const ParticleGroup& group, int axis) {
 }  // namespace
 
 FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
-                     std::vector<TaitEquation> state_of_part, const Ranks& ranks)
+                     std::vector<LiquidState> state_of_part, const Ranks& ranks)
     : particles_(particles),
       settings_(settings),
       ranks_(ranks),
       sweeps_(make_pair_sweeps(settings, particles)),
       passes_(std::move(state_of_part), settings.threads),
-      springs_(set, scene, ranks),
-      walls_(scene, particles.space()),
+      springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
+      walls_(scene, set, particles),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
@@ -41,22 +41,24 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     for (std::size_t i = 0; i < particles.fluid().owned(); ++i) mass.add(particles.fluid().data(Field::mass)[i]);
     ranks.sum(mass);
     fluid_mass_ = mass.value();
+    if (settings.implicit_viscosity)
+        viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
 }
 
 void FluidStep::advance(double t, double dt) {
-    timer_.timed("drift", [&] {
-        passes_.drift_to_middle(particles_, dt / 2);
-        neighbours_.moved(dt / 2 * largest_speed_);
-    });
+    walls_.start_step(t, dt);
+    timer_.timed("drift", [&] { drift_to_middle(dt); });
     timer_.timed("neighbours", [&] { renew_list(); });
     FieldList at_forces{Field::position, Field::pressure, Field::volume, Field::density};
-    if (walls_.show_surfaces(particles_.of(ParticleKind::rigid), t)) at_forces.push_back(Field::velocity);
+    for (const Field field : walls_.show_surfaces(particles_)) at_forces.push_back(field);
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
+    if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
+    if (viscosity_) add_viscous_forces(t + dt / 2, dt);
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
-    walls_.show_motion(particles_.of(ParticleKind::rigid));
+    walls_.show_velocities(particles_);
     sweep("density", {Field::velocity},
           [this](ClusterChoice clusters) { sweeps_->density_rates(particles_, neighbours_.list(), clusters); });
     timer_.timed("drift", [&] { drift_to_end(dt); });
@@ -73,10 +75,17 @@ void FluidStep::sweep(const char* stage, const FieldList& fields, const std::fun
     timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
 }
 
+void FluidStep::add_viscous_forces(double t, double dt) {
+    const auto swept = [this](const FieldList& fields, const auto& over) { sweep("viscosity", fields, over); };
+    timer_.timed("viscosity", [&] {
+        viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_acceleration(t), swept);
+    });
+}
+
 void FluidStep::advance_springs(double dt) {
     if (springs_.empty()) return;
     const auto given = springs_.advance(particles_, dt, settings_.threads);
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         impulses_.of_fixed[axis] += given.of_anchors[axis];
         impulses_.of_drag[axis] += given.of_drag[axis];
     }
@@ -115,7 +124,6 @@ std::array<double, 3> FluidStep::body_acceleration(double t) const {
 
 void FluidStep::kick(double t, double dt) {
     const auto g = body_acceleration(t);
-    if (depends_on_place_) kick_by_place(t, dt);
     largest_speed_ = ranks_.largest(passes_.kick(particles_.fluid(), dt, g));
     add_impulses(dt, g);
 }
@@ -129,8 +137,12 @@ void FluidStep::kick_by_place(double t, double dt) {
         ExactSum mass_times_g;
         for (std::size_t i = 0; i < fluid.owned(); ++i) {
             std::array<double, 3> p{};
-            for (int a = 0; a < particles_.dimension(); ++a) p[a] = fluid.data(Field::position, a)[i];
-            const double local = acceleration_[axis](t, p[0], p[1], p[2]);
+            // Beyond a plane of symmetry the image is driven.
+            const double x = fluid.data(Field::position, axis)[i];
+            for (int a = 0; a < particles_.dimension(); ++a)
+                p[a] = particles_.space().mirrored_back(fluid.data(Field::position, a)[i], a);
+            const double sign = particles_.space().is_mirrored(axis) && p[axis] != x ? -1 : 1;
+            const double local = sign * acceleration_[axis](t, p[0], p[1], p[2]);
             v[i] += dt * local;
             mass_times_g.add(mass[i] * local);
         }
@@ -142,18 +154,23 @@ void FluidStep::kick_by_place(double t, double dt) {
 void FluidStep::add_impulses(double dt, const std::array<double, 3>& g) {
     for (int axis = 0; axis < particles_.dimension(); ++axis) {
         impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
-        ExactSum on_walls = total_force(particles_.of(ParticleKind::rigid), axis);
+        ExactSum on_walls = total_force(particles_.of(ParticleKind::rigid), axis, !viscosity_);
         ranks_.sum(on_walls);
         impulses_.of_fixed[axis] -= dt * on_walls.value();
     }
+}
+
+void FluidStep::drift_to_middle(double dt) {
+    passes_.drift_to_middle(particles_, dt / 2);
+    neighbours_.moved(std::max(dt / 2 * largest_speed_, walls_.move_to_middle(particles_)));
 }
 
 void FluidStep::drift_to_end(double dt) {
     ShiftStep shift;
     if (settings_.shifting > 0) shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
     const double shifted = ranks_.largest(passes_.drift_to_end(particles_, dt / 2, shift).longest_shift);
-    const double bodies_moved = springs_.show_positions(particles_);
-    neighbours_.moved(std::max(dt / 2 * largest_speed_ + shifted, bodies_moved));
+    const double bodies_moved = springs_.show_positions(particles_), walls_moved = walls_.move_to_end(particles_);
+    neighbours_.moved(std::max({dt / 2 * largest_speed_ + shifted, bodies_moved, walls_moved}));
 }
 
 void FluidStep::archive(Archive& file) {
@@ -162,6 +179,8 @@ void FluidStep::archive(Archive& file) {
     file("fluid/impulse_of_fixed", impulses_.of_fixed);
     file("fluid/impulse_of_drag", impulses_.of_drag);
     springs_.archive(file);
+    if (viscosity_) viscosity_->archive(file);
+    walls_.archive(file);
     if (file.loading()) neighbours_.forget();
 }
 

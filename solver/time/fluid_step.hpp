@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/fluid_passes.hpp"
+#include "solver/time/implicit_viscosity.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/time/wall_motion.hpp"
@@ -29,14 +31,14 @@ struct FluidExtremes {
 /// One step of weakly compressible flow with spring bodies, drift-kick-drift:
 ///   positions and densities half a step; forces there; velocities a whole step; density rates with the new
 ///   velocities; positions and densities the second half. The sound waves' two halves of the step are then a
-///   staggered (symplectic) pair; viscosity is explicit.
+///   staggered (symplectic) pair; viscosity is explicit, or solved for just before the kick (ImplicitViscosity).
 /// Spring bodies live at the middles of the steps: kicked by the fluid there, they move under their own forces to the
 /// next middle before the density rates are taken, so that the fluid feels exactly the displacement they will make.
 /// After `advance` they stand half a step ahead of the fluid.
 class FluidStep {
   public:
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
-              std::vector<TaitEquation> state_of_part, const Ranks& ranks);
+              std::vector<LiquidState> state_of_part, const Ranks& ranks);
 
     /// From time t to t + dt.
     void advance(double t, double dt);
@@ -58,6 +60,10 @@ class FluidStep {
     [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
     [[nodiscard]] const SpringBodies& springs() const { return springs_; }
+    [[nodiscard]] int threads() const { return settings_.threads; }
+    /// Null where viscosity is explicit.
+    [[nodiscard]] const ViscousSolves* viscous_solves() const { return viscosity_ ? &viscosity_->solves() : nullptr; }
+    [[nodiscard]] const WallMotion& walls() const { return walls_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -70,6 +76,8 @@ class FluidStep {
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
+    void add_viscous_forces(double t, double dt);
+    void drift_to_middle(double dt);
     void drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
 
@@ -78,6 +86,7 @@ class FluidStep {
     const Ranks& ranks_;
     std::unique_ptr<PairSweeps> sweeps_;
     FluidPasses passes_;
+    std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;
     WallMotion walls_;
     Neighbours neighbours_;

@@ -7,9 +7,12 @@
 
 namespace dmp {
 
-SpringBody::SpringBody(SpringBody&&) noexcept = default;
-SpringBody& SpringBody::operator=(SpringBody&&) noexcept = default;
-SpringBody::~SpringBody() = default;
+template <int D>
+SpringNetwork<D>::SpringNetwork(SpringNetwork&&) noexcept = default;
+template <int D>
+SpringNetwork<D>& SpringNetwork<D>::operator=(SpringNetwork&&) noexcept = default;
+template <int D>
+SpringNetwork<D>::~SpringNetwork() = default;
 
 namespace {
 
@@ -22,7 +25,8 @@ constexpr int most_halvings = 6;
 
 }  // namespace
 
-SpringBody::Impulses SpringBody::advance_implicit(double dt) {
+template <int D>
+typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_implicit(double dt) {
     if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
     position_before_ = position_;
     Impulses impulses{};
@@ -30,7 +34,8 @@ SpringBody::Impulses SpringBody::advance_implicit(double dt) {
     return impulses;
 }
 
-void SpringBody::archive(Archive& file, const std::string& name) {
+template <int D>
+void SpringNetwork<D>::archive(Archive& file, const std::string& name) {
     const std::size_t nodes = ids_.size();
     file(name + "/position", position_);
     file(name + "/velocity", velocity_);
@@ -41,7 +46,8 @@ void SpringBody::archive(Archive& file, const std::string& name) {
     system_->archive(file, name, *this);
 }
 
-void SpringBody::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
+template <int D>
+void SpringNetwork<D>::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
     if (solve_step(dt, impulses)) return;
     if (halvings_left == 0)
         throw DivergenceError("a spring body near (" + std::to_string(position_[0][0]) + ", " +
@@ -52,7 +58,8 @@ void SpringBody::advance_in_parts(double dt, int halvings_left, Impulses& impuls
     advance_in_parts(dt / 2, halvings_left - 1, impulses);
 }
 
-bool SpringBody::solve_step(double dt, Impulses& impulses) {
+template <int D>
+bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
     const std::size_t nodes = ids_.size();
     // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.
     Vectors middle = position_, middle_velocity = velocity_;
@@ -62,7 +69,7 @@ bool SpringBody::solve_step(double dt, Impulses& impulses) {
     if (!system_->fits(dt)) system_->factorise(*this, middle, dt);
     for (int iteration = 1;; ++iteration) {
         force_ = forces(middle, middle_velocity);
-        Vectors residual(nodes, Vector<double, 2>{});
+        Vectors residual(nodes, Point{});
         for (std::size_t n = 0; n < nodes; ++n)
             if (!fixed_[n])
                 residual[n] = (dt / 2) * (force_[n] - drag_ * middle_velocity[n]) -
@@ -80,5 +87,8 @@ bool SpringBody::solve_step(double dt, Impulses& impulses) {
         if (!fixed_[n]) position_[n] += (dt / 2) * (velocity_before[n] + velocity_[n]);
     return true;
 }
+
+template class SpringNetwork<2>;
+template class SpringNetwork<3>;
 
 }  // namespace dmp

@@ -7,12 +7,12 @@
 
 namespace dmp {
 
-/// Wall time by stage of the step.
+/// Wall time by stage of the step. What a stage inside another takes is not counted for the other too.
 class StageTimer {
   public:
     template <class Work>
     auto timed(const char* stage, Work&& work) {
-        const Lap lap(seconds_[stage]);
+        const Lap lap(seconds_[stage], innermost_);
         return work();
     }
     [[nodiscard]] const std::map<std::string, double>& seconds() const { return seconds_; }
@@ -20,14 +20,25 @@ class StageTimer {
   private:
     using Clock = std::chrono::steady_clock;
     struct Lap {
-        explicit Lap(double& total_seconds) : total(total_seconds) {}
-        ~Lap() { total += std::chrono::duration<double>(Clock::now() - start).count(); }
+        Lap(double& total_seconds, Lap*& innermost) : total(total_seconds), current(innermost), around(innermost) {
+            current = this;
+        }
+        ~Lap() {
+            const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+            total += seconds - inside;
+            if (around != nullptr) around->inside += seconds;
+            current = around;
+        }
         Lap(const Lap&) = delete;
         Lap& operator=(const Lap&) = delete;
         double& total;
+        Lap*& current;
+        Lap* around;
+        double inside = 0;  ///< seconds of other stages within this one
         Clock::time_point start = Clock::now();
     };
     std::map<std::string, double> seconds_;
+    Lap* innermost_ = nullptr;
 };
 
 }  // namespace dmp

@@ -6,15 +6,17 @@
 
 namespace dmp {
 
+StepLimit viscous_step_limit(const StepScales& scales) {
+    // Half of the linear limit: walls with extrapolated velocity raise the largest eigenvalue.
+    return {"viscosity", 0.5 * scales.viscous_limit * scales.support * scales.support / scales.kinematic_viscosity,
+            "half of the kernel's linear limit of nu dt / R^2"};
+}
+
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration) {
     std::vector<StepLimit> limits;
     limits.push_back({"sound", scales.step_factor * scales.support / (scales.sound_speed + largest_speed),
                       "step_factor R / (c0 + U)"});
-    if (scales.kinematic_viscosity > 0)
-        // Half of the linear limit: walls with extrapolated velocity raise the largest eigenvalue.
-        limits.push_back({"viscosity",
-                          0.5 * scales.viscous_limit * scales.support * scales.support / scales.kinematic_viscosity,
-                          "half of the kernel's linear limit of nu dt / R^2"});
+    if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
     if (acceleration > 0)
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)

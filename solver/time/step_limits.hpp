@@ -16,7 +16,11 @@ struct StepScales {
     double step_factor = 0;          ///< c0 dt / R asked for [-]
     double shifting = 0;             ///< s [-]
     double contact_limit = 0;        ///< [s]; 0: no contact
+    bool implicit_viscosity = false;
 };
+
+/// Of explicit viscosity.
+StepLimit viscous_step_limit(const StepScales& scales);
 
 /// Largest fluid step by each model, at the given speed [m/s] and body acceleration [m/s^2] of the moment.
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration);

@@ -5,31 +5,84 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "solver/store/particle_group.hpp"
+#include "solver/state/archive.hpp"
+#include "solver/store/particle_store.hpp"
 
 namespace dmp {
 
-/// Rigid parts whose surface slides in itself: a lid, a belt. Their particles stay where they are. The viscous force
-/// sees the surface's velocity in `velocity` of the wall's particles; the density rate sees how the particles move, so
-/// that the end of a lid is no source of liquid.
-/// Momentum that the fluid is given is the reaction of the walls' forces, as it is at walls at rest.
+/// How far a rigid part has come from where it was drawn.
+struct WallPose {
+    Vec displacement = Vec::Zero();  ///< [m]
+    double angle = 0;                ///< about the part's centre [rad]
+};
+
+/// Rigid parts with a prescribed motion, and those whose surface slides in itself (a lid, a belt; their particles
+/// stay).
+///
+/// A particle drawn at X stands at c + d + R(theta) (X - c), in whole position quanta: d and theta are integrals of
+/// the part's velocity and spin (three-point Gauss rule in each half step), c its centre. So its place depends on
+/// nothing but the part's pose, which is part of a checkpoint, and walls keep their shape for any number of steps.
+///
+/// `velocity` of the walls' particles is that of the nearest point of the surface while forces are summed, for
+/// viscosity; in the density rate it is how the particles move, so that the end of a lid is no source of liquid. The
+/// surface's mean acceleration over a step goes into the pressure behind it. Momentum that the fluid is given is the
+/// reaction of the walls' forces, as it is at walls at rest.
+///
+/// Scenes in space turn about an axis along z.
 class WallMotion {
   public:
-    WallMotion(const Scene& scene, const ParticleSpace& space);
+    /// Declares the fields it needs, none where all walls rest.
+    WallMotion(const Scene& scene, const ParticleSet& set, ParticleStore& particles);
 
-    /// Puts the surfaces' velocities at time t [s] into the walls' `velocity`, of copies too. True: some differ from
-    /// place to place, and copies have yet to be given those of their particles.
-    [[nodiscard]] bool show_surfaces(ParticleGroup& walls, double t) const;
-    /// Puts the velocities of the particles themselves there.
-    void show_motion(ParticleGroup& walls) const;
+    /// Whether any part moves.
+    [[nodiscard]] bool moves() const { return !moving_.empty(); }
+    [[nodiscard]] bool moves(std::uint16_t part) const;
+
+    /// From t to t + dt: works out where the parts will be.
+    void start_step(double t, double dt);
+    /// Moves particles and their normals. Return how far one moved at most [m].
+    [[nodiscard]] double move_to_middle(ParticleStore& particles);
+    [[nodiscard]] double move_to_end(ParticleStore& particles);
+    /// The surfaces' velocities at the start of the step and the accelerations, of owned particles. Returns the fields
+    /// that copies have yet to be given.
+    [[nodiscard]] FieldList show_surfaces(ParticleStore& particles) const;
+    /// The velocities of the particles themselves at the end of the step.
+    void show_velocities(ParticleStore& particles) const;
+
+    /// Of all walls and their surfaces at time t [m/s]; surfaces that slide by formulas of place are left out.
+    [[nodiscard]] double largest_speed(double t) const;
+    /// How far from its place in the drawing a particle stands at most [m].
+    [[nodiscard]] double farthest() const;
+
+    void archive(Archive& file);
 
   private:
-    struct Surface {
+    struct Moving {
         std::uint16_t part = 0;
         std::array<Expression, 3> velocity;
-        bool by_place = false;  ///< it differs from place to place
+        Expression spin;
+        Vec centre;
+        double radius = 0;  ///< largest distance of a particle from the centre [m]
+        bool turns = false;
+        WallPose start, middle, end;  ///< of the step
+        WallPose shown;               ///< in which the particles stand
+
+        [[nodiscard]] WallPose after(const WallPose& pose, double t, double dt) const;
+        [[nodiscard]] Vec velocity_at(double t) const;
     };
-    std::vector<Surface> surfaces_;
+    struct Sliding {
+        std::uint16_t part = 0;
+        std::array<Expression, 3> velocity;
+    };
+
+    [[nodiscard]] double move(ParticleStore& particles, WallPose Moving::*pose);
+    enum class Of { particles, surface };
+    void add_motion(Of what, const Moving& part, ParticleGroup& walls, const WallPose& pose, double t, Field to,
+                    double factor) const;
+
+    std::vector<Moving> moving_;
+    std::vector<Sliding> sliding_;
+    double t_ = 0, dt_ = 0;  ///< of the step
 };
 
 }  // namespace dmp

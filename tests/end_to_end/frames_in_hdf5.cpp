@@ -60,7 +60,8 @@ TEST_F(FramesInHdf5, OfAStoppedRunGoOn) {
 }
 
 TEST_F(FramesInHdf5, OfSeveralRanksAreConvertedToTheSame) {
-    const Words briefly{"--until", "0.03 s", "--set", "output.fields=[\"velocity\", \"pressure\", \"shear_stress\"]"};
+    Words briefly = all_fields();
+    briefly.insert(briefly.end(), {"--until", "0.03 s"});
     Words hdf5 = briefly;
     hdf5.insert(hdf5.end(), {"--frames", "hdf5"});
     ASSERT_EQ(run("vtk", briefly).code, 0);

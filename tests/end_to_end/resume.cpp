@@ -34,14 +34,17 @@ class Resume : public SmallValve {
 };
 
 TEST_F(Resume, GivesWhatAnUndisturbedRunGives) {
-    ASSERT_EQ(run("whole").code, 0);
-    const auto stopped = stopped_run("parts");
+    const Words fields = all_fields();
+    ASSERT_EQ(run("whole", fields).code, 0);
+    const auto stopped = stopped_run("parts", fields);
     ASSERT_EQ(stopped.code, 143) << stopped.errors;
     EXPECT_THAT(stopped.output, HasSubstr("Go on with the same command and --resume."));
     EXPECT_LT(summary("parts")["simulated_s"], 0.1);
     EXPECT_THAT(files("parts/checkpoints"), SizeIs(1));
 
-    const auto resumed = run("parts", {"--resume"});
+    Words again = fields;
+    again.emplace_back("--resume");
+    const auto resumed = run("parts", again);
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
     EXPECT_THAT(resumed.output, HasSubstr("Going on in parts from step "));
     EXPECT_EQ(hash("parts"), hash("whole"));

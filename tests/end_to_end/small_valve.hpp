@@ -55,6 +55,29 @@ class SmallValve : public testing::Test {
         std::ranges::sort(found);
         return found;
     }
+    /// Puts two regions into the scene; the words that ask for every field that frames can have.
+    [[nodiscard]] Words all_fields() const {
+        folder_.write("scene.toml", folder_.read("scene.toml") + R"(
+[[region]]
+name = "inlet"
+from = ["-40 mm", "-4 mm"]
+to = ["-20 mm", "4 mm"]
+
+[[region]]
+name = "sinus"
+from = [0, 0]
+to = ["20 mm", "15 mm"]
+)");
+        return {
+            "--set",
+            "output.fields=['velocity', 'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity', "
+            "'residence_time']",
+            "--set",
+            "output.solid_fields=['velocity', 'displacement', 'mean_displacement', 'stress', 'von_mises', 'strain', "
+            "'force']",
+            "--set",
+            "output.average_from=\"25 ms\""};
+    }
     void copy(const std::string& from, const std::string& to) const {
         std::filesystem::copy(folder_.path() / from, folder_.path() / to, std::filesystem::copy_options::recursive);
     }

@@ -159,9 +159,41 @@ TEST_F(Poiseuille, MeshLeavesParticlesToLookAt) {
 TEST_F(Poiseuille, ExplainNamesModelsSourcesFieldsAndLimits) {
     const auto outcome = dmp({"explain", "."});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("Models"), HasSubstr("Morris"), HasSubstr("why"),
-                                               HasSubstr("source"), HasSubstr("Largest time steps"),
-                                               HasSubstr("Fields of a particle"), HasSubstr(" B a particle")));
+    EXPECT_THAT(outcome.output,
+                testing::AllOf(HasSubstr("Models"), HasSubstr("Morris"), HasSubstr("why"), HasSubstr("source"),
+                               HasSubstr("Largest time steps"), HasSubstr("Fields that several models need"),
+                               HasSubstr(" B a particle")));
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("fields  fluid: shift, 16 bytes"), HasSubstr("Measured\n"),
+                                               HasSubstr("whole step"), HasSubstr(" ns a particle and step"),
+                                               HasSubstr("quality      standard (quality, default)")));
+    EXPECT_THAT(outcome.output, testing::Not(HasSubstr("Warnings")));
+}
+
+TEST_F(Poiseuille, ExplainMeasuresNothingWhenToldSo) {
+    const auto outcome = dmp({"explain", ".", "--no-measure"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("Models"), testing::Not(HasSubstr("Measured"))));
+}
+
+TEST_F(Poiseuille, ExplainAndRunWarnOfWhatHasNoEffect) {
+    const std::string problem =
+        "--set accuracy.spring_stepping=subcycled: accuracy.spring_stepping has no effect: no part has springs; leave "
+        "it "
+        "out\n";
+    const auto explained = dmp({"explain", ".", "--no-measure", "--set", "accuracy.spring_stepping=subcycled"});
+    EXPECT_THAT(explained.output, HasSubstr("Warnings\n  " + problem));
+    const auto outcome = dmp({"run", ".", "--until", "0.01 s", "--out", "warned", "--set", "output.pictures=false",
+                              "--set", "accuracy.spring_stepping=subcycled"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.errors, "warning: " + problem);
+}
+
+TEST_F(Poiseuille, ExplainSaysWhatTheQualityHasChosen) {
+    const auto outcome = dmp({"explain", ".", "--no-measure", "--set", "quality=draft"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output,
+                testing::AllOf(HasSubstr("draft (quality, --set quality=draft)"),
+                               HasSubstr("lucy (accuracy.kernel, quality = \"draft\" at --set quality=draft)")));
 }
 
 TEST(BentChannel, ADifferentDrawingNeedsNoNewCode) {

@@ -2,18 +2,23 @@
 #pragma once
 
 #include "solver/models/pair.hpp"
+#include "solver/models/sph/viscosity_means.hpp"
 
 namespace dmp {
 
 /// Viscous force on particle i (Morris, Fox & Zhu 1997, eq. 22, times m_i):
-///   F_i = SUM_j V_i V_j (mu_i + mu_j) (1/r dW/dr) v_ij   [N]
+///   F_i = SUM_j V_i V_j 2 mu_ij (1/r dW/dr) v_ij   [N],   mu_ij the mean of both viscosities
 /// Reads volume, velocity and dynamic viscosity. Antisymmetric.
 /// Largest stable explicit step: kernel.viscous_limit support^2 / nu (linear theory).
-struct MorrisViscosity {
+template <class Mean>
+struct MorrisLaw {
     template <class P>
     static auto law(const P& p) {
-        return (p.weight() * (p.i.viscosity + p.j.viscosity)) * (p.i.velocity - p.j.velocity);
+        return (p.weight() * Mean::twice(p.i.viscosity, p.j.viscosity)) * (p.i.velocity - p.j.velocity);
     }
 };
+
+using MorrisViscosity = MorrisLaw<ArithmeticMean>;
+using HarmonicMorrisViscosity = MorrisLaw<HarmonicMean>;
 
 }  // namespace dmp

@@ -1,32 +1,47 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
-
-#include "solver/models/pair.hpp"
+#include "solver/models/springs/spring.hpp"
 
 namespace dmp {
 
-/// A harmonic bond with a dashpot along it: U = k_b (r - r0)^2 (no 1/2),
+/// A harmonic bond between nodes a and b with a dashpot along it: U = k_b (r - r0)^2 (no 1/2),
 ///   F_a = -[2 k_b (r - r0) + c (v_a - v_b) . e] e,   e = (x_a - x_b) / r,   F_b = -F_a   [N]
-/// c = 2 zeta sqrt(2 k_b m_eff) is the fraction zeta of critical damping of the bond alone, m_eff the reduced mass.
+/// See Spring for the dashpot; the mass is the reduced one of the two nodes.
 template <int D>
-struct BondForce {
-    double rest_length, stiffness, dashpot;
+struct BondForce : Spring {
+    static constexpr int nodes = 2;                          ///< a, b
+    static constexpr std::array<ArmEnds, 1> arms{{{0, 1}}};  ///< x_a - x_b
+
+    double rest_length;  ///< r0 [m]
 
     BondForce(double r0, double k_b, double damping, double reduced_mass)
-        : rest_length(r0), stiffness(k_b), dashpot(2 * damping * std::sqrt(2 * k_b * reduced_mass)) {}
+        : Spring(k_b, damping, reduced_mass), rest_length(r0) {}
 
-    /// Force on a, from x_a - x_b and v_a - v_b.
-    [[nodiscard]] Vector<double, D> law(const Vector<double, D>& separation,
-                                        const Vector<double, D>& relative_velocity) const {
-        const double length = std::sqrt(dot(separation, separation));
-        const double inverse = 1 / length;
-        const double rate = dot(relative_velocity, separation) * inverse;
-        return (-(2 * stiffness * (length - rest_length) + dashpot * rate) * inverse) * separation;
+    [[nodiscard]] Deviation<D, 1> deviation(const Arms<D, 1>& arm) const {
+        const double length = std::sqrt(dot(arm[0], arm[0]));
+        return {length - rest_length, {(1 / length) * arm[0]}};
     }
-    [[nodiscard]] double energy(double length) const {
-        return stiffness * (length - rest_length) * (length - rest_length);
+
+    /// A stretched bond is a string under tension: it resists sideways with 2 k_b (r - r0) / r (a compressed one gives
+    /// way: the part that is left out). Visits the directions across the bond.
+    template <class Visit>
+    void extra_stiffness(const Arms<D, 1>& arm, const Visit& visit) const {
+        const auto [stretch, gradient] = deviation(arm);
+        if (!(stretch > 0)) return;
+        const double weight = 2 * stiffness * stretch / (stretch + rest_length);
+        // I - e e^T by an orthonormal set across e.
+        Arms<D, 1> across{};
+        if constexpr (D == 2) {
+            across[0] = {{-gradient[0][1], gradient[0][0]}};
+            visit(weight, across);
+        } else {
+            const auto first = unit_across(gradient[0]);
+            across[0] = first;
+            visit(weight, across);
+            across[0] = cross(gradient[0], first);
+            visit(weight, across);
+        }
     }
 };
 

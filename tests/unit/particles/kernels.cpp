@@ -20,7 +20,9 @@ template <class S>
 class Kernels : public testing::Test {};
 
 using Samples =
-    testing::Types<Sample<WendlandC2<2>, 2>, Sample<WendlandC2<3>, 3>, Sample<Lucy<2>, 2>, Sample<Lucy<3>, 3>>;
+    testing::Types<Sample<WendlandC2<2>, 2>, Sample<WendlandC2<3>, 3>, Sample<WendlandC4<2>, 2>,
+                   Sample<WendlandC4<3>, 3>, Sample<Lucy<2>, 2>, Sample<Lucy<3>, 3>, Sample<CubicSpline<2>, 2>,
+                   Sample<CubicSpline<3>, 3>, Sample<QuinticSpline<2>, 2>, Sample<QuinticSpline<3>, 3>>;
 TYPED_TEST_SUITE(Kernels, Samples);
 
 /// Simpson's rule for f over [0, end].
@@ -76,11 +78,62 @@ TYPED_TEST(Kernels, ArePositiveFallAndEndAtTheSupport) {
     EXPECT_EQ(kernel.slope(0.31), 0);
 }
 
+/// Transforms of a kernel of support 1 and of its slope at wave number k, by the midpoint rule.
+struct Transform {
+    double value = 0, slope = 0;
+
+    template <class Kernel>
+    Transform(const Kernel& kernel, int dimension, double k) {
+        constexpr int intervals = 400;
+        for (int i = 0; i < intervals; ++i) {
+            const double r = (i + 0.5) / intervals, x = k * r;
+            const double wave = dimension == 2 ? std::cyl_bessel_j(0, x) : x > 0 ? std::sin(x) / x : 1;
+            const double weight = sphere(dimension, r) / intervals * wave;
+            value += weight * kernel.value(r);
+            slope += weight * kernel.slope(r);
+        }
+    }
+};
+
+// kernels.hpp tells the analysis. Beyond k = 40 no kernel's transforms have anything to add.
+TYPED_TEST(Kernels, StepLimitsAreThoseOfVonNeumannAnalysis) {
+    using Kernel = typename TypeParam::Kernel;
+    const Kernel kernel(1);
+    const double at_rest = Transform(kernel, TypeParam::dimension, 0).slope;
+    double sound = 0, viscous = -at_rest;  // of infinite wave number
+    for (double k = 0.1; k < 40; k += 0.1) {
+        const Transform at(kernel, TypeParam::dimension, k);
+        sound = std::max(sound, k * std::abs(at.value));
+        viscous = std::max(viscous, at.slope - at_rest);
+    }
+    EXPECT_LE(Kernel::sound_limit, 2 / sound + 5e-4);  // three digits, and as many of the viscous limit
+    EXPECT_GE(Kernel::sound_limit, 2 / sound - 1e-3);
+    EXPECT_LE(Kernel::viscous_limit, 1 / viscous + 5e-5);
+    EXPECT_GE(Kernel::viscous_limit, 1 / viscous - 1.5e-4);
+}
+
+TEST(KernelValues, OfSplinesAtTheirKnots) {
+    const double h = 0.5;
+    EXPECT_DOUBLE_EQ(CubicSpline<2>(2 * h).value(0.0), 10 / (7 * pi * h * h));
+    EXPECT_DOUBLE_EQ(CubicSpline<3>(2 * h).value(0.0), 1 / (pi * h * h * h));
+    EXPECT_DOUBLE_EQ(CubicSpline<2>(2 * h).value(h), 10 / (7 * pi * h * h) / 4);
+    EXPECT_DOUBLE_EQ(CubicSpline<2>(2 * h).slope(0.0), -3 * 10 / (7 * pi * h * h) / (h * h));
+    EXPECT_DOUBLE_EQ(QuinticSpline<2>(3 * h).value(0.0), 66 * 7 / (478 * pi * h * h));
+    EXPECT_DOUBLE_EQ(QuinticSpline<3>(3 * h).value(0.0), 66 / (120 * pi * h * h * h));
+    EXPECT_DOUBLE_EQ(QuinticSpline<2>(3 * h).value(h), 26 * 7 / (478 * pi * h * h));
+    EXPECT_DOUBLE_EQ(QuinticSpline<2>(3 * h).value(2 * h), 1 * 7 / (478 * pi * h * h));
+    EXPECT_DOUBLE_EQ(QuinticSpline<2>(3 * h).slope(0.0), -120 * 7 / (478 * pi * h * h) / (h * h));
+}
+
 TEST(KernelValues, AtTheCentreAndHalfWay) {
     EXPECT_DOUBLE_EQ(WendlandC2<2>(2).value(0.0), 7 / (4 * pi));
     EXPECT_DOUBLE_EQ(WendlandC2<3>(2).value(0.0), 21 / (16 * pi));
     EXPECT_DOUBLE_EQ(WendlandC2<2>(2).value(1.0), 7 / (4 * pi) * 3 / 16);
     EXPECT_DOUBLE_EQ(WendlandC2<2>(2).slope(1.0), -20 * 7 / (4 * pi) / 4 / 8);
+    EXPECT_DOUBLE_EQ(WendlandC4<2>(2).value(0.0), 9 / (4 * pi));
+    EXPECT_DOUBLE_EQ(WendlandC4<3>(2).value(0.0), 495 / (256 * pi));
+    EXPECT_DOUBLE_EQ(WendlandC4<2>(2).value(1.0), 9 / (4 * pi) / 64 * (4 + 35.0 / 12));
+    EXPECT_DOUBLE_EQ(WendlandC4<2>(2).slope(1.0), -56.0 / 3 * 9 / (4 * pi) / 4 * 3.5 / 32);
     EXPECT_DOUBLE_EQ(Lucy<2>(2).value(0.0), 5 / (4 * pi));
     EXPECT_DOUBLE_EQ(Lucy<3>(2).value(0.0), 105 / (128 * pi));
     EXPECT_DOUBLE_EQ(Lucy<2>(2).value(1.0), 5 / (4 * pi) * 2.5 / 8);

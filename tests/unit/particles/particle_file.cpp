@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/particle_file.hpp"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <variant>
@@ -48,7 +50,8 @@ ParticleSet some_particles(int count = 50) {
     }
     for (int i = 2; i < count; ++i) {
         set.bonds.push_back({i, i - 1, number(random), number(random)});
-        set.hinges.push_back({i, i - 1, i - 2, number(random), number(random)});
+        set.hinges.push_back({i, i - 1, i - 2, std::abs(number(random)), number(random)});
+        set.dihedrals.push_back({i, i - 1, i - 2, (i + 1) % count, number(random), number(random)});
     }
     return set;
 }
@@ -87,6 +90,13 @@ void expect_equal(const ParticleSet& read, const ParticleSet& written) {
         EXPECT_EQ(read.hinges[n].b, written.hinges[n].b);
         EXPECT_EQ(read.hinges[n].rest_angle, written.hinges[n].rest_angle);
         EXPECT_EQ(read.hinges[n].stiffness, written.hinges[n].stiffness);
+    }
+    ASSERT_EQ(read.dihedrals.size(), written.dihedrals.size());
+    for (std::size_t n = 0; n < read.dihedrals.size(); ++n) {
+        const Dihedral &is = read.dihedrals[n], &was = written.dihedrals[n];
+        EXPECT_EQ((std::array<int, 4>{is.a, is.b, is.c, is.d}), (std::array<int, 4>{was.a, was.b, was.c, was.d}));
+        EXPECT_EQ(is.rest_angle, was.rest_angle);
+        EXPECT_EQ(is.stiffness, was.stiffness);
     }
 }
 
@@ -223,6 +233,11 @@ TEST_F(ParticleFile, ContentsThatAreNoParticlesAreNamed) {
         {"bonds/stiffness", Reals{1, infinity}, "bond 1: its rest_length or stiffness"},
         {"hinges/centre", Integers{1, 4}, "hinge 1 joins a particle that is not there"},
         {"hinges/rest_angle", Reals{nan, 1}, "hinge 0: its rest_angle or stiffness"},
+        {"hinges/rest_angle", Reals{1, -0.5}, "hinge 1: its rest_angle is not between 0 and pi"},
+        {"dihedrals/d", Integers{0, 4}, "dihedral 1 joins a particle that is not there"},
+        {"dihedrals/b", Integers{1, 2, 3}, "dihedrals/b has 3 elements, not 2"},
+        {"dihedrals/rest_angle", Reals{0, nan}, "dihedral 1: its rest_angle or stiffness"},
+        {"dimension", Integers{2}, "it has dihedrals, and there are none in the plane"},
         {"dimension", Integers{4}, "4 dimensions"},
         {"spacing", Reals{0}, "spacing is not more than 0"},
         {"box/low", Reals{0, 3, 0}, "box is none"},

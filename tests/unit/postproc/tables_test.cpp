@@ -143,6 +143,16 @@ TEST(Summary, KeepsTheBooksOfMassAndMomentum) {
     EXPECT_EQ(conserved["momentum_residual"], 1e-15);
 }
 
+TEST(Summary, SaysWhatImplicitViscosityTookWhereItRan) {
+    RunSummary summary = some_summary();
+    EXPECT_FALSE(written(summary).contains("implicit_viscosity"));
+    summary.viscous_solves = {4, 50, 17};
+    const nlohmann::json viscosity = written(summary)["implicit_viscosity"];
+    EXPECT_EQ(viscosity["solves"], 4);
+    EXPECT_EQ(viscosity["iterations_mean"], 12.5);
+    EXPECT_EQ(viscosity["iterations_most"], 17);
+}
+
 TEST(Summary, MeasuresAreOverTheirFiniteRows) {
     const nlohmann::json measures = written(some_summary())["measures"];
     EXPECT_EQ(measures["inlet_flux"]["unit"], "m^2/s");

@@ -116,6 +116,40 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"wall_thinner_than_kernel", "kind = \"rigid\"", "kind = \"rigid\"\nlayers = 2",
               "scene.toml:19:10: the wall 'wall' is thinner than the kernel: layers = 2, accuracy.support = 3\n"
               "  give the part at least as many layers as the support has spacings"},
+        Fault{"sliding_without_unit", "kind = \"rigid\"", "kind = \"rigid\"\nsurface_velocity = [1]",
+              "scene.toml:19:21: missing unit: surface_velocity = 1, expected a speed such as \"1 m/s\"\n"
+              "  write surface_velocity = \"1 m/s\", with the unit you mean"},
+        Fault{"sliding_out_of_the_plane", "kind = \"rigid\"", "kind = \"rigid\"\nsurface_velocity = [0, 0, \"1 m/s\"]",
+              "scene.toml:19:20: surface_velocity of 'wall' has a third component in a 2-D scene\n"
+              "  leave it out, or write 0"},
+        Fault{"wall_that_bends", "kind = \"rigid\"", "kind = \"rigid\"\nvelocity = [\"x / 1 s\", 0]",
+              "scene.toml:19:12: velocity of the rigid part 'wall' depends on x, y or z: it would not stay rigid\n"
+              "  give formulas of t; a surface that slides within itself has a surface_velocity"},
+        Fault{"spin_by_place", "kind = \"rigid\"", "kind = \"rigid\"\nspin = \"y * 1 rad/m/s\"",
+              "scene.toml:19:8: spin of the rigid part 'wall' depends on x, y or z: it would not stay rigid\n"
+              "  give formulas of t; a surface that slides within itself has a surface_velocity"},
+        Fault{"spin_of_a_length", "kind = \"rigid\"", "kind = \"rigid\"\nspin = \"2 m\"",
+              "scene.toml:19:9: part.wall.spin: found \"2 m\" (length), expected a frequency such as \"2 rad/s\"\n"
+              "  check the units of its factors: the whole formula must be a frequency"},
+        Fault{"slip_that_slides", "kind = \"rigid\"",
+              "kind = \"rigid\"\nslip = true\nsurface_velocity = [\"1 m/s\", 0]",
+              "scene.toml:20:20: the surface of 'wall' slides, and lets the fluid slip: it would not be felt\n"
+              "  leave out surface_velocity, or slip"},
+        Fault{"slip_at_plain_walls", "kind = \"rigid\"", "kind = \"rigid\"\nslip = true\n[accuracy]\nwalls = \"plain\"",
+              "scene.toml:19:8: the wall 'wall' has slip = true, and plain walls cannot let a fluid slip\n"
+              "  write accuracy.walls = \"extrapolated\", or leave out slip"},
+        Fault{"plane_across_a_period", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\nsymmetry = [\"y_low\", \"x_high\"]",
+              "scene.toml:30:12: flow.symmetry: 'x_high' lies across an axis that is periodic\n"
+              "  take the axis out of flow.periodic, or the side out of flow.symmetry"},
+        Fault{"drive_across_a_plane", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nacceleration = [0, \"1 m/s^2\"]\nsymmetry = [\"y_low\"]",
+              "scene.toml:30:12: flow.acceleration pushes across the plane of symmetry 'y_low': the two sides would "
+              "not be "
+              "alike\n  leave out that component, or the side"},
+        Fault{"unknown_side", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nsymmetry = [\"bottom\"]",
+              "scene.toml:29:13: flow.symmetry: found \"bottom\", expected one of 'x_low', 'x_high', 'y_low' and "
+              "'y_high'\n  write one of these words"},
         Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
               "  springs parts have two rows of particles for now: write layers = 2"},
@@ -221,6 +255,23 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"support_beyond_the_default_wall", "[run]", "[accuracy]\nsupport = 3.5\n[run]",
               "scene.toml:31:11: the wall 'wall' is thinner than the kernel: layers = 3, accuracy.support = 3.5\n"
               "  give the part at least as many layers as the support has spacings"},
+        Fault{"loose_viscosity_tolerance", "[run]", "[accuracy]\nviscosity_tolerance = 0.1\n[run]",
+              "scene.toml:31:23: accuracy.viscosity_tolerance: found 0.1, expected between 1e-14 and 0.01\n"
+              "  give a value that is between 1e-14 and 0.01"},
+        Fault{"unknown_viscosity_stepping", "[run]", "[accuracy]\nviscosity_stepping = \"implicitly\"\n[run]",
+              "scene.toml:31:22: accuracy.viscosity_stepping: found \"implicitly\", expected one of 'explicit' and "
+              "'implicit'\n"
+              "  did you mean \"implicit\"?"},
+        Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
+              "[accuracy]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
+              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+              "accuracy.spring_stepping = \"subcycled\" moves apart from it\n"
+              "  write spring_stepping = \"implicit\""},
+        Fault{"implicit_viscosity_of_approaching_pairs", "[run]",
+              "[accuracy]\nviscosity_stepping = \"implicit\"\nviscous_law = \"monaghan_approaching\"\n[run]",
+              "scene.toml:32:15: accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the "
+              "velocities, and accuracy.viscous_law = \"monaghan_approaching\" is none\n"
+              "  write viscous_law = \"monaghan\" or \"morris\""},
         Fault{"more_than_a_fraction", "[run]", "[accuracy]\nstep_factor = 2\n[run]",
               "scene.toml:31:15: accuracy.step_factor: found 2, expected more than 0 and at most 1\n"
               "  give a value that is more than 0 and at most 1"},
@@ -237,12 +288,12 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:34:9: output.every: found 0, expected more than 0\n"
               "  give a value that is more than 0"},
         Fault{"misspelt_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"presure\"]",
-              "scene.toml:35:11: output.fields: found \"presure\", expected one of 'velocity', 'pressure', 'density' "
-              "and 'shear_stress'\n"
+              "scene.toml:35:11: output.fields: found \"presure\", expected one of 'velocity', 'pressure', 'density', "
+              "'shear_stress', 'stress', 'von_mises', 'vorticity' and 'residence_time'\n"
               "  did you mean \"pressure\"?"},
         Fault{"item_without_brackets", "every = \"20 ms\"", "every = \"20 ms\"\nfields = \"pressure\"",
               "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list out of 'velocity', "
-              "'pressure', 'density' and 'shear_stress'\n"
+              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity' and 'residence_time'\n"
               "  put it in brackets: fields = [ ... ]"},
         Fault{"repeated_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"pressure\", \"pressure\"]",
               "scene.toml:35:23: output.fields: \"pressure\" stands twice\n"
@@ -283,8 +334,9 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a length for unit"},
         Fault{"unknown_table", "[run]", "[foo]\n[run]",
               "scene.toml:30:2: unknown key 'foo'\n"
-              "  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], [[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[measure]]"}}),
+              "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
+              "[[part]], "
+              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"}}),
     name_of);
 
 class BadOverride : public testing::TestWithParam<Fault> {};
@@ -322,8 +374,9 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'part' in [[measure]]?"},
         Fault{"path_into_a_value", "particles.spacing.x=1", "",
               "--set particles.spacing.x=1: unknown key 'particles.spacing.x'\n"
-              "  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], [[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[measure]]"},
+              "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
+              "[[part]], "
+              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"},
         Fault{"fault_inside_a_formula", "flow.acceleration=[\"1 m/s^2 * sin(t)\"]", "",
               "--set flow.acceleration=[\"1 m/s^2 * sin(t)\"]: sin is given a time, expected a plain number in \"1 "
               "m/s^2 * sin(t)\"\n"
@@ -343,6 +396,78 @@ TEST(BadScene, without_anything_that_moves) {
     EXPECT_EQ(fault_of(good_scene, {"part.blood.enabled=false", "part.leaflets.enabled=false"}),
               "scene.toml:12:8: no enabled part is of kind 'fluid' or 'springs': nothing would move\n"
               "  add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+}
+
+const std::string sinus = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n[[measure]]";
+
+std::string fault_with_region(const std::string& found, const std::string& replacement) {
+    std::string region = sinus;
+    region.replace(region.find(found), found.size(), replacement);
+    return fault_of(scene_with("[[measure]]", region), {"output.fields=['residence_time']"});
+}
+
+TEST(BadScene, a_region_that_holds_nothing) {
+    EXPECT_EQ(fault_with_region("sinus", "sinus"), "no error");
+    EXPECT_EQ(fault_with_region("\"1 mm\"", "0"),
+              "scene.toml:39:6: the corners of region 'sinus' have the same x: there is nothing between them\n"
+              "  give two opposite corners of a box");
+    EXPECT_EQ(fault_with_region("\"2 mm\"", "0"),
+              "scene.toml:39:6: the corners of region 'sinus' have the same y: there is nothing between them\n"
+              "  give two opposite corners of a box");
+    EXPECT_EQ(fault_with_region("\"2 mm\"]", "\"2 mm\", \"1 mm\"]"),
+              "scene.toml:39:6: the third coordinate of a point in a 2-D scene is not 0\n"
+              "  leave it out, or write 0");
+    EXPECT_EQ(fault_with_region("from = [0, 0]", ""),
+              "scene.toml:36:1: missing key: region.sinus.from\n"
+              "  add 'from' in [[region]]: a point such as [\"1 mm\", 0]");
+    EXPECT_EQ(fault_with_region("from", "fron"),
+              "scene.toml:38:1: unknown key 'fron' in [[region]]\n"
+              "  did you mean 'from' in [[region]]?");
+    EXPECT_EQ(fault_with_region("[[measure]]", sinus),
+              "scene.toml:41:8: there is already a region called 'sinus', at scene.toml:37:8\n"
+              "  give each region its own name");
+}
+
+TEST(BadScene, residence_times_of_no_region) {
+    const std::string advice = "\n  add a [[region]] with a name and the corners from and to";
+    const std::string problem = ": 'residence_time' is asked for, and the scene has no region in which to follow it";
+    EXPECT_EQ(fault_of(scene_with("every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"residence_time\"]")),
+              "scene.toml:35:10" + problem + advice);
+    EXPECT_EQ(fault_of(scene_with("every = \"20 ms\"", "every = \"20 ms\"\npicture_field = \"residence_time\"")),
+              "scene.toml:35:17" + problem + advice);
+    EXPECT_EQ(fault_of(scene_with("[[measure]]",
+                                  "[[measure]]\nname = \"p\"\nkind = \"probe\"\npoint = [0, 0]\nfield = "
+                                  "\"residence_time\"\n[[measure]]")),
+              "scene.toml:40:9" + problem + advice);
+}
+
+TEST(BadScene, a_picture_of_several_residence_times) {
+    std::string two = sinus;
+    two.replace(two.find("[[measure]]"), 11, sinus);
+    two.replace(two.rfind("sinus"), 5, "other");
+    EXPECT_EQ(fault_of(scene_with("[[measure]]", two), {"output.picture_field=residence_time"}),
+              "--set output.picture_field=residence_time: output.picture_field = \"residence_time\": there are several "
+              "regions, and one array for each\n"
+              "  leave one [[region]], or picture another field");
+}
+
+TEST(BadScene, a_quality_that_there_is_not) {
+    EXPECT_EQ(fault_of("quality = \"fin\"\n" + good_scene),
+              "scene.toml:1:11: quality: found \"fin\", expected one of 'draft', 'standard' and 'fine'\n"
+              "  did you mean \"fine\"?");
+}
+
+TEST(BadScene, a_fine_support_in_a_wall_of_three_rows) {
+    EXPECT_EQ(fault_of(good_scene, {"quality=fine"}), "no error") << "rows follow the quality too";
+    EXPECT_EQ(fault_of(good_scene, {"quality=fine", "part.wall.layers=3"}),
+              "--set part.wall.layers=3: the wall 'wall' is thinner than the kernel: layers = 3, accuracy.support = 4\n"
+              "  give the part at least as many layers as the support has spacings");
+}
+
+TEST(BadScene, a_mach_number_out_of_range) {
+    EXPECT_EQ(fault_of(good_scene, {"accuracy.mach_number=0.5"}),
+              "--set accuracy.mach_number=0.5: accuracy.mach_number: found 0.5, expected between 0.01 and 0.3\n"
+              "  give a value that is between 0.01 and 0.3");
 }
 
 TEST(BadScene, a_part_that_is_no_table) {

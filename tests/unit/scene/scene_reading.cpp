@@ -137,6 +137,15 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.accuracy.support, *fresh.accuracy.support);
     EXPECT_EQ(*scene.accuracy.sound_speed, 0) << "auto";
     EXPECT_EQ(*scene.accuracy.sound_speed, *fresh.accuracy.sound_speed);
+    EXPECT_EQ(*scene.quality, Quality::standard);
+    EXPECT_EQ(*scene.quality, *fresh.quality);
+    EXPECT_EQ(*scene.accuracy.mach_number, 0.1);
+    EXPECT_EQ(*scene.accuracy.mach_number, *fresh.accuracy.mach_number);
+    EXPECT_THAT(scene.output.solid_fields,
+                ElementsAre(SolidField::velocity, SolidField::displacement, SolidField::strain, SolidField::force));
+    EXPECT_EQ(scene.output.solid_fields, fresh.output.solid_fields);
+    EXPECT_EQ(*scene.output.average_from, 0);
+    EXPECT_EQ(*scene.output.average_from, *fresh.output.average_from);
     EXPECT_EQ(*scene.accuracy.walls, WallModel::extrapolated);
     EXPECT_EQ(*scene.accuracy.walls, *fresh.accuracy.walls);
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0.1);
@@ -145,6 +154,10 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.accuracy.shifting, *fresh.accuracy.shifting);
     EXPECT_EQ(*scene.accuracy.step_factor, 0.3);
     EXPECT_EQ(*scene.accuracy.step_factor, *fresh.accuracy.step_factor);
+    EXPECT_EQ(*scene.accuracy.viscosity_stepping, ViscosityStepping::explicitly);
+    EXPECT_EQ(*scene.accuracy.viscosity_stepping, *fresh.accuracy.viscosity_stepping);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-8);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, *fresh.accuracy.viscosity_tolerance);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::implicit);
     EXPECT_EQ(*scene.accuracy.spring_stepping, *fresh.accuracy.spring_stepping);
     EXPECT_EQ(*scene.accuracy.spring_step_factor, 0.5);
@@ -204,10 +217,12 @@ strength = "2 uJ"
 kernel = "lucy"
 support = 2
 sound_speed = "2 m/s"
+mach_number = 0.2
 walls = "plain"
 density_diffusion = 0
 shifting = 0
 step_factor = 0.25
+viscosity_tolerance = 1e-6
 spring_stepping = "subcycled"
 spring_step_factor = 1
 [run]
@@ -215,10 +230,16 @@ duration = "1 min"
 threads = 4
 [output]
 every = "1 s"
-fields = ["density"]
+fields = ["density", "residence_time"]
+solid_fields = ["stress", "mean_displacement"]
+average_from = "2 s"
 measure_every = "1 ms"
 pictures = false
 picture_field = "pressure"
+[[region]]
+name = "sinus"
+from = ["2 mm", 0]
+to = [0, "1 mm"]
 [[measure]]
 name = "p"
 kind = "probe"
@@ -248,20 +269,63 @@ field = "pressure"
     EXPECT_EQ(*scene.accuracy.kernel, KernelKind::lucy);
     EXPECT_EQ(*scene.accuracy.support, 2);
     EXPECT_EQ(*scene.accuracy.sound_speed, 2);
+    EXPECT_EQ(*scene.accuracy.mach_number, 0.2);
     EXPECT_EQ(*scene.accuracy.walls, WallModel::plain);
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0);
     EXPECT_EQ(*scene.accuracy.shifting, 0);
     EXPECT_EQ(*scene.accuracy.step_factor, 0.25);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::subcycled);
     EXPECT_EQ(*scene.accuracy.spring_step_factor, 1);
     EXPECT_EQ(*scene.run.duration, 60);
     EXPECT_EQ(*scene.run.threads, 4);
-    EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::density));
+    EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::density, FluidField::residence_time));
+    EXPECT_TRUE(scene.asks_for(FluidField::residence_time));
+    EXPECT_TRUE(scene.asks_for(FluidField::pressure)) << "of the probe";
+    EXPECT_FALSE(scene.asks_for(FluidField::velocity));
+    EXPECT_THAT(scene.output.solid_fields, ElementsAre(SolidField::stress, SolidField::mean_displacement));
+    EXPECT_EQ(*scene.output.average_from, 2);
+    ASSERT_EQ(scene.regions.size(), 1U);
+    EXPECT_EQ(*scene.regions[0].name, "sinus");
+    EXPECT_EQ(*scene.regions[0].from, Vec(0.002, 0, 0));
+    EXPECT_EQ(*scene.regions[0].to, Vec(0, 0.001, 0));
     EXPECT_EQ(*scene.output.measure_every, 0.001);
     EXPECT_FALSE(*scene.output.pictures);
     EXPECT_EQ(*scene.output.picture_field, FluidField::pressure);
     EXPECT_EQ(*scene.measures[0].field, FluidField::pressure);
     EXPECT_EQ(*scene.measures[0].point, Vec(0, 0.001, 0));
+}
+
+TEST(Quality, sets_what_is_not_given) {
+    const auto with = [](const std::string& quality) { return read_text(good_scene, {"quality=" + quality}); };
+    const Scene plain = read_text(good_scene), draft = with("draft"), standard = with("standard"), fine = with("fine");
+    EXPECT_EQ(resolved_scene(standard), resolved_scene(plain));
+    EXPECT_EQ(*draft.accuracy.kernel, KernelKind::lucy);
+    EXPECT_GT(*draft.accuracy.step_factor, *standard.accuracy.step_factor);
+    EXPECT_GT(*fine.accuracy.support, *standard.accuracy.support);
+    EXPECT_GE(*fine.parts[1].layers, *fine.accuracy.support);
+    EXPECT_NE(draft.hash, standard.hash);
+    EXPECT_NE(fine.hash, standard.hash);
+    for (const Scene* scene : {&draft, &fine}) {
+        EXPECT_FALSE(scene->accuracy.kernel.given()) << "a default has no place";
+        const std::string resolved = resolved_scene(*scene);
+        EXPECT_EQ(resolved_scene(read_text(resolved)), resolved);
+    }
+}
+
+TEST(Quality, leaves_alone_what_is_given) {
+    const Scene scene =
+        read_text(good_scene, {"quality=draft", "accuracy.step_factor=0.1", "accuracy.kernel=wendland_c2"});
+    EXPECT_EQ(*scene.accuracy.step_factor, 0.1);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::wendland_c2);
+}
+
+TEST(Quality, is_where_defaults_come_from) {
+    const Scene scene = read_text("quality = \"draft\"\n" + good_scene);
+    EXPECT_EQ(default_origin(scene, "accuracy.kernel"), "quality = \"draft\" at scene.toml:1:11");
+    EXPECT_EQ(default_origin(scene, "part.wall.layers"), "quality = \"draft\" at scene.toml:1:11");
+    EXPECT_EQ(default_origin(scene, "accuracy.walls"), "default") << "the same at every level";
+    EXPECT_EQ(default_origin(read_text(good_scene), "accuracy.kernel"), "default");
 }
 
 TEST(ReadScene, values_keep_their_places) {
@@ -295,11 +359,14 @@ TEST(PartsOf, enabled_parts_of_one_kind_in_order) {
 TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(word(PartKind::springs), "springs");
     EXPECT_EQ(word(FluidField::shear_stress), "shear_stress");
+    EXPECT_EQ(word(SolidField::von_mises), "von_mises");
+    EXPECT_EQ(word(Quality::fine), "fine");
     EXPECT_EQ(word(KernelKind::wendland_c2), "wendland_c2");
     EXPECT_EQ(word(MeasureKind::largest_speed), "largest_speed");
     EXPECT_EQ(word(Arrangement::hexagonal), "hexagonal");
     EXPECT_EQ(word(WallModel::plain), "plain");
     EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
+    EXPECT_EQ(word(ViscosityStepping::implicitly), "implicit");
 }
 
 TEST(Override, reaches_every_kind_of_key) {
@@ -317,6 +384,8 @@ TEST(Override, reaches_every_kind_of_key) {
     EXPECT_EQ(*scene.accuracy.support, 2.5) << "a table the file does not have";
     EXPECT_EQ(*scene.title, "A = B");
     EXPECT_EQ(scene.flow.acceleration[0](0), 0.15);
+    const std::string region = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n";
+    EXPECT_EQ(*read_text(good_scene + region, {"region.sinus.from=[\"3 mm\", 0]"}).regions[0].from, Vec(0.003, 0, 0));
     EXPECT_EQ(scene.particles.spacing.place.file, "--set particles.spacing=\"0.2 mm\"");
     EXPECT_EQ(scene.particles.spacing.place.line, 0);
 }
@@ -347,6 +416,7 @@ TEST(ResolvedScene, writes_defaults_in_si_units) {
     EXPECT_EQ(resolved, R"(schema = 1
 title = "a \"quoted\" \\ title"
 dimension = 2
+quality = "standard"
 
 [geometry]
 file = "channel.geo"
@@ -374,10 +444,13 @@ strength = "auto"
 kernel = "wendland_c2"
 support = 3
 sound_speed = "auto"
+mach_number = 0.1
 walls = "extrapolated"
 density_diffusion = 0.1
 shifting = 4
 step_factor = 0.3
+viscosity_stepping = "explicit"
+viscosity_tolerance = 1e-08
 spring_stepping = "implicit"
 spring_step_factor = 0.5
 
@@ -391,6 +464,8 @@ fields = ["velocity", "pressure", "shear_stress"]
 measure_every = "auto"
 pictures = true
 picture_field = "velocity"
+solid_fields = ["velocity", "displacement", "strain", "force"]
+average_from = "0 s"
 
 [[part]]
 name = "blood"

@@ -37,7 +37,7 @@ TEST(ExplainKey, a_word_with_a_default) {
               "accuracy.kernel\n"
               "    Smoothing kernel.\n"
               "    type:    one of 'wendland_c2' and 'lucy'\n"
-              "    default: \"wendland_c2\"\n");
+              "    default: \"wendland_c2\" (draft: \"lucy\", fine: \"wendland_c2\")\n");
 }
 
 TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
@@ -57,7 +57,7 @@ TEST(ExplainKey, a_key_that_differs_between_kinds) {
               "part.*.layers\n"
               "    Rows of wall particles; the wall must be as thick as the kernel's support.\n"
               "    type:    a whole number, at least 1\n"
-              "    default: 3\n"
+              "    default: 3 (draft: 3, fine: 4)\n"
               "    only for rigid parts\n"
               "\n"
               "part.*.layers\n"
@@ -79,10 +79,10 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(fault_of("spacing"), "unknown key 'spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("part.blood.densty"), "unknown key 'part.blood.densty'\n  did you mean 'part.*.density'?");
     EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration' and 'threads'");
-    EXPECT_EQ(
-        fault_of("zzz"),
-        "unknown key 'zzz'\n  a scene has 'schema', 'title' and 'dimension' and the tables [geometry], [particles], "
-        "[[part]], [flow], [contact], [accuracy], [run], [output], [[measure]]");
+    EXPECT_EQ(fault_of("zzz"),
+              "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
+              "[geometry], [particles], "
+              "[[part]], [flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]");
 }
 
 TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
@@ -100,8 +100,12 @@ TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
                 HasSubstr("| `part.*.viscosity` | a dynamic viscosity such as \"1 mPa*s\", at least 0 | required | "
                           "Dynamic viscosity. Only for fluid parts. |\n"));
     EXPECT_THAT(
-        text, HasSubstr("| `output.fields` | a list out of 'velocity', 'pressure', 'density' and 'shear_stress' | "
-                        "[\"velocity\", \"pressure\", \"shear_stress\"] | Fields of each particle in the frames. |\n"));
+        text,
+        HasSubstr(
+            "| `output.solid_fields` | a list out of 'velocity', 'displacement', 'mean_displacement', 'stress', "
+            "'von_mises', 'strain' and 'force' | "
+            "[\"velocity\", \"displacement\", \"strain\", \"force\"] | Fields of spring bodies in the frames; strain "
+            "and force are of each bond. |\n"));
 }
 
 TEST(SceneReference, is_the_page_in_the_docs) {

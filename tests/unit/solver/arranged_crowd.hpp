@@ -94,6 +94,9 @@ class ArrangedCrowd {
 
     ParticleStore& particles() { return particles_; }
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
+    [[nodiscard]] const ClusterList& list() const { return neighbours_.list(); }
+    /// Gives copies the present values.
+    void exchange(const FieldList& fields) { neighbours_.exchange(particles_, fields); }
 
   private:
     void shuffle(unsigned seed) {

@@ -1,18 +1,19 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "scene/scene.hpp"
 #include "solver/time/spring_bodies.hpp"
+#include "solver/time/spring_network.hpp"
+#include "tests/unit/solver/statics.hpp"
 
 namespace dmp {
 using V2 = Vector<double, 2>;
 using Vectors = std::vector<V2>;
+using PlaneBody = SpringNetwork<2>;
 
 /// A ladder along x with 90-degree hinges at every corner, spacing a = 1, node mass m = 1, k_b = 1; nodes 2c (upper)
 /// and 2c + 1 (lower) of column c.
@@ -62,64 +63,11 @@ inline double axial_stiffness() { return 4; }
 inline double bending_stiffness(double k_a) { return 1 + 2 * k_a; }
 inline double shear_stiffness(double k_a) { return 8 * k_a; }
 
-inline Part part_with(double damping, double drag = 0) {
-    Part part;
-    part.name = std::string("beam");
-    part.kind = PartKind::springs;
-    part.bond_damping = damping;
-    part.drag = drag;
-    return part;
-}
-
 inline Scene scene_with(const Part& part, SpringStepping stepping) {
     Scene scene;
     scene.parts.push_back(part);
     scene.accuracy.spring_stepping = stepping;
     return scene;
-}
-
-/// Where the free nodes rest under small loads [N], by Newton's method with a stiffness from central differences.
-inline Vectors statics(const SpringBody& body, const ParticleSet& set, const Vectors& load) {
-    Vectors position = body.positions();
-    const Vectors rest(position.size(), V2::zero());
-    std::vector<std::pair<std::size_t, int>> free;
-    for (std::size_t n = 0; n < position.size(); ++n)
-        for (int axis = 0; axis < 2; ++axis)
-            if (!set.fixed[n]) free.emplace_back(n, axis);
-    const auto unknowns = static_cast<Eigen::Index>(free.size());
-    const auto residual = [&](const Vectors& at) {
-        const Vectors force = body.forces(at, rest);
-        Eigen::VectorXd out(unknowns);
-        for (Eigen::Index k = 0; k < unknowns; ++k) {
-            const auto& [n, axis] = free[static_cast<std::size_t>(k)];
-            out[k] = force[n][axis] + load[n][axis];
-        }
-        return out;
-    };
-    std::vector<Eigen::Triplet<double>> entries;
-    constexpr double d = 1e-6;
-    for (Eigen::Index k = 0; k < unknowns; ++k) {
-        const auto& [n, axis] = free[static_cast<std::size_t>(k)];
-        Vectors plus = position, minus = position;
-        plus[n][axis] += d;
-        minus[n][axis] -= d;
-        const Eigen::VectorXd column = (residual(minus) - residual(plus)) / (2 * d);
-        for (Eigen::Index row = 0; row < unknowns; ++row)
-            if (column[row] != 0) entries.emplace_back(static_cast<int>(row), static_cast<int>(k), column[row]);
-    }
-    Eigen::SparseMatrix<double> stiffness(unknowns, unknowns);
-    stiffness.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stiffness);
-    for (int iteration = 0; iteration < 4; ++iteration) {
-        const Eigen::VectorXd change = solver.solve(residual(position));
-        for (Eigen::Index k = 0; k < unknowns; ++k) {
-            const auto& [n, axis] = free[static_cast<std::size_t>(k)];
-            position[n][axis] += change[k];
-        }
-    }
-    const Eigen::VectorXd left = residual(position);
-    for (Eigen::Index k = 0; k < unknowns; ++k) EXPECT_NEAR(left[k], 0, 1e-12);
-    return position;
 }
 
 /// Loads `force` [N] shared by the two end nodes.

@@ -31,7 +31,7 @@ struct Variant {
 };
 
 /// Equations of state by part: of the crowd's three, and of a second liquid.
-std::vector<TaitEquation> states_of(const Variant& variant) {
+std::vector<LiquidState> states_of(const Variant& variant) {
     return {{20, 1000}, {20, 1000}, {20, 1000}, {20, variant.two_liquids ? 800.0 : 1000.0}};
 }
 
@@ -42,7 +42,7 @@ ParticleStore particles_of(const Variant& variant) {
     for (std::size_t i = 0; i < set.size(); i += 3)
         if (variant.two_liquids && set.part[i] == 0) set.part[i] = 3;
     std::vector<double> densities;
-    for (const TaitEquation& state : states_of(variant)) densities.push_back(state.rest_density);
+    for (const LiquidState& state : states_of(variant)) densities.push_back(state.rest_density);
     ParticleStore particles(set, densities);
     make_pair_sweeps({.walls = variant.walls,
                       .spacing = set.spacing,
@@ -93,7 +93,7 @@ class FluidPassesOn : public testing::TestWithParam<Variant> {
     }
 
     static constexpr double dt = 0.003;
-    std::vector<TaitEquation> states = states_of(GetParam());
+    std::vector<LiquidState> states = states_of(GetParam());
     ParticleStore particles = particles_of(GetParam());
     const ParticleStore before = particles;
 };

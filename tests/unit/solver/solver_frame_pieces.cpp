@@ -83,7 +83,10 @@ class FramePieces : public ::testing::Test {
 };
 
 TEST_F(FramePieces, MakeTheFrameThatWasCutIntoThem) {
-    const Frame whole = channel_frame(0.1, true);
+    Frame whole = channel_frame(0.1, true);
+    FrameField stress{"stress", "Pa", 6, {}};
+    for (std::size_t k = 0; k < 6 * whole.groups[0].size(); ++k) stress.values.push_back(0.5F * static_cast<float>(k));
+    whole.groups[0].fields.push_back(stress);
     for (const std::size_t count : {1U, 2U, 3U, 5U}) {
         const StoredFrame read = read_frame(write(in_pieces(whole, count)));
         EXPECT_EQ(read.label.title, label.title);

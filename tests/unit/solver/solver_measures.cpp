@@ -91,6 +91,26 @@ TEST(Probe, of_uniform_fields_is_exact_anywhere) {
     }
 }
 
+TEST(Probe, of_tensors_and_regions_has_a_column_each) {
+    SceneAndParticles made = falling(
+        {probe("s", {0.3, 0.3, 0}, FluidField::stress), probe("w", {0.3, 0.3, 0}, FluidField::vorticity),
+         probe("m", {0.3, 0.3, 0}, FluidField::von_mises), probe("r", {0.3, 0.3, 0}, FluidField::residence_time)});
+    made.scene.regions.resize(2);
+    made.scene.regions[0].name = std::string("all");
+    made.scene.regions[0].to = Vec(1, 1, 0);
+    made.scene.regions[1].name = std::string("none");
+    made.scene.regions[1].from = Vec(2, 2, 0);
+    made.scene.regions[1].to = Vec(3, 3, 0);
+    const auto series = measured(made);
+    ASSERT_EQ(series.names, (std::vector<std::string>{"s_xx", "s_yy", "s_zz", "s_xy", "w", "m", "r_all", "r_none"}));
+    EXPECT_EQ(series.units, (std::vector<std::string>{"Pa", "Pa", "Pa", "Pa", "1/s", "Pa", "s", "s"}));
+    for (std::size_t row = 0; row < series.time.size(); ++row) {
+        for (int column = 0; column < 6; ++column) EXPECT_NEAR(series.rows[row][column], 0, 1e-6) << column;
+        EXPECT_NEAR(series.rows[row][6], series.time[row], 1e-9);
+        EXPECT_EQ(series.rows[row][7], 0);
+    }
+}
+
 TEST(Probe, that_stands_outside_the_fluid_is_an_error) {
     SceneAndParticles made = endless_water("0");
     made.particles.periodic = {false, false, false};

@@ -7,7 +7,9 @@
 #include "particles/kernels.hpp"
 #include "solver/models/sph/continuity.hpp"
 #include "solver/models/sph/density_diffusion.hpp"
+#include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
+#include "solver/models/sph/no_viscosity.hpp"
 #include "solver/models/sph/pressure_force.hpp"
 #include "solver/models/sph/shifting.hpp"
 #include "solver/models/sph/tait.hpp"
@@ -67,6 +69,55 @@ TEST(MorrisViscosity, one_pair_by_hand) {
     const double size = 1.1 * 0.9 * 4e-3 * kernel_derivative(distance) / distance;
     ASSERT_LT(size, 0);
     expect_near(MorrisViscosity::law(pair_of(particle_i, particle_j, separation)), {{size * 0.6, size * -0.8}}, 1e-12);
+}
+
+TEST(HarmonicMorrisViscosity, one_pair_by_hand) {
+    // 4 mu_i mu_j / (mu_i + mu_j) = 4 * 1e-3 * 3e-3 / 4e-3 = 3e-3, less than the sum, 4e-3.
+    const double size = 1.1 * 0.9 * 3e-3 * kernel_derivative(distance) / distance;
+    const V2 force = HarmonicMorrisViscosity::law(pair_of(particle_i, particle_j, separation));
+    expect_near(force, {{size * 0.6, size * -0.8}}, 1e-12);
+    expect_near(HarmonicMorrisViscosity::law(pair_of(particle_j, particle_i, -1.0 * separation)), -1.0 * force, 0);
+}
+
+TEST(HarmonicMorrisViscosity, is_the_ordinary_law_in_one_fluid_and_nothing_where_one_has_no_viscosity) {
+    Point same = particle_j, none = particle_j, neither = particle_i;
+    same.viscosity = particle_i.viscosity;
+    none.viscosity = neither.viscosity = 0;
+    const V2 usual = MorrisViscosity::law(pair_of(particle_i, same, separation));
+    expect_near(HarmonicMorrisViscosity::law(pair_of(particle_i, same, separation)), usual, 1e-18);
+    expect_near(HarmonicMorrisViscosity::law(pair_of(particle_i, none, separation)), {{0, 0}}, 0);
+    expect_near(HarmonicMorrisViscosity::law(pair_of(neither, none, separation)), {{0, 0}}, 0);
+}
+
+TEST(NoViscosity, leaves_what_it_is_added_to) {
+    const V2 other{{0.3, -0.0}};
+    const V2 sum = other + NoViscosity::law(pair_of(particle_i, particle_j, separation));
+    EXPECT_EQ(sum[0], 0.3);
+    EXPECT_TRUE(std::signbit(sum[1]));
+}
+
+TEST(MonaghanViscosity, one_pair_by_hand) {
+    // Of dv_i/dt = m_j alpha h c0 / rho (v_ij . x_ij) / (r^2 + 0.01 h^2) grad W with alpha h c0 = 8 nu, h = 1.5:
+    // v_ij . x_ij = 0.6 * 0.75 + 0.8 * 1.0 = 1.25, the pair parts; twice the mean of the viscosities is 3e-3.
+    const double size = 1.1 * 0.9 * 8 * 1.5e-3 * 1.25 / (1.5625 + 0.01 * 2.25) * kernel_derivative(distance);
+    const MonaghanViscosity<2> all(3.0, false, false), approaching(3.0, true, false), arithmetic(3.0, false, true);
+    const auto parting = pair_of(particle_i, particle_j, separation);
+    expect_near(all.law(parting), {{size * 0.6, size * -0.8}}, 1e-12);
+    expect_near(arithmetic.law(parting), {{size * 0.6 * 4 / 3, size * -0.8 * 4 / 3}}, 1e-12);
+    expect_near(approaching.law(parting), {{0, 0}}, 0);
+    expect_near(all.law(pair_of(particle_j, particle_i, -1.0 * separation)), -1.0 * all.law(parting), 0);
+
+    Point i = particle_i, j = particle_j;
+    std::swap(i.velocity, j.velocity);
+    expect_near(approaching.law(pair_of(i, j, separation)), {{-2 * size * 0.6, 2 * size * 0.8}}, 1e-12);
+    expect_near(MonaghanViscosity<3>(3.0, false, false).law(parting), {{1.25 * size * 0.6, 1.25 * size * -0.8}}, 1e-12);
+}
+
+TEST(MonaghanViscosity, alpha_is_the_one_of_the_literature) {
+    // nu = alpha h c0 / 8 in the plane and / 10 in space, when all pairs take part.
+    EXPECT_DOUBLE_EQ(MonaghanViscosity<2>(3.0, false, false).alpha(1e-6, 3.0, 20), 8 * 1e-6 / (1.5 * 20));
+    EXPECT_DOUBLE_EQ(MonaghanViscosity<2>(3.0, true, false).alpha(1e-6, 3.0, 20), 16 * 1e-6 / (1.5 * 20));
+    EXPECT_DOUBLE_EQ(MonaghanViscosity<3>(3.0, false, false).alpha(1e-6, 3.0, 20), 10 * 1e-6 / (1.5 * 20));
 }
 
 TEST(MorrisViscosity, is_antisymmetric_and_does_not_act_on_uniform_flow) {

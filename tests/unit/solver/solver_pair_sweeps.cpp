@@ -12,6 +12,7 @@
 #include "solver/models/contact/repulsion.hpp"
 #include "solver/models/sph/continuity.hpp"
 #include "solver/models/sph/density_diffusion.hpp"
+#include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/pressure_force.hpp"
 #include "solver/models/sph/shifting.hpp"
@@ -86,7 +87,7 @@ class AllPairs {
     void two_fluids(std::size_t i, std::size_t j, const V& separation) {
         const auto a = fluid(i), b = fluid(j);
         const auto p = pair(a, b, separation);
-        add(PressureForce::law(p) + MorrisViscosity::law(p), sums_.force[i]);
+        add(PressureForce::law(p) + viscous(p), sums_.force[i]);
         sums_.density_rate[i] += ContinuityRate::law(p);
         if (settings_.density_diffusion > 0) sums_.density_rate[i] += diffusion_.law(p);
         if (settings_.shifting > 0) add(shifting_.law(p, kernel_), sums_.shift[i]);
@@ -98,8 +99,7 @@ class AllPairs {
         const auto b = is_wall ? solid<true>(j) : solid<false>(j);
         const auto ghost = is_wall ? solid_.rigid(a, b, separation) : solid_.springs(a, b, separation);
         const auto seen = pair(a, ghost, separation);
-        const V force =
-            PressureForce::law(seen) + MorrisViscosity::law(seen) + contact(Field::contact_range, i, j, separation);
+        const V force = PressureForce::law(seen) + viscous(seen) + contact(Field::contact_range, i, j, separation);
         add(force, sums_.force[i]);
         add(-1.0 * force, sums_.force[j]);
 
@@ -112,6 +112,23 @@ class AllPairs {
     void two_solids(std::size_t i, std::size_t j, const V& separation) {
         const bool with_wall = set_.kind(i) == ParticleKind::rigid || set_.kind(j) == ParticleKind::rigid;
         add(contact(with_wall ? Field::wall_contact_range : Field::contact_range, i, j, separation), sums_.force[i]);
+    }
+
+    template <class P>
+    [[nodiscard]] V viscous(const P& p) const {
+        switch (settings_.viscous_force) {
+            case ViscousForce::morris:
+                return MorrisViscosity::law(p);
+            case ViscousForce::morris_harmonic:
+                return HarmonicMorrisViscosity::law(p);
+            case ViscousForce::monaghan:
+                return MonaghanViscosity<D>(settings_.support, settings_.approaching_pairs_only,
+                                            settings_.arithmetic_viscosity)
+                    .law(p);
+            case ViscousForce::none:
+                break;
+        }
+        return V::zero();
     }
 
     [[nodiscard]] V contact(Field range, std::size_t i, std::size_t j, const V& separation) const {
@@ -140,13 +157,33 @@ Sums sums_of_all_pairs(ParticleStore& particles, const ParticleSet& set, const P
     return AllPairs<D, Kernel, ExtrapolatedSolid<D>>(particles, set, settings, solid).sums();
 }
 
+/// Calls then(kernel) with the kernel of the settings.
+template <int D, class Then>
+auto with_kernel(const PairSettings& settings, const Then& then) {
+    switch (settings.kernel) {
+        case KernelKind::wendland_c4:
+            return then(WendlandC4<D>(settings.support));
+        case KernelKind::lucy:
+            return then(Lucy<D>(settings.support));
+        case KernelKind::cubic_spline:
+            return then(CubicSpline<D>(settings.support));
+        case KernelKind::quintic_spline:
+            return then(QuinticSpline<D>(settings.support));
+        default:
+            return then(WendlandC2<D>(settings.support));
+    }
+}
+
+template <int D>
+Sums sums_in_space_of(ParticleStore& particles, const ParticleSet& set, const PairSettings& settings) {
+    return with_kernel<D>(settings, [&](const auto& kernel) {
+        return sums_of_all_pairs<D, std::decay_t<decltype(kernel)>>(particles, set, settings);
+    });
+}
+
 Sums sums_of_all_pairs(ParticleStore& particles, const ParticleSet& set, const PairSettings& settings) {
-    const bool lucy = settings.kernel == KernelKind::lucy;
-    if (set.dimension == 3)
-        return lucy ? sums_of_all_pairs<3, Lucy<3>>(particles, set, settings)
-                    : sums_of_all_pairs<3, WendlandC2<3>>(particles, set, settings);
-    return lucy ? sums_of_all_pairs<2, Lucy<2>>(particles, set, settings)
-                : sums_of_all_pairs<2, WendlandC2<2>>(particles, set, settings);
+    return set.dimension == 3 ? sums_in_space_of<3>(particles, set, settings)
+                              : sums_in_space_of<2>(particles, set, settings);
 }
 
 /// How far sums may be from those of the oracle: each of their terms, fewer than 256, is rounded to 2^-46 of the
@@ -231,12 +268,7 @@ TEST_P(PairSweepsOf, kernels_are_those_asked_for) {
         EXPECT_EQ(sweeps.viscous_limit(), kernel.viscous_limit);
         EXPECT_EQ(sweeps.sound_limit(), kernel.sound_limit);
     };
-    if (settings.kernel == KernelKind::lucy) {
-        set.dimension == 3 ? expect_kernel(Lucy<3>(settings.support)) : expect_kernel(Lucy<2>(settings.support));
-    } else {
-        set.dimension == 3 ? expect_kernel(WendlandC2<3>(settings.support))
-                           : expect_kernel(WendlandC2<2>(settings.support));
-    }
+    set.dimension == 3 ? with_kernel<3>(settings, expect_kernel) : with_kernel<2>(settings, expect_kernel);
 }
 
 std::string name_of(const testing::TestParamInfo<Variant>& variant) {
@@ -246,9 +278,56 @@ std::string name_of(const testing::TestParamInfo<Variant>& variant) {
 
 INSTANTIATE_TEST_SUITE_P(Variants, PairSweepsOf,
                          testing::Combine(testing::Values(2, 3),
-                                          testing::Values(KernelKind::wendland_c2, KernelKind::lucy),
+                                          testing::Values(KernelKind::wendland_c2, KernelKind::wendland_c4,
+                                                          KernelKind::lucy, KernelKind::cubic_spline,
+                                                          KernelKind::quintic_spline),
                                           testing::Values(WallModel::extrapolated, WallModel::plain), testing::Bool()),
                          name_of);
+
+/// Viscous laws other than the usual one, with walls of either kind.
+class ViscousSweeps : public testing::TestWithParam<std::tuple<int, WallModel>> {};
+
+TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
+    const auto& [dimension, walls] = GetParam();
+    const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 5);
+    PairSettings settings = crowd_settings(set, true, walls);
+    std::vector<std::vector<Vec>> seen;
+    const auto expect_oracle = [&](ViscousForce law, bool approaching, bool arithmetic) {
+        settings.viscous_force = law;
+        settings.approaching_pairs_only = approaching;
+        settings.arithmetic_viscosity = arithmetic;
+        std::vector<Vec> first;
+        for (const VectorUnit unit : available_vector_units()) {
+            ArrangedCrowd arranged(set, settings, {.vector_unit = unit, .threads = 2});
+            const Sums found = arranged.sweep();
+            const Tolerance tolerance(arranged.sweeps(), settings, dimension);
+            expect_near(found.force, sums_of_all_pairs(arranged.particles(), set, settings).force, tolerance.force);
+            for (int axis = 0; axis < dimension; ++axis) {
+                double sum = 0;  // of multiples of one quantum: exact
+                for (const Vec& force : found.force) sum += force[axis];
+                EXPECT_EQ(sum, 0);
+            }
+            if (first.empty()) first = found.force;
+            EXPECT_EQ(found.force, first) << "not the same bits for " << word(unit);
+        }
+        for (const auto& other : seen) EXPECT_NE(first, other) << "two laws are one";
+        seen.push_back(first);
+    };
+    expect_oracle(ViscousForce::morris, false, false);
+    expect_oracle(ViscousForce::morris_harmonic, false, false);
+    expect_oracle(ViscousForce::none, false, false);
+    expect_oracle(ViscousForce::monaghan, false, false);
+    expect_oracle(ViscousForce::monaghan, true, false);
+    expect_oracle(ViscousForce::monaghan, false, true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweeps,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(WallModel::extrapolated, WallModel::plain)),
+                         [](const auto& variant) {
+                             return std::to_string(std::get<int>(variant.param)) + "d_" +
+                                    word(std::get<WallModel>(variant.param));
+                         });
 
 TEST(PairSweeps, declare_only_the_fields_they_need) {
     const ParticleSet set = crowd(2, {false, false, false});

@@ -1,4 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -354,6 +355,15 @@ TEST(Plan, models_that_are_switched_off_do_not_run_and_have_no_fields) {
     const Plan without = Simulation(made.scene, made.particles, 1).plan();
     EXPECT_THAT(models(without),
                 ElementsAre("Tait equation of state", "continuity", "pressure force", "viscous force"));
+    const auto shifting = std::ranges::find(with.models, "particle shifting", &ModelUse::model);
+    ASSERT_NE(shifting, with.models.end());
+    EXPECT_THAT(shifting->fields, ElementsAre("fluid: shift, 16 bytes"));
+    EXPECT_EQ(shifting->bytes, 16U);
+    EXPECT_THAT(with.common_fields, Contains("fluid: position, 16 bytes"));
+    EXPECT_THAT(with.common_fields, testing::Not(Contains(HasSubstr("shift"))));
+    std::size_t fields = with.common_fields.size();
+    for (const ModelUse& use : with.models) fields += use.fields.size();
+    EXPECT_EQ(fields, with.fields.size()) << "each field is told once";
     EXPECT_THAT(with.fields, Contains("fluid: shift, 16 bytes"));
     EXPECT_THAT(without.fields, testing::Not(Contains(HasSubstr("shift"))));
     // An array has a vector's width of room behind its end: 80 numbers for 64 particles.

@@ -24,7 +24,7 @@ TEST(SpringBodies, substeps_keep_below_the_asked_fraction_of_the_limit) {
     ASSERT_EQ(bodies.step_limits().size(), 1U);
     EXPECT_EQ(bodies.step_limits()[0].part, "beam");
     const double limit = bodies.step_limits()[0].dt;
-    EXPECT_EQ(limit, bodies.bodies()[0].step_limit());
+    EXPECT_EQ(limit, bodies.bodies()[0]->step_limit());
     EXPECT_EQ(bodies.substeps(0.1 * limit), 1);
     EXPECT_EQ(bodies.substeps(0.499 * limit), 1);
     EXPECT_EQ(bodies.substeps(0.501 * limit), 2);
@@ -112,7 +112,7 @@ TEST(SpringBodies, take_forces_from_and_show_motion_to_particles_in_any_order_an
         double expected_farthest = 0;
         V2 of_anchors{};
         for (int body = 0; body < 2; ++body) {
-            SpringBody expected(set, part_with(0.01), body);
+            PlaneBody expected(set, part_with(0.01), body);
             Vectors force;
             for (const int id : expected.ids()) force.push_back(force_on(id));
             of_anchors += expected.kick_from_outside(force, dt);
@@ -152,7 +152,7 @@ TEST(SpringBodies, node_goes_to_a_multiple_of_the_quantum_wherever_it_was_wrappe
     }
     for (std::size_t i = 0; i < group.owned(); ++i) {
         const double x = group.data(Field::position)[i] + (i % 2 == 0 ? period : 0);
-        EXPECT_EQ(x, particles.quantum().round(bodies.bodies()[0].positions()[i][0]));
+        EXPECT_EQ(x, particles.quantum().round(bodies.bodies()[0]->place(i)[0]));
     }
 }
 

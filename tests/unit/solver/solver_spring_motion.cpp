@@ -20,7 +20,7 @@ class Motion {
     Motion(const ParticleSet& set, const Part& part, Stepping stepping)
         : set_(set), body_(set, part, 0), stepping_(stepping) {}
 
-    SpringBody::Impulses advance(double dt) {
+    PlaneBody::Impulses advance(double dt) {
         const Vectors before = body_.positions();
         auto impulses = stepping_ == Stepping::subcycled ? body_.advance_subcycled(dt, 1) : body_.advance_implicit(dt);
         double kinetic = 0;
@@ -37,7 +37,7 @@ class Motion {
     }
     /// Kinetic and potential energy in the middle of the last step.
     [[nodiscard]] double energy() const { return energy_; }
-    SpringBody& body() { return body_; }
+    PlaneBody& body() { return body_; }
 
     /// Gives every free node of column c the force force(c) for `dt`.
     void kick(double dt, const std::function<V2(int)>& force) {
@@ -48,7 +48,7 @@ class Motion {
 
   private:
     const ParticleSet& set_;
-    SpringBody body_;
+    PlaneBody body_;
     Stepping stepping_;
     double energy_ = 0;
 };
@@ -77,7 +77,7 @@ class FreeVibration : public testing::TestWithParam<Stepping> {
 };
 
 TEST_P(FreeVibration, first_frequency_is_the_cantilevers) {
-    const SpringBody still(set, part_with(0), 0);
+    const PlaneBody still(set, part_with(0), 0);
     Motion motion = released(0);
     const Vectors first_shape = motion.body().positions();
     const auto amplitude = [&] {  // projected on the first shape: higher modes hardly show
@@ -194,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(Stepping, FreeVibration, testing::Values(Stepping::subc
 
 TEST(SpringBody, implicit_steps_are_stable_far_beyond_the_explicit_limit) {
     const ParticleSet set = ladder({16, 0.5, true});
-    SpringBody body(set, part_with(0.01), 0);
+    PlaneBody body(set, part_with(0.01), 0);
     for (std::size_t n = 2; n < set.size(); ++n) body.positions()[n][1] += n % 3 == 0 ? 0.002 : -0.002;
     const double before = body.energy(), dt = 40 * body.step_limit();
     for (int step = 0; step < 300; ++step) {

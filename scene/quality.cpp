@@ -1,0 +1,25 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Defaults that follow from the scene's quality, and how a default is told to the user.
+#include <algorithm>
+
+#include "scene/read_scene.hpp"
+#include "scene/schema.hpp"
+
+namespace dmp {
+
+const std::string& Default::at(Quality quality) const {
+    if (!depends_on_quality() || quality == Quality::standard) return value;
+    return quality == Quality::draft ? draft : fine;
+}
+
+std::string default_origin(const Scene& scene, const std::string& key) {
+    const auto facts = schema().facts();
+    const std::string pattern = key_pattern(key);
+    const bool follows = std::any_of(facts.begin(), facts.end(), [&](const KeyFacts& fact) {
+        return fact.path == pattern && fact.fallback.depends_on_quality();
+    });
+    if (!follows || !scene.quality.given()) return "default";
+    return "quality = \"" + word(*scene.quality) + "\" at " + scene.quality.place.text();
+}
+
+}  // namespace dmp

@@ -1,0 +1,19 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dmp {
+
+/// The linear equation of state of a weakly compressible liquid (Morris, Fox & Zhu 1997, eq. 8, less its constant):
+///   p = c0^2 (rho - rho0)   [Pa]
+/// Tait's to first order in the compression: as the speed of sound it has c0 at every density.
+struct LinearEquation {
+    double sound_speed;   ///< c0 [m/s]
+    double rest_density;  ///< rho0 [kg/m^3]
+
+    template <class T>
+    [[nodiscard]] T pressure(const T& density) const {
+        return (sound_speed * sound_speed) * (density - T(rest_density));
+    }
+};
+
+}  // namespace dmp

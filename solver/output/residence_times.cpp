@@ -1,0 +1,36 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/output/residence_times.hpp"
+
+#include "particles/periodic_images.hpp"
+
+namespace dmp {
+
+ResidenceTimes::ResidenceTimes(const Scene& scene, ParticleStore& particles) {
+    if (!scene.asks_for(FluidField::residence_time)) return;
+    for (const ResidenceRegion& region : scene.regions)
+        regions_.push_back({region.from->cwiseMin(*region.to), region.from->cwiseMax(*region.to)});
+    if (!regions_.empty()) particles.fluid().declare(Field::residence_time, static_cast<int>(regions_.size()));
+}
+
+void ResidenceTimes::add(ParticleStore& particles, double dt, int threads) const {
+    if (regions_.empty()) return;
+    ParticleGroup& fluid = particles.fluid();
+    const ParticleSpace& space = particles.space();
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        std::array<double, 3> place{};
+        for (int axis = 0; axis < space.dimension; ++axis) {
+            const double x = fluid.data(Field::position, axis)[i];
+            place[axis] = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x;
+        }
+        for (std::size_t r = 0; r < regions_.size(); ++r) {
+            bool inside = true;
+            for (int axis = 0; axis < space.dimension; ++axis)
+                inside = inside && place[axis] >= regions_[r].low[axis] && place[axis] < regions_[r].high[axis];
+            if (inside) fluid.data(Field::residence_time, static_cast<int>(r))[i] += dt;
+        }
+    }
+}
+
+}  // namespace dmp

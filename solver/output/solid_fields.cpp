@@ -1,0 +1,107 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/output/solid_fields.hpp"
+
+#include <cmath>
+#include <unordered_map>
+
+#include "solver/output/fluid_fields.hpp"
+
+namespace dmp {
+
+namespace {
+
+class SolidFields {
+  public:
+    SolidFields(FrameGroup& group, const std::vector<float>& volume, const SpringBodies& springs,
+                const MeanDisplacement& mean_displacement)
+        : group_(group), volume_(volume), springs_(springs), mean_displacement_(mean_displacement) {
+        for (std::size_t k = 0; k < group.id.size(); ++k) index_of_[group.id[k]] = k;
+    }
+
+    void add_bonds() {
+        for (const auto& body : springs_.bodies())
+            for (const Bond& bond : body->bonds())
+                for (const int end : {bond.a, bond.b})
+                    group_.bond_ends.push_back(static_cast<std::int32_t>(index_of_.at(body->ids()[end])));
+    }
+
+    void add(SolidField field) {
+        switch (field) {
+            case SolidField::velocity:
+                return;  // the store knows it
+            case SolidField::displacement:
+                return add_nodes("displacement", "m", 3, [&](std::size_t body, std::size_t node) {
+                    return springs_.bodies()[body]->displacement(node);
+                });
+            case SolidField::mean_displacement:
+                return add_nodes("mean_displacement", "m", 3, [&](std::size_t body, std::size_t node) {
+                    return mean_displacement_.of(springs_, body, node);
+                });
+            case SolidField::stress:
+                return add_nodes("stress", "Pa", 6,
+                                 [&](std::size_t body, std::size_t node) { return stress(body, node); });
+            case SolidField::von_mises:
+                return add_nodes("von_mises", "Pa", 1, [&](std::size_t body, std::size_t node) {
+                    return std::array{von_mises(stress(body, node))};
+                });
+            case SolidField::strain:
+                return add_bond_field("strain", "1",
+                                      [](const Bond& bond, double stretch) { return stretch / bond.rest_length; });
+            case SolidField::force:
+                return add_bond_field("force", "N",
+                                      [](const Bond& bond, double stretch) { return 2 * bond.stiffness * stretch; });
+        }
+    }
+
+  private:
+    std::array<double, 6> stress(std::size_t body, std::size_t node) {
+        if (virial_.empty())
+            for (const auto& each : springs_.bodies()) virial_.push_back(each->virial());
+        std::array<double, 6> stress = virial_[body][node];
+        for (double& component : stress) component /= -volume_[index_of_.at(springs_.bodies()[body]->ids()[node])];
+        return stress;
+    }
+
+    template <class ValuesOf>
+    void add_nodes(const char* name, const char* unit, int components, const ValuesOf& values_of) {
+        FrameField out{name, unit, components, {}};
+        const auto width = static_cast<std::size_t>(components);
+        out.values.resize(width * group_.id.size());
+        for (std::size_t body = 0; body < springs_.bodies().size(); ++body) {
+            const auto& ids = springs_.bodies()[body]->ids();
+            for (std::size_t node = 0; node < ids.size(); ++node) {
+                const auto values = values_of(body, node);
+                for (std::size_t c = 0; c < width; ++c)
+                    out.values[width * index_of_.at(ids[node]) + c] = static_cast<float>(values[c]);
+            }
+        }
+        group_.fields.push_back(std::move(out));
+    }
+
+    template <class ValueOf>
+    void add_bond_field(const char* name, const char* unit, const ValueOf& value_of) {
+        FrameField out{name, unit, 1, {}};
+        for (const auto& body : springs_.bodies())
+            for (const Bond& bond : body->bonds())
+                out.values.push_back(static_cast<float>(value_of(bond, body->stretch(bond))));
+        group_.bond_fields.push_back(std::move(out));
+    }
+
+    FrameGroup& group_;
+    const std::vector<float>& volume_;
+    const SpringBodies& springs_;
+    const MeanDisplacement& mean_displacement_;
+    std::unordered_map<std::int64_t, std::size_t> index_of_;
+    std::vector<std::vector<std::array<double, 6>>> virial_;  ///< by body and node, when it was needed
+};
+
+}  // namespace
+
+void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, const std::vector<float>& volume,
+                      const SpringBodies& springs, const MeanDisplacement& mean_displacement) {
+    SolidFields fields(group, volume, springs, mean_displacement);
+    fields.add_bonds();
+    for (const SolidField field : wanted) fields.add(field);
+}
+
+}  // namespace dmp

@@ -1,0 +1,22 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.hpp"
+#include "solver/frame.hpp"
+#include "solver/output/mean_displacement.hpp"
+
+namespace dmp {
+
+/// Adds bonds and the fields of output.solid_fields that the bodies know to a group of all spring particles, in the
+/// order of ids (docs/results.md):
+///   displacement, mean_displacement   from where it was drawn [m]
+///   stress     sigma = -W / V [Pa], W the particle's share of the virial of bonds and hinges (SpringBody::virial) and
+///   V
+///              its volume in the SPH sums; tension is positive
+///   von_mises  of that stress, nothing acting across the plane [Pa]
+///   strain, force   of each bond: (r - r0) / r0 [-], 2 k_b (r - r0) [N]
+/// `volume` is that of the group's particles [m^3].
+void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, const std::vector<float>& volume,
+                      const SpringBodies& springs, const MeanDisplacement& mean_displacement);
+
+}  // namespace dmp

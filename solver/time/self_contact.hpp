@@ -1,0 +1,45 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "particles/cell_grid.hpp"
+#include "particles/particle_set.hpp"
+#include "solver/models/contact/repulsion.hpp"
+
+namespace dmp {
+
+/// What keeps spring bodies from passing through others and through themselves.
+struct SpringContact {
+    Repulsion repulsion{0};  ///< K = 0: none
+    double range = 0;        ///< r* [m]
+
+    [[nodiscard]] bool on() const { return repulsion.strength > 0 && range > 0; }
+};
+
+/// Short-range repulsion between the nodes of one spring body, so that it does not pass through itself where it folds.
+/// Nodes that were drawn within `neighbourhood` of each other do not repel: their distance is their springs' business,
+/// and a body at rest feels nothing. (Bodies, walls and fluid meet in the sweeps; a body and its own periodic image do
+/// not.) Every rank moves every body, and so does this: no node is in the sweeps' lists for its own body.
+template <int D>
+class SelfContact {
+  public:
+    using Vectors = std::vector<Vector<double, D>>;
+
+    SelfContact(const SpringContact& contact, const Vectors& drawn, double neighbourhood)
+        : contact_(contact), drawn_(drawn), neighbourhood_square_(neighbourhood * neighbourhood) {}
+
+    /// How near nodes must have been drawn not to repel, for bonds no longer than this: both ends of a bond, and the
+    /// corners of a square of bonds.
+    static double neighbourhood(double range, double longest_bond) { return 1.5 * std::max(range, longest_bond); }
+
+    /// Adds the forces of nodes at these places [N], each node's in the order of its partners' numbers.
+    void add_forces(const Vectors& position, Vectors& force) const;
+
+  private:
+    SpringContact contact_;
+    Vectors drawn_;
+    double neighbourhood_square_;
+};
+
+}  // namespace dmp

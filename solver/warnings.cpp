@@ -1,0 +1,157 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/warnings.hpp"
+
+#include <algorithm>
+
+namespace dmp {
+
+namespace {
+
+class Warnings {
+  public:
+    Warnings(const Scene& scene, std::size_t bodies)
+        : scene_(scene),
+          bodies_(bodies),
+          fluid_(!scene.parts_of(PartKind::fluid).empty()),
+          walls_(!scene.parts_of(PartKind::rigid).empty()),
+          springs_(!scene.parts_of(PartKind::springs).empty()) {}
+
+    std::vector<Warning> all() && {
+        about_drive();
+        about_contact();
+        about_fluid_models();
+        about_walls();
+        about_springs();
+        about_measures();
+        about_output();
+        return std::move(found_);
+    }
+
+  private:
+    void add(std::string key, const Place& place, std::string problem, std::string what_to_do) {
+        found_.push_back({std::move(key), place, std::move(problem), std::move(what_to_do)});
+    }
+    /// About a value that the scene gives for nothing.
+    template <class T>
+    void has_no_effect(const std::string& key, const Value<T>& value, const std::string& reason) {
+        if (value.given()) add(key, value.place, "has no effect: " + reason, "leave it out");
+    }
+
+    [[nodiscard]] bool is_driven() const {
+        const auto any = [](const std::array<Expression, 3>& formulas) {
+            return !std::ranges::all_of(formulas, &Expression::is_zero);
+        };
+        return any(scene_.flow.acceleration) || any(*scene_.flow.initial_velocity) ||
+               !scene_.flow.initial_pressure->is_zero() ||
+               std::ranges::any_of(scene_.parts_of(PartKind::rigid),
+                                   [](const Part* wall) { return wall->slides() || wall->moves(); });
+    }
+
+    void about_drive() {
+        if (is_driven()) return;
+        add("flow.acceleration", {}, "is 0 and nothing else drives the scene: nothing will move",
+            "give a body acceleration");
+    }
+
+    void about_contact() {
+        const auto& contact = scene_.contact;
+        const bool meets = springs_ && (walls_ || bodies_ > 1);
+        if (*contact.range == 0) {
+            has_no_effect("contact.strength", contact.strength, "contact.range is 0");
+            if (meets)
+                add("contact.range", contact.range.place,
+                    "is 0: " + std::string(bodies_ > 1 ? "spring bodies" : "spring bodies and walls") +
+                        " that touch will pass through each other",
+                    "give a range, 1.0 for example");
+        } else if (!walls_ && !springs_) {
+            has_no_effect("contact.range", contact.range, "no part is solid");
+            has_no_effect("contact.strength", contact.strength, "no part is solid");
+        } else if (springs_ && !fluid_ && *contact.strength == 0) {
+            add("contact.strength", contact.strength.place,
+                "is \"auto\", which follows the fluid, and there is none: spring bodies that touch will pass through "
+                "each other and themselves",
+                "give it in J");
+        }
+    }
+
+    void about_fluid_models() {
+        const auto& accuracy = scene_.accuracy;
+        if (fluid_) return;
+        const std::string reason = "no part is a fluid";
+        if (*accuracy.density_diffusion > 0)
+            has_no_effect("accuracy.density_diffusion", accuracy.density_diffusion, reason);
+        if (*accuracy.shifting > 0) has_no_effect("accuracy.shifting", accuracy.shifting, reason);
+        has_no_effect("accuracy.kernel", accuracy.kernel, reason);
+        has_no_effect("accuracy.walls", accuracy.walls, reason);
+    }
+
+    void about_walls() {
+        if (!fluid_) return;
+        const auto& walls = scene_.accuracy.walls;
+        if (!walls_ && !springs_) has_no_effect("accuracy.walls", walls, "no part is solid");
+        if (!walls_ || *walls != WallModel::extrapolated) return;
+        for (const Part* part : scene_.parts_of(PartKind::fluid))
+            if (*part->viscosity == 0)
+                add("part." + *part->name + ".viscosity", part->viscosity.place,
+                    "is 0 between no-slip walls: they cannot hold the fluid back", "give the fluid a viscosity");
+    }
+
+    void about_springs() {
+        for (const Part* part : scene_.parts_of(PartKind::springs))
+            if (*part->drag == 0) has_no_effect("part." + *part->name + ".drag", part->drag, "it is 0");
+        const auto& accuracy = scene_.accuracy;
+        if (!springs_) has_no_effect("accuracy.spring_stepping", accuracy.spring_stepping, "no part has springs");
+        if (!springs_ || *accuracy.spring_stepping == SpringStepping::implicit)
+            has_no_effect("accuracy.spring_step_factor", accuracy.spring_step_factor,
+                          springs_ ? "springs are stepped implicitly" : "no part has springs");
+    }
+
+    void about_measures() {
+        for (const Measure& measure : scene_.measures) {
+            if (*measure.kind != MeasureKind::gap) continue;
+            const auto part = std::ranges::find_if(
+                scene_.parts, [&](const Part& candidate) { return *candidate.name == *measure.part; });
+            if (part != scene_.parts.end() && !*part->enabled)
+                add("measure." + *measure.name + ".part", measure.part.place,
+                    "'" + *measure.part + "' is left out (enabled = false), so the measure has no column",
+                    "leave the measure out, or enable the part");
+        }
+        if (scene_.measures.empty())
+            has_no_effect("output.measure_every", scene_.output.measure_every, "the scene has no [[measure]]");
+    }
+
+    void about_output() {
+        const auto& output = scene_.output;
+        if (!scene_.asks_for(FluidField::residence_time))
+            for (const ResidenceRegion& region : scene_.regions)
+                has_no_effect("region." + *region.name, region.name,
+                              "'residence_time' is not among output.fields and no probe reads it");
+        const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
+        if (!averages)
+            has_no_effect("output.average_from", output.average_from,
+                          "no springs part has 'mean_displacement' among output.solid_fields");
+        if (averages && *output.average_from >= *scene_.run.duration)
+            add("output.average_from", output.average_from.place, "is not before the run's end: nothing is averaged",
+                "begin earlier");
+        const bool shown = std::ranges::find(output.fields, *output.picture_field) != output.fields.end();
+        if (*output.pictures && fluid_ && !shown)
+            add("output.picture_field", output.picture_field.place,
+                "'" + word(*output.picture_field) + "' is not among output.fields: pictures will show no colours",
+                "add it there");
+    }
+
+    const Scene& scene_;
+    std::size_t bodies_;
+    bool fluid_, walls_, springs_;
+    std::vector<Warning> found_;
+};
+
+}  // namespace
+
+std::string Warning::text() const {
+    return (place.known() ? place.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
+}
+
+std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
+
+}  // namespace dmp

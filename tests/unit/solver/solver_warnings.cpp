@@ -1,0 +1,171 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "solver/warnings.hpp"
+
+namespace dmp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const Place here{"scene.toml", 7, 9};
+
+template <class T>
+void give(Value<T>& value, T what) {
+    value = {std::move(what), here};
+}
+
+Part part(const std::string& name, PartKind kind) {
+    Part made;
+    made.name = {name, {"scene.toml", 3, 8}};
+    made.kind = kind;
+    made.density = 1000.0;
+    made.viscosity = 1e-3;
+    return made;
+}
+
+/// Water in a pipe with a flap, which nothing is wrong with.
+Scene pipe() {
+    Scene scene;
+    scene.parts = {part("water", PartKind::fluid), part("wall", PartKind::rigid), part("flap", PartKind::springs)};
+    scene.flow.acceleration[0] = Expression("1", "1");
+    scene.run.duration = 4.0;
+    scene.output.every = 1.0;
+    scene.output.fields = {FluidField::velocity};
+    return scene;
+}
+
+void without(Scene& scene, PartKind kind) {
+    std::erase_if(scene.parts, [&](const Part& each) { return *each.kind == kind; });
+}
+
+std::vector<std::string> texts(const Scene& scene, std::size_t bodies = 1) {
+    std::vector<std::string> all;
+    for (const Warning& warning : warnings_of(scene, bodies)) all.push_back(warning.text());
+    return all;
+}
+
+TEST(Warnings, are_not_given_without_reason) { EXPECT_THAT(texts(pipe(), 2), IsEmpty()); }
+
+struct Oddity {
+    const char* name;
+    std::function<void(Scene&)> make;
+    const char* key;  ///< and its place, where it has one
+    const char* problem;
+};
+
+void PrintTo(const Oddity& oddity, std::ostream* out) { *out << oddity.name; }
+
+class EachWarning : public ::testing::TestWithParam<Oddity> {};
+
+TEST_P(EachWarning, names_key_and_place) {
+    Scene scene = pipe();
+    GetParam().make(scene);
+    EXPECT_THAT(texts(scene), ElementsAre(AllOf(HasSubstr(GetParam().key), HasSubstr(GetParam().problem))));
+}
+
+std::string name_of(const ::testing::TestParamInfo<Oddity>& oddity) { return oddity.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(
+    Warnings, EachWarning,
+    ::testing::Values(
+        Oddity{"drag_of_nothing", [](Scene& s) { give(s.parts[2].drag, 0.0); }, "scene.toml:7:9: part.flap.drag",
+               "has no effect: it is 0"},
+        Oddity{"contact_of_nothing",
+               [](Scene& s) {
+                   without(s, PartKind::rigid);
+                   without(s, PartKind::springs);
+                   give(s.contact.range, 1.0);
+               },
+               "scene.toml:7:9: contact.range", "has no effect: no part is solid"},
+        Oddity{"strength_without_range",
+               [](Scene& s) {
+                   without(s, PartKind::springs);
+                   s.contact.range = 0.0;
+                   give(s.contact.strength, 1.0);
+               },
+               "scene.toml:7:9: contact.strength", "has no effect: contact.range is 0"},
+        Oddity{"no_contact", [](Scene& s) { give(s.contact.range, 0.0); }, "scene.toml:7:9: contact.range",
+               "spring bodies and walls that touch will pass through each other"},
+        Oddity{"shifting_of_nothing",
+               [](Scene& s) {
+                   without(s, PartKind::fluid);
+                   give(s.accuracy.shifting, 4.0);
+               },
+               "scene.toml:7:9: accuracy.shifting", "has no effect: no part is a fluid"},
+        Oddity{"diffusion_of_nothing",
+               [](Scene& s) {
+                   without(s, PartKind::fluid);
+                   give(s.accuracy.density_diffusion, 0.1);
+               },
+               "scene.toml:7:9: accuracy.density_diffusion", "has no effect: no part is a fluid"},
+        Oddity{"kernel_of_nothing",
+               [](Scene& s) {
+                   without(s, PartKind::fluid);
+                   give(s.accuracy.kernel, KernelKind::lucy);
+               },
+               "scene.toml:7:9: accuracy.kernel", "has no effect: no part is a fluid"},
+        Oddity{"walls_of_nothing",
+               [](Scene& s) {
+                   without(s, PartKind::rigid);
+                   without(s, PartKind::springs);
+                   give(s.accuracy.walls, WallModel::plain);
+               },
+               "scene.toml:7:9: accuracy.walls", "has no effect: no part is solid"},
+        Oddity{"inviscid_between_walls", [](Scene& s) { give(s.parts[0].viscosity, 0.0); },
+               "scene.toml:7:9: part.water.viscosity", "is 0 between no-slip walls"},
+        Oddity{"nothing_moves", [](Scene& s) { s.flow.acceleration[0] = Expression(); }, "flow.acceleration",
+               "nothing will move"},
+        Oddity{"stepping_of_nothing",
+               [](Scene& s) {
+                   without(s, PartKind::springs);
+                   give(s.accuracy.spring_stepping, SpringStepping::subcycled);
+               },
+               "scene.toml:7:9: accuracy.spring_stepping", "has no effect: no part has springs"},
+        Oddity{"step_factor_of_implicit_springs", [](Scene& s) { give(s.accuracy.spring_step_factor, 0.5); },
+               "scene.toml:7:9: accuracy.spring_step_factor", "has no effect: springs are stepped implicitly"},
+        Oddity{"gap_of_a_disabled_part",
+               [](Scene& s) {
+                   s.parts[2].enabled = false;
+                   Measure gap;
+                   gap.name = std::string("gap");
+                   gap.kind = MeasureKind::gap;
+                   give(gap.part, std::string("flap"));
+                   s.measures = {gap};
+               },
+               "scene.toml:7:9: measure.gap.part", "'flap' is left out (enabled = false)"},
+        Oddity{"rows_of_nothing", [](Scene& s) { give(s.output.measure_every, 0.1); },
+               "scene.toml:7:9: output.measure_every", "has no effect: the scene has no [[measure]]"},
+        Oddity{"region_of_nothing",
+               [](Scene& s) {
+                   s.regions.resize(1);
+                   give(s.regions[0].name, std::string("sinus"));
+               },
+               "scene.toml:7:9: region.sinus", "has no effect: 'residence_time' is not among output.fields"},
+        Oddity{"average_of_nothing", [](Scene& s) { give(s.output.average_from, 1.0); },
+               "scene.toml:7:9: output.average_from", "has no effect: no springs part has 'mean_displacement'"},
+        Oddity{"average_after_the_end",
+               [](Scene& s) {
+                   give(s.output.average_from, 4.0);
+                   s.output.solid_fields = {SolidField::mean_displacement};
+               },
+               "scene.toml:7:9: output.average_from", "is not before the run's end"},
+        Oddity{"picture_of_nothing", [](Scene& s) { give(s.output.picture_field, FluidField::pressure); },
+               "scene.toml:7:9: output.picture_field", "'pressure' is not among output.fields"}),
+    name_of);
+
+TEST(Warnings, of_missing_contact_count_bodies) {
+    Scene scene = pipe();
+    without(scene, PartKind::rigid);
+    scene.contact.range = 0.0;
+    EXPECT_THAT(texts(scene, 1), IsEmpty());
+    EXPECT_THAT(texts(scene, 2), ElementsAre(HasSubstr("spring bodies that touch will pass through each other")));
+}
+
+}  // namespace
+}  // namespace dmp
