@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Water at rest under its own weight, with Tait's equation of state.
+// A liquid at rest under its own weight, with Tait's equation of state.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(Hydrostatic, PressureIsTheWeightOfTheWater) {
     Record record("hydrostatic", "50 high", run);
     record.percent("pressure after 4 s, root mean square error over rho g H",
                    std::sqrt(square / static_cast<double>(fluid.size())), 0.005);
-    record.percent("pressure after 4 s, largest error of a particle over rho g H", largest_error, 0.005);
+    record.percent("pressure after 4 s, largest error of a particle over rho g H", largest_error, 0.02);
     record.percent("mean speed left, over sqrt(g H)", speed / std::sqrt(g * height), 0.005);
     EXPECT_EQ(run.end.mass, run.start.mass);
     EXPECT_EQ(run.lost, 0U);
