@@ -89,7 +89,7 @@ void ViscousNodes::turn(double beta) {
 void ViscousNodes::add_squares(ExactSum& sum) const {
     for_each_body([&](const SpringBody& body, std::size_t first) {
         for (std::size_t n = 0; n < body.ids().size(); ++n)
-            sum.add(body.mass(n) * dot(velocity_[first + n], velocity_[first + n]));
+            sum.add(body.mass(n) * velocity_[first + n].squaredNorm());
     });
 }
 
