@@ -10,10 +10,10 @@ import sys
 
 HEAD = """# Verification
 
-Written by `./dmp test --verification`; each row was shown by the last run of its case. The long runs, marked in their
-READMEs, need `./dmp test --verification --long`. Each case is a scene under `cases/verification/`, whose README tells what it is
-and what it is compared with. Times and speeds are those of the machine and moment at hand; tests assert the bounds (a figure
-beyond its bound stands in bold).
+Written by `./dmp test --verification`; each row was shown by the last run of its case. `--long` runs those of many
+minutes too (the cavity at Re 1000). Each case is a scene under `cases/verification/`, whose README tells what it is and
+what it is compared with. Tests assert the bounds; a figure beyond its bound stands in bold. Times and speeds are those of
+the machine and moment at hand.
 
 Last run on: {machine}.
 
