@@ -67,6 +67,9 @@ class Parser {
                       "Solve for the viscous forces instead of taking them from the last velocities");
         app_.add_option("--vector-unit", vector_unit_, "The engine's: avx2 or avx512; default: the widest")
             ->type_name("NAME");
+        app_.add_option("--set", options_.channel.overrides, "A key of the scene: --set accuracy.shifting=4")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
         number("--threads", options_.threads, "The engine's threads; default: 1");
         number("--steps", options_.steps, "Steps, and sweeps of the yardstick, in one repeat; default: 100");
         number("--repeat", options_.repeat, "Repeats, of which the median counts; default: 5");

@@ -118,7 +118,8 @@ std::string scene_text(const Channel& channel) {
     const double push = Liquid::speed / (push_seconds * 0.5 * std::sqrt(std::numbers::pi));
     const bool solid_space = channel.dimension == 3;
     // Nothing is written or measured in a run of a second or less.
-    return fmt::format(R"toml(schema = 1
+    return fmt::format(
+        R"toml(schema = 1
 title = "Channel"
 dimension = {}
 
@@ -163,11 +164,11 @@ duration = "1 s"
 every = "1 s"
 measure_every = "1 s"
 )toml",
-                       channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
-                       Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "",
-                       Liquid::speed, channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed,
-                       word(channel.walls), channel.density_diffusion, channel.shifting,
-                       word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly));
+        channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
+        Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "", Liquid::speed,
+        channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed, word(channel.walls),
+        channel.density_diffusion, channel.shifting,
+        word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly));
 }
 
 Scene make_scene(const Channel& channel) {
@@ -175,7 +176,7 @@ Scene make_scene(const Channel& channel) {
     const fs::path file = folder.path() / "channel.toml";
     std::ofstream(file) << scene_text(channel);
     try {
-        return read_scene(file.string());
+        return read_scene(file.string(), channel.overrides);
     } catch (const InputError& error) {  // its place is in a file that is gone
         throw InputError("dmp does not take this start: " + error.problem(), error.what_to_do());
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
@@ -32,6 +33,7 @@ struct Channel {
     double shifting = 0;           ///< s; 0: none
     double contact_range = 0;      ///< [dx]; 0: none
     bool implicit_viscosity = false;
+    std::vector<std::string> overrides;  ///< of the scene's keys, as `dmp run --set` has them
 };
 
 /// Largest displacement along each axis of a disordered start [dx].

@@ -75,6 +75,17 @@ def _stage_rows(cases):
     return rows
 
 
+def _option_rows(cases):
+    """What each option adds to a step without any: rows of the cases that are called so."""
+    steps = {name.removeprefix("options: "): case["engine"]["ns_per_particle_step"]["median"]
+             for name, case in cases.items() if name.startswith("options: ") and case.get("engine")}
+    if "none" not in steps or len(steps) < 2:
+        return []
+    plain = steps.pop("none")
+    rows = [_row(["option", "adds to a step [ns per particle]", "%"]), "|---|---|---|"]
+    return rows + [_row([name, f"{step - plain:.1f}", f"{100 * (step / plain - 1):.0f}"]) for name, step in steps.items()]
+
+
 def text_of(result):
     machine = result["machine"]
     lines = [
@@ -93,6 +104,9 @@ def text_of(result):
     stages = _stage_rows(result["cases"])
     if stages:
         lines += ["", *stages]
+    options = _option_rows(result["cases"])
+    if options:
+        lines += ["", *options]
     skipped = {}
     for name, case in result["cases"].items():
         if "skipped" in case:

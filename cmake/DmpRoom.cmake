@@ -33,10 +33,10 @@ function(dmp_room name)
   target_link_libraries(dmp_${name} PUBLIC ${ROOM_LINKS} PRIVATE $<BUILD_INTERFACE:dmp_rules> ${ROOM_PRIVATE_LINKS})
 endfunction()
 
-# dmp_test(NAME library...) or dmp_test(NAME LABEL l TIMEOUT seconds LIBRARIES library...): one GoogleTest program from
-# NAME.cpp in the current folder.
+# dmp_test(NAME library...) or dmp_test(NAME LABEL l TIMEOUT seconds LIBRARIES library... PROPERTIES ctest's...): one
+# GoogleTest program from NAME.cpp in the current folder.
 function(dmp_test name)
-  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "LIBRARIES;PROPERTIES" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
   endif()
@@ -46,7 +46,8 @@ function(dmp_test name)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(test_${name} PRIVATE DMP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   DMP_BUILD_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(test_${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABEL}" DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(test_${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABEL}" ${TEST_PROPERTIES}
+                       DISCOVERY_TIMEOUT 60)
 endfunction()
 
 # dmp_mpi_test(NAME RANKS 1 2 ... LIBRARIES library...): one GoogleTest program from NAME.cpp and mpi_main.cpp in the

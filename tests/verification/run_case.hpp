@@ -13,8 +13,16 @@
 
 namespace dmp {
 
-/// Meshes and runs a case of the repository, without writing anything.
-inline RunSummary run_case(const std::string& name, const std::vector<std::string>& overrides, double until) {
+/// Keeps the last frame of a run.
+class LastFrame : public FrameSink {
+  public:
+    void write(const Frame& written) override { frame = written; }
+    Frame frame;
+};
+
+/// Meshes and runs a case of the repository, without writing anything; frames go to the sink.
+inline RunSummary run_case(const std::string& name, const std::vector<std::string>& overrides, double until,
+                           FrameSink* sink = nullptr) {
     const Scene scene = read_scene(DMP_SOURCE_DIR "/cases/" + name, overrides);
     DrawingOptions drawing;
     drawing.file = scene.directory + "/" + scene.geometry.file.value;
@@ -24,6 +32,7 @@ inline RunSummary run_case(const std::string& name, const std::vector<std::strin
     Simulation simulation(scene, mesh(read_drawing(drawing), scene).particles);
     RunOptions options;
     options.until = until;
+    options.sink = sink;
     return simulation.run(options);
 }
 
@@ -43,6 +52,18 @@ inline std::vector<double> between(const MeasureSeries& series, const std::strin
     for (std::size_t k = 0; k < all.size(); ++k)
         if (series.time[k] >= from && series.time[k] <= to) values.push_back(all[k]);
     return values;
+}
+
+inline const FrameGroup& group_of(const Frame& frame, const std::string& name) {
+    for (const FrameGroup& group : frame.groups)
+        if (group.name == name) return group;
+    throw std::invalid_argument("the frame has no group " + name);
+}
+
+inline const FrameField& field_of(const FrameGroup& group, const std::string& name) {
+    for (const FrameField& field : group.fields)
+        if (field.name == name) return field;
+    throw std::invalid_argument("the group has no field " + name);
 }
 
 inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }

@@ -71,6 +71,16 @@ TEST(BenchOptions, ReadsNumbersAndWords) {
     EXPECT_EQ(options.particles_to, "x.txt");
 }
 
+TEST(BenchOptions, SetsKeysOfTheScene) {
+    const Channel channel =
+        options_of({"--case", "channel2d", "--set", "accuracy.shifting=2", "--set", "contact.range=1"}).channel;
+    EXPECT_EQ(channel.overrides, (std::vector<std::string>{"accuracy.shifting=2", "contact.range=1"}));
+    const Scene scene = make_scene(channel);
+    EXPECT_EQ(*scene.accuracy.shifting, 2);
+    EXPECT_EQ(*scene.contact.range, 1);
+    EXPECT_THAT(fault_of({"--case", "channel2d", "--set"}), HasSubstr("--set"));
+}
+
 TEST(BenchOptions, UnknownWordsAreErrorsWithTheNearestRightOne) {
     EXPECT_THAT(fault_of({"--case", "channel2d", "--thread", "2"}), HasSubstr("Did you mean '--threads'?"));
     EXPECT_THAT(fault_of({"--case", "chanel2d"}), HasSubstr("Did you mean 'channel2d'?"));

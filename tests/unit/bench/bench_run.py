@@ -173,6 +173,14 @@ class Run(WithFolder):
         with open(os.path.join(self.folder, "out", "speed.md"), encoding="utf-8") as file:
             self.assertEqual(file.read() + "\n", text)
 
+    def test_what_options_cost(self):
+        code, result, text = self.measure("--only", "options: shifting", "--only", "options: contact")
+        self.assertEqual(code, 0)
+        self.assertEqual(list(result["cases"]), ["options: none", "options: shifting", "options: contact"])
+        step = {name: case["engine"]["ns_per_particle_step"]["median"] for name, case in result["cases"].items()}
+        self.assertIn(f"| shifting | {step['options: shifting'] - step['options: none']:.1f} | ", text)
+        self.assertIn("| contact | ", text)
+
     def test_lammps_without_sph_is_named(self):
         _, result, text = self.measure("--only", "channel2d, Lucy", "--lmp", self.lmp("lj/cut\\n"))
         self.assertIn("without the SPH package", result["lammps"])
