@@ -19,6 +19,15 @@ std::string origin_text(const Value<T>& value, const char* key) {
 
 std::string sound_speed_text(const Scene& scene, const Plan& plan) {
     const bool automatic = *scene.accuracy.sound_speed == 0;
+    if (automatic && plan.sound.pressure_rules) {
+        const std::string pressure = plan.sound.pressure_is_estimated
+                                         ? "by the body acceleration over the fluid's extent"
+                                         : origin_text(scene.flow.largest_pressure, "flow.largest_pressure");
+        return fmt::format(
+            "{}   (sqrt(p / 0.01 rho) of the largest pressure expected, {}, {}; "
+            "accuracy.sound_speed = \"auto\")",
+            quantity_text(plan.sound_speed, "m/s"), quantity_text(plan.sound.largest_pressure, "Pa"), pressure);
+    }
     return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
                        automatic ? fmt::format("(10 x the largest speed expected, {}; accuracy.sound_speed = \"auto\")",
                                                quantity_text(plan.largest_speed, "m/s"))

@@ -53,6 +53,27 @@ void need_largest_speed(const Scene& scene, const TomlNode& document) {
                      "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
 }
 
+/// Terms that exclude each other: the one that was written is an error, a default gives way.
+void need_terms_that_go_together(const Scene& scene) {
+    const auto& accuracy = scene.accuracy;
+    const bool summation = *accuracy.density == DensityModel::summation;
+    if (summation && accuracy.density_diffusion.given() && *accuracy.density_diffusion > 0)
+        throw InputError(accuracy.density_diffusion.place,
+                         "accuracy.density_diffusion smooths a density that is integrated, and accuracy.density = "
+                         "\"summation\" integrates none",
+                         "leave density_diffusion out, or write density = \"continuity\"");
+    if (*accuracy.transport_velocity && accuracy.shifting.given() && *accuracy.shifting > 0)
+        throw InputError(accuracy.shifting.place,
+                         "accuracy.shifting and accuracy.transport_velocity both spread the particles",
+                         "leave one of them out");
+    if (*accuracy.walls != WallModel::plain || (!summation && !*accuracy.gradient_correction)) return;
+    const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
+    throw InputError(
+        accuracy.walls.place,
+        "accuracy.walls = \"plain\" integrates a density of the walls' own, which accuracy." + term + " does not know",
+        "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
+}
+
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
@@ -117,10 +138,16 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
     need_largest_speed(scene, document);
+    need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas(scene, document);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+}
+
+void switch_off_what_gives_way(Scene& scene) {
+    if (*scene.accuracy.density == DensityModel::summation) scene.accuracy.density_diffusion.value = 0;
+    if (*scene.accuracy.transport_velocity) scene.accuracy.shifting.value = 0;
 }
 
 }  // namespace dmp

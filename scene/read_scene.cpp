@@ -183,6 +183,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     scene.parts = read_items(document, "part", schema().part);
     scene.measures = read_items(document, "measure", schema().measure);
     check_scene(scene, document);
+    switch_off_what_gives_way(scene);
     scene.hash = fnv1a(resolved_scene(scene));
     return scene;
 }

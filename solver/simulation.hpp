@@ -13,6 +13,7 @@
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
 #include "solver/resources.hpp"
+#include "solver/sound_speed.hpp"
 #include "solver/state/checkpoints.hpp"
 
 namespace dmp {
@@ -36,6 +37,7 @@ struct Plan {
     std::map<std::string, std::size_t> particles;  ///< by kind
     std::size_t bytes_per_particle = 0;
     double sound_speed = 0;    ///< c0 [m/s]
+    SoundSpeed sound;          ///< the same, and why
     double largest_speed = 0;  ///< expected [m/s]
     double dt = 0;             ///< fluid step [s]
     int spring_substeps = 0;   ///< spring steps in one fluid step; 0: no springs

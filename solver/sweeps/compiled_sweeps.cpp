@@ -7,15 +7,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "particles/kernels.hpp"
 #include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/no_viscosity.hpp"
+#include "solver/sweeps/correction_sweep.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/near_sweep.hpp"
+#include "solver/sweeps/summation_sweep.hpp"
+#include "solver/sweeps/transport_sweep.hpp"
 
 namespace dmp {
 
@@ -42,7 +46,10 @@ class Sweeps final : public PairSweeps {
           repulsion_{settings.repulsion_strength},
           force_rounding_(largest_force()),
           density_rounding_{OrderFree(settings.density * volume() * steepest() * settings.sound_speed),
-                            OrderFree(1.2 * volume() * steepest())} {}
+                            OrderFree(1.2 * volume() * steepest()),
+                            OrderFree(volume() * steepest() * settings.support)},
+          summation_rounding_(settings.density * volume() * kernel_.value(0.0)),
+          correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate} {}
 
     void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
                 ClusterChoice choice) const override {
@@ -55,24 +62,62 @@ class Sweeps final : public PairSweeps {
             if (settings_.walls == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                ExtrapolatedSolid<D> solid{{}, 0.5 * settings_.spacing};
-                for (int axis = 0; axis < D; ++axis) solid.acceleration[axis] = body_acceleration[axis];
-                run(solid);
+                run(extrapolated(body_acceleration));
             }
         });
+        if (settings_.gradient_correction) {
+            const auto solid = extrapolated(body_acceleration);
+            corrected(particles, list, solid).forces(choice);
+        }
+        if (settings_.transport_velocity)
+            TransportSweep<L, D, Kernel>(particles, list, kernel_, force_rounding_, density_rounding_.shift,
+                                         settings_.threads)
+                .run(choice);
     }
 
-    void density_rates(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
-        with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
+    void density_rates(ParticleStore& particles, const ClusterList& list,
+                       const std::array<double, 3>& body_acceleration, ClusterChoice choice) const override {
+        const StratifiedDiffusion<D> stratified_diffusion(settings_.density_diffusion, settings_.support,
+                                                          settings_.sound_speed, narrowed(body_acceleration));
+        const auto run = [&]<class Solid, DensityTerms with>() {
+            DensitySweep<L, D, Kernel, Solid, with>(particles, list, kernel_, diffusion_, stratified_diffusion,
+                                                    shifting_, density_rounding_, settings_.threads)
+                .run(choice);
+        };
+        if (settings_.density_by_summation) {
+            constexpr DensityTerms shifts{.rate = false, .shifting = true, .stratified = true};
+            if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
+            return;
+        }
+        with_flag(settings_.density_diffusion > 0 || settings_.stratified, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
-                with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
-                    using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
-                    DensitySweep<L, D, Kernel, Solid, decltype(diffusion)::value, decltype(shifting)::value>(
-                        particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
-                        .run(choice);
+                with_flag(settings_.stratified, [&](auto stratified) {
+                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
+                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
+                        constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
+                                                    .shifting = decltype(shifting)::value,
+                                                    .stratified = decltype(stratified)::value};
+                        // What is stratified comes with diffusion, of strength 0 where there is none.
+                        if constexpr (with.diffusion || !with.stratified) run.template operator()<Solid, with>();
+                    });
                 });
             });
         });
+        if (settings_.gradient_correction) {
+            const auto solid = extrapolated(body_acceleration);
+            corrected(particles, list, solid).rates(choice);
+        }
+    }
+
+    void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,
+                   ClusterChoice choice) const override {
+        SummationSweep<L, D, Kernel>(particles, list, kernel_, summation_rounding_, rest_density, settings_.threads)
+            .run(choice);
+    }
+
+    void corrections(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+        const auto solid = extrapolated({});
+        corrected(particles, list, solid).matrices(choice);
     }
 
     void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
@@ -89,7 +134,8 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double largest_speed, double dt) const override {
-        return shifting_.step(largest_speed, dt);
+        return settings_.transport_velocity ? TransportVelocity::step(settings_.sound_speed, dt)
+                                            : shifting_.step(largest_speed, dt);
     }
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
@@ -108,6 +154,20 @@ class Sweeps final : public PairSweeps {
             case ViscousForce::none:
                 return then(NoViscosity{});
         }
+    }
+
+    static Vector<double, D> narrowed(const std::array<double, 3>& v) {
+        Vector<double, D> narrow;
+        for (int axis = 0; axis < D; ++axis) narrow[axis] = v[axis];
+        return narrow;
+    }
+    [[nodiscard]] ExtrapolatedSolid<D> extrapolated(const std::array<double, 3>& body_acceleration) const {
+        return {narrowed(body_acceleration), 0.5 * settings_.spacing};
+    }
+    [[nodiscard]] auto corrected(ParticleStore& particles, const ClusterList& list,
+                                 const ExtrapolatedSolid<D>& solid) const {
+        return CorrectionSweep<L, D, Kernel, ExtrapolatedSolid<D>>(particles, list, kernel_, solid,
+                                                                   correction_rounding_, settings_.threads);
     }
 
     [[nodiscard]] double volume() const { return std::pow(settings_.spacing, D); }
@@ -137,6 +197,8 @@ class Sweeps final : public PairSweeps {
     Repulsion repulsion_;
     OrderFree force_rounding_;
     DensityRounding density_rounding_;
+    OrderFree summation_rounding_;
+    CorrectionRounding correction_rounding_;
 };
 
 template <KernelKind kernel, int D>

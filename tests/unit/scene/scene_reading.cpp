@@ -133,6 +133,21 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.accuracy.sound_speed, *fresh.accuracy.sound_speed);
     EXPECT_EQ(*scene.accuracy.walls, WallModel::extrapolated);
     EXPECT_EQ(*scene.accuracy.walls, *fresh.accuracy.walls);
+    EXPECT_EQ(*scene.flow.largest_pressure, 0) << "not given";
+    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::tait);
+    EXPECT_EQ(*scene.accuracy.equation_of_state, *fresh.accuracy.equation_of_state);
+    EXPECT_EQ(*scene.accuracy.background_pressure, 0);
+    EXPECT_EQ(*scene.accuracy.background_pressure, *fresh.accuracy.background_pressure);
+    EXPECT_EQ(*scene.accuracy.density, DensityModel::continuity);
+    EXPECT_EQ(*scene.accuracy.density, *fresh.accuracy.density);
+    EXPECT_FALSE(*scene.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.gradient_correction, *fresh.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::morris);
+    EXPECT_EQ(*scene.accuracy.viscous_law, *fresh.accuracy.viscous_law);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::harmonic);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, *fresh.accuracy.viscosity_mean);
+    EXPECT_FALSE(*scene.accuracy.transport_velocity);
+    EXPECT_EQ(*scene.accuracy.transport_velocity, *fresh.accuracy.transport_velocity);
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0.1);
     EXPECT_EQ(*scene.accuracy.density_diffusion, *fresh.accuracy.density_diffusion);
     EXPECT_EQ(*scene.accuracy.shifting, 4);
@@ -258,6 +273,27 @@ field = "pressure"
     EXPECT_EQ(*scene.measures[0].point, Vec(0, 0.001, 0));
 }
 
+TEST(ReadScene, fluid_terms_that_are_off_by_default) {
+    const Scene scene =
+        read_text(good_scene,
+                  {"flow.largest_pressure=2 kPa", "accuracy.kernel=quintic_spline", "accuracy.equation_of_state=linear",
+                   "accuracy.background_pressure=3 Pa", "accuracy.density=summation",
+                   "accuracy.gradient_correction=true", "accuracy.viscous_law=monaghan_approaching",
+                   "accuracy.viscosity_mean=arithmetic", "accuracy.transport_velocity=true"});
+    EXPECT_EQ(*scene.flow.largest_pressure, 2000);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::quintic_spline);
+    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::linear);
+    EXPECT_EQ(*scene.accuracy.background_pressure, 3);
+    EXPECT_EQ(*scene.accuracy.density, DensityModel::summation);
+    EXPECT_TRUE(*scene.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::monaghan_approaching);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::arithmetic);
+    EXPECT_TRUE(*scene.accuracy.transport_velocity);
+    EXPECT_EQ(*scene.accuracy.density_diffusion, 0) << "gives way to the summed density";
+    EXPECT_EQ(*scene.accuracy.shifting, 0) << "gives way to the transport velocity";
+    EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
+}
+
 TEST(ReadScene, values_keep_their_places) {
     const Scene scene = read_text(good_scene);
     EXPECT_EQ(scene.particles.spacing.place.text(), "scene.toml:8:11");
@@ -294,6 +330,11 @@ TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(word(Arrangement::hexagonal), "hexagonal");
     EXPECT_EQ(word(WallModel::plain), "plain");
     EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
+    EXPECT_EQ(word(KernelKind::cubic_spline), "cubic_spline");
+    EXPECT_EQ(word(EquationOfState::linear), "linear");
+    EXPECT_EQ(word(DensityModel::summation), "summation");
+    EXPECT_EQ(word(ViscousLaw::monaghan_approaching), "monaghan_approaching");
+    EXPECT_EQ(word(ViscosityMean::arithmetic), "arithmetic");
 }
 
 TEST(Override, reaches_every_kind_of_key) {
@@ -365,8 +406,15 @@ kernel = "wendland_c2"
 support = 3
 sound_speed = "auto"
 walls = "extrapolated"
+equation_of_state = "tait"
+background_pressure = "0 kg/m/s^2"
+density = "continuity"
+gradient_correction = false
+viscous_law = "morris"
+viscosity_mean = "harmonic"
 density_diffusion = 0.1
 shifting = 4
+transport_velocity = false
 step_factor = 0.3
 spring_stepping = "implicit"
 spring_step_factor = 0.5
