@@ -55,11 +55,15 @@ void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
 }
 
 void FluidPasses::note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const {
-    for (int axis = 0; axis < fluid.dimension(); ++axis) {
-        double* transport = fluid.data(Field::transport_velocity, axis);
-        const double* sum = fluid.data(Field::shift, axis);
-        for_each_owned(fluid, threads_, [=](std::ptrdiff_t i) { transport[i] = shift.per_sum / dt * sum[i]; });
-    }
+    for_each_owned(fluid, threads_, [&](std::ptrdiff_t i) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis)
+            square += std::pow(shift.per_sum * fluid.data(Field::shift, axis)[i], 2);
+        const double length = std::sqrt(square), shortened = length > shift.longest ? shift.longest / length : 1;
+        for (int axis = 0; axis < fluid.dimension(); ++axis)
+            fluid.data(Field::transport_velocity, axis)[i] =
+                shortened * shift.per_sum / dt * fluid.data(Field::shift, axis)[i];
+    });
 }
 
 void FluidPasses::update_density(ParticleGroup& group, double dt) const {

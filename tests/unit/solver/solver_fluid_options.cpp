@@ -130,5 +130,49 @@ TEST(MonaghanViscosity, follows_the_series_of_its_viscosity_on_the_lattice) {
     }
 }
 
+/// Two layers of equal depth between plates, the upper one five times as viscous, driven by a body force: speed at y
+/// once it is steady. Shear stress is one line across both.
+double speed_of_layers(double y, double lower, double upper) {
+    const double force = 1000 * acceleration, half = width / 2;
+    const double at_wall = force * half * (1 / lower + 3 / upper) / (2 * (1 / lower + 1 / upper));
+    if (y < half) return (at_wall * y - force * y * y / 2) / lower;
+    return -(at_wall * (width - y) - force * (width * width - y * y) / 2) / upper;
+}
+
+TEST(ViscosityMean, harmonic_keeps_shear_stress_continuous_between_two_fluids) {
+    const auto error_with = [](const std::string& mean) {
+        auto made = case_of("verification/poiseuille",
+                            {"accuracy.viscosity_mean=" + mean, "output.every=1 s", "output.fields=['velocity']"});
+        Part oil = made.scene.parts.front();
+        oil.name = std::string("oil");
+        oil.viscosity = 5e-3;
+        made.scene.parts.push_back(oil);
+        made.particles.parts.push_back({"oil", ParticleKind::fluid});
+        for (std::size_t i = 0; i < made.particles.size(); ++i)
+            if (made.particles.kind(i) == ParticleKind::fluid && made.particles.position[i][1] > width / 2)
+                made.particles.part[i] = static_cast<int>(made.particles.parts.size()) - 1;
+        KeptFrames kept;
+        RunOptions run;
+        run.sink = &kept;
+        Simulation simulation(made.scene, made.particles, 1);
+        std::string source;
+        for (const ModelUse& use : simulation.plan().models)
+            if (use.model == "viscous force") source = use.source;
+        EXPECT_EQ(source.find("harmonic mean") != std::string::npos, mean == "harmonic") << source;
+        EXPECT_LT(simulation.run(run).momentum_residual, 1e-12);
+        const FrameGroup& fluid = *group_of(kept.frames.back(), "fluid");
+        const FrameField& velocity = *field_of(fluid, "velocity");
+        double square = 0, reference = 0;
+        for (std::size_t k = 0; k < fluid.size(); ++k) {
+            const double expected = speed_of_layers(fluid.position[3 * k + 1], 1e-3, 5e-3);
+            square += std::pow(velocity.values[3 * k] - expected, 2);
+            reference += expected * expected;
+        }
+        return std::sqrt(square / reference);
+    };
+    EXPECT_LE(error_with("harmonic"), 0.01);
+    EXPECT_GE(error_with("arithmetic"), 0.02);
+}
+
 }  // namespace
 }  // namespace dmp
