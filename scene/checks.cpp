@@ -70,6 +70,35 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
                          "write spring_stepping = \"implicit\"");
 }
 
+/// Terms that exclude each other: the one that was written is an error, a default gives way.
+void need_terms_that_go_together(const Scene& scene) {
+    const auto& accuracy = scene.accuracy;
+    const bool summation = *accuracy.density == DensityModel::summation;
+    if (summation && accuracy.density_diffusion.given() && *accuracy.density_diffusion > 0)
+        throw InputError(accuracy.density_diffusion.place,
+                         "accuracy.density_diffusion smooths a density that is integrated, and accuracy.density = "
+                         "\"summation\" integrates none",
+                         "leave density_diffusion out, or write density = \"continuity\"");
+    if (*accuracy.transport_velocity && accuracy.shifting.given() && *accuracy.shifting > 0)
+        throw InputError(accuracy.shifting.place,
+                         "accuracy.shifting and accuracy.transport_velocity both spread the particles",
+                         "leave one of them out");
+    if (*accuracy.gradient_correction)
+        for (const Part* wall : scene.parts_of(PartKind::rigid))
+            if (wall->slip || wall->moves())
+                throw InputError(
+                    first_known(scene, {&accuracy.gradient_correction.place}),
+                    "accuracy.gradient_correction does not know walls that move or let the fluid slip, as '" +
+                        *wall->name + "' does",
+                    "leave out gradient_correction");
+    if (*accuracy.walls != WallModel::plain || (!summation && !*accuracy.gradient_correction)) return;
+    const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
+    throw InputError(
+        accuracy.walls.place,
+        "accuracy.walls = \"plain\" integrates a density of the walls' own, which accuracy." + term + " does not know",
+        "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
+}
+
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
@@ -237,6 +266,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_something_to_move(scene);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
+    need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
@@ -248,6 +278,11 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_regions(scene, document);
     for (const auto& region : scene.regions) check_region(scene, region);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+}
+
+void switch_off_what_gives_way(Scene& scene) {
+    if (*scene.accuracy.density == DensityModel::summation) scene.accuracy.density_diffusion.value = 0;
+    if (*scene.accuracy.transport_velocity) scene.accuracy.shifting.value = 0;
 }
 
 }  // namespace dmp

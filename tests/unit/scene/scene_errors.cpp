@@ -264,7 +264,8 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean \"implicit\"?"},
         Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
               "[accuracy]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
-              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, "
+              "which "
               "accuracy.spring_stepping = \"subcycled\" moves apart from it\n"
               "  write spring_stepping = \"implicit\""},
         Fault{"implicit_viscosity_of_approaching_pairs", "[run]",
@@ -272,6 +273,30 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:32:15: accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the "
               "velocities, and accuracy.viscous_law = \"monaghan_approaching\" is none\n"
               "  write viscous_law = \"monaghan\" or \"morris\""},
+        Fault{"diffusion_of_a_summed_density", "[run]",
+              "[accuracy]\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
+              "scene.toml:32:21: accuracy.density_diffusion smooths a density that is integrated, and accuracy.density "
+              "= \"summation\" integrates none\n"
+              "  leave density_diffusion out, or write density = \"continuity\""},
+        Fault{"shifting_and_transport", "[run]", "[accuracy]\ntransport_velocity = true\nshifting = 4\n[run]",
+              "scene.toml:32:12: accuracy.shifting and accuracy.transport_velocity both spread the particles\n"
+              "  leave one of them out"},
+        Fault{"summation_beside_plain_walls", "[run]", "[accuracy]\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: accuracy.walls = \"plain\" integrates a density of the walls' own, which "
+              "accuracy.density = \"summation\" does not know\n"
+              "  leave walls out, or density"},
+        Fault{"correction_beside_plain_walls", "[run]",
+              "[accuracy]\ngradient_correction = true\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: accuracy.walls = \"plain\" integrates a density of the walls' own, which "
+              "accuracy.gradient_correction = true does not know\n"
+              "  leave walls out, or gradient_correction"},
+        Fault{"background_below_zero", "[run]", "[accuracy]\nbackground_pressure = \"-1 Pa\"\n[run]",
+              "scene.toml:31:23: accuracy.background_pressure: found \"-1 Pa\", expected at least 0\n"
+              "  give a value that is at least 0"},
+        Fault{"unknown_viscous_law", "[run]", "[accuracy]\nviscous_law = \"moris\"\n[run]",
+              "scene.toml:31:15: accuracy.viscous_law: found \"moris\", expected one of 'morris', 'monaghan' and "
+              "'monaghan_approaching'\n"
+              "  did you mean \"morris\"?"},
         Fault{"more_than_a_fraction", "[run]", "[accuracy]\nstep_factor = 2\n[run]",
               "scene.toml:31:15: accuracy.step_factor: found 2, expected more than 0 and at most 1\n"
               "  give a value that is more than 0 and at most 1"},

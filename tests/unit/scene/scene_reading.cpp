@@ -148,6 +148,21 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.output.average_from, *fresh.output.average_from);
     EXPECT_EQ(*scene.accuracy.walls, WallModel::extrapolated);
     EXPECT_EQ(*scene.accuracy.walls, *fresh.accuracy.walls);
+    EXPECT_EQ(*scene.flow.largest_pressure, 0) << "not given";
+    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::tait);
+    EXPECT_EQ(*scene.accuracy.equation_of_state, *fresh.accuracy.equation_of_state);
+    EXPECT_EQ(*scene.accuracy.background_pressure, 0);
+    EXPECT_EQ(*scene.accuracy.background_pressure, *fresh.accuracy.background_pressure);
+    EXPECT_EQ(*scene.accuracy.density, DensityModel::continuity);
+    EXPECT_EQ(*scene.accuracy.density, *fresh.accuracy.density);
+    EXPECT_FALSE(*scene.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.gradient_correction, *fresh.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::morris);
+    EXPECT_EQ(*scene.accuracy.viscous_law, *fresh.accuracy.viscous_law);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::harmonic);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, *fresh.accuracy.viscosity_mean);
+    EXPECT_FALSE(*scene.accuracy.transport_velocity);
+    EXPECT_EQ(*scene.accuracy.transport_velocity, *fresh.accuracy.transport_velocity);
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0.1);
     EXPECT_EQ(*scene.accuracy.density_diffusion, *fresh.accuracy.density_diffusion);
     EXPECT_EQ(*scene.accuracy.shifting, 4);
@@ -328,6 +343,27 @@ TEST(Quality, is_where_defaults_come_from) {
     EXPECT_EQ(default_origin(read_text(good_scene), "accuracy.kernel"), "default");
 }
 
+TEST(ReadScene, fluid_terms_that_are_off_by_default) {
+    const Scene scene =
+        read_text(good_scene,
+                  {"flow.largest_pressure=2 kPa", "accuracy.kernel=quintic_spline", "accuracy.equation_of_state=linear",
+                   "accuracy.background_pressure=3 Pa", "accuracy.density=summation",
+                   "accuracy.gradient_correction=true", "accuracy.viscous_law=monaghan_approaching",
+                   "accuracy.viscosity_mean=arithmetic", "accuracy.transport_velocity=true"});
+    EXPECT_EQ(*scene.flow.largest_pressure, 2000);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::quintic_spline);
+    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::linear);
+    EXPECT_EQ(*scene.accuracy.background_pressure, 3);
+    EXPECT_EQ(*scene.accuracy.density, DensityModel::summation);
+    EXPECT_TRUE(*scene.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::monaghan_approaching);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::arithmetic);
+    EXPECT_TRUE(*scene.accuracy.transport_velocity);
+    EXPECT_EQ(*scene.accuracy.density_diffusion, 0) << "gives way to the summed density";
+    EXPECT_EQ(*scene.accuracy.shifting, 0) << "gives way to the transport velocity";
+    EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
+}
+
 TEST(ReadScene, values_keep_their_places) {
     const Scene scene = read_text(good_scene);
     EXPECT_EQ(scene.particles.spacing.place.text(), "scene.toml:8:11");
@@ -367,6 +403,11 @@ TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(word(WallModel::plain), "plain");
     EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
     EXPECT_EQ(word(ViscosityStepping::implicitly), "implicit");
+    EXPECT_EQ(word(KernelKind::cubic_spline), "cubic_spline");
+    EXPECT_EQ(word(EquationOfState::linear), "linear");
+    EXPECT_EQ(word(DensityModel::summation), "summation");
+    EXPECT_EQ(word(ViscousLaw::monaghan_approaching), "monaghan_approaching");
+    EXPECT_EQ(word(ViscosityMean::arithmetic), "arithmetic");
 }
 
 TEST(Override, reaches_every_kind_of_key) {
@@ -446,8 +487,15 @@ support = 3
 sound_speed = "auto"
 mach_number = 0.1
 walls = "extrapolated"
+equation_of_state = "tait"
+background_pressure = "0 kg/m/s^2"
+density = "continuity"
+gradient_correction = false
+viscous_law = "morris"
+viscosity_mean = "harmonic"
 density_diffusion = 0.1
 shifting = 4
+transport_velocity = false
 step_factor = 0.3
 viscosity_stepping = "explicit"
 viscosity_tolerance = 1e-08
