@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/SparseCholesky>
 #include <cmath>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "solver/time/implicit_system.hpp"
@@ -85,10 +86,11 @@ void SpringBody::solve_in_fluid(std::span<Vector<double, 2>> values) const {
 
 bool SpringBody::solve_step(double dt, Impulses& impulses) {
     const std::size_t nodes = ids_.size();
-    // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.
-    Vectors middle = position_, middle_velocity = velocity_;
+    // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight, if nothing
+    // better is known.
+    Vectors middle = position_, middle_velocity = expected_.empty() ? velocity_ : std::exchange(expected_, {});
     for (std::size_t n = 0; n < nodes; ++n)
-        if (!fixed_[n]) middle[n] += (dt / 2) * velocity_[n];
+        if (!fixed_[n]) middle[n] += (dt / 2) * middle_velocity[n];
 
     if (!system_->fits(dt)) system_->factorise(*this, middle, dt);
     for (int iteration = 1;; ++iteration) {

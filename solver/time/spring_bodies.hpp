@@ -74,6 +74,9 @@ class SpringBody {
     void multiply_in_fluid(std::span<Vector<double, 2>> values) const;
     /// Solves with the factors, in place; 0 for fixed nodes.
     void solve_in_fluid(std::span<Vector<double, 2>> values) const;
+    /// The next implicit step begins its search from these mean velocities, which the liquid was solved for: the velocity
+    /// that its drag alone leaves a light body, before its springs pull back, is far off.
+    void expect(std::span<const Vector<double, 2>> w) { expected_.assign(w.begin(), w.end()); }
     [[nodiscard]] bool fixed(std::size_t node) const { return fixed_[node] != 0; }
     [[nodiscard]] double mass(std::size_t node) const { return mass_[node]; }  ///< [kg]
 
@@ -123,6 +126,7 @@ class SpringBody {
     Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
     Vectors position_before_;              ///< before the last advance
     Vectors position_at_rest_;             ///< as drawn
+    Vectors expected_;                     ///< mean velocities of the next step, where they are known
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
     double in_fluid_step_ = 0;  ///< that the latter was made for [s]
 };

@@ -34,6 +34,8 @@ class ViscousNodes {
     void find_image(const ParticleStore& particles);
     void step(double alpha);
     void turn(double beta);
+    /// Tells the bodies what they will do.
+    void hand_over() const;
 
     /// Terms of the sums over all particles; called on every rank after those of the fluid were added up over ranks.
     void add_squares(ExactSum& sum) const;    ///< m w^2

@@ -205,6 +205,7 @@ void ViscousSystem::turn(double beta) {
 }
 
 void ViscousSystem::add_forces() {
+    nodes_.hand_over();
     for (ParticleGroup& group : on_.particles.groups()) {
         const Axes force = axes_of(group, Field::force), viscous = axes_of(group, Field::viscous_force);
         const auto count = static_cast<std::ptrdiff_t>(group.owned());
