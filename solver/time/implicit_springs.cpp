@@ -24,10 +24,24 @@ constexpr int most_halvings = 6;
 }  // namespace
 
 SpringBody::Impulses SpringBody::advance_implicit(double dt) {
-    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
     position_before_ = position_;
+    if (!expected_.empty()) return advance_as_expected(dt);
+    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
     Impulses impulses{};
     advance_in_parts(dt, most_halvings, impulses);
+    return impulses;
+}
+
+SpringBody::Impulses SpringBody::advance_as_expected(double dt) {
+    const Vectors mean = std::exchange(expected_, {});
+    Vectors middle = position_;
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) middle[n] += (dt / 2) * mean[n];
+    force_ = forces(middle, mean);
+    Impulses impulses{};
+    kick(dt, force_, mean, impulses);
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) position_[n] += dt * mean[n];
     return impulses;
 }
 
@@ -86,11 +100,10 @@ void SpringBody::solve_in_fluid(std::span<Vector<double, 2>> values) const {
 
 bool SpringBody::solve_step(double dt, Impulses& impulses) {
     const std::size_t nodes = ids_.size();
-    // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight, if nothing
-    // better is known.
-    Vectors middle = position_, middle_velocity = expected_.empty() ? velocity_ : std::exchange(expected_, {});
+    // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.
+    Vectors middle = position_, middle_velocity = velocity_;
     for (std::size_t n = 0; n < nodes; ++n)
-        if (!fixed_[n]) middle[n] += (dt / 2) * middle_velocity[n];
+        if (!fixed_[n]) middle[n] += (dt / 2) * velocity_[n];
 
     if (!system_->fits(dt)) system_->factorise(*this, middle, dt);
     for (int iteration = 1;; ++iteration) {

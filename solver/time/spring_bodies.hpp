@@ -74,8 +74,8 @@ class SpringBody {
     void multiply_in_fluid(std::span<Vector<double, 2>> values) const;
     /// Solves with the factors, in place; 0 for fixed nodes.
     void solve_in_fluid(std::span<Vector<double, 2>> values) const;
-    /// The next implicit step begins its search from these mean velocities, which the liquid was solved for: the velocity
-    /// that its drag alone leaves a light body, before its springs pull back, is far off.
+    /// The next implicit step moves the nodes with these mean velocities, which it was solved for together with the
+    /// liquid: without its drag a light body's step has no solution to be found.
     void expect(std::span<const Vector<double, 2>> w) { expected_.assign(w.begin(), w.end()); }
     [[nodiscard]] bool fixed(std::size_t node) const { return fixed_[node] != 0; }
     [[nodiscard]] double mass(std::size_t node) const { return mass_[node]; }  ///< [kg]
@@ -111,6 +111,7 @@ class SpringBody {
     void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
     /// One implicit midpoint step; false, and nothing changed, when Newton finds no solution.
     bool solve_step(double dt, Impulses& impulses);
+    Impulses advance_as_expected(double dt);
     /// v += h F / m on free nodes; adds up what anchors and drag gave.
     void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
 
