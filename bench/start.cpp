@@ -118,7 +118,8 @@ std::string scene_text(const Channel& channel) {
     const double push = Liquid::speed / (push_seconds * 0.5 * std::sqrt(std::numbers::pi));
     const bool solid_space = channel.dimension == 3;
     // Nothing is written or measured in a run of a second or less.
-    return fmt::format(R"toml(schema = 1
+    return fmt::format(
+        R"toml(schema = 1
 title = "Channel"
 dimension = {}
 
@@ -163,11 +164,11 @@ duration = "1 s"
 every = "1 s"
 measure_every = "1 s"
 )toml",
-                       channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
-                       Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "",
-                       Liquid::speed, channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed,
-                       word(channel.walls), channel.density_diffusion, channel.shifting,
-                       word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly));
+        channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
+        Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "", Liquid::speed,
+        channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed, word(channel.walls),
+        channel.density_diffusion, channel.shifting,
+        word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly));
 }
 
 Scene make_scene(const Channel& channel) {

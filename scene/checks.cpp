@@ -58,10 +58,11 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
     const auto& accuracy = scene.accuracy;
     if (*accuracy.viscosity_stepping != ViscosityStepping::implicitly) return;
     if (*accuracy.viscous_law == ViscousLaw::monaghan_approaching)
-        throw InputError(first_known(scene, {&accuracy.viscous_law.place}),
-                         "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
-                         "accuracy.viscous_law = \"monaghan_approaching\" is none",
-                         "write viscous_law = \"monaghan\" or \"morris\"");
+        throw InputError(
+            first_known(scene, {&accuracy.viscous_law.place}),
+            "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
+            "accuracy.viscous_law = \"monaghan_approaching\" is none",
+            "write viscous_law = \"monaghan\" or \"morris\"");
     if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
         throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
                          "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "

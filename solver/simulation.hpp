@@ -94,9 +94,9 @@ struct RunSummary {
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
     ViscousSolves viscous_solves;  ///< none where viscosity is explicit
-    long first_step = 0;       ///< that this process made; 0 unless it resumed
-    bool interrupted = false;  ///< left before its end
-    bool out_of_time = false;  ///< by the wall time's limit
+    long first_step = 0;           ///< that this process made; 0 unless it resumed
+    bool interrupted = false;      ///< left before its end
+    bool out_of_time = false;      ///< by the wall time's limit
 };
 
 struct RunProgress {

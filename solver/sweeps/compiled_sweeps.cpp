@@ -87,8 +87,7 @@ class Sweeps final : public PairSweeps {
 
     void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
         const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest() / settings_.spacing);
-        with_viscous_sweep(particles, list, rounding, Field::velocity, 0,
-                           [&](auto sweep) { sweep.diagonal(choice); });
+        with_viscous_sweep(particles, list, rounding, Field::velocity, 0, [&](auto sweep) { sweep.diagonal(choice); });
     }
 
     void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
@@ -161,8 +160,7 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
         const double pressure = 0.1 * settings_.density * c0 * c0 + settings_.background_pressure;
-        const double viscous =
-            settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
+        const double viscous = settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
         return std::max(2 * (pressure + viscous) * volume() * volume() * steepest(),
                         10 * settings_.repulsion_strength / settings_.spacing);
     }

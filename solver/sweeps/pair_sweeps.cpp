@@ -19,8 +19,8 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (group.kind() == ParticleKind::rigid) group.declare({Field::wall_normal, Field::wall_distance});
         if (settings.implicit_viscosity) group.declare({Field::viscous_force});
         if (settings.implicit_viscosity && group.kind() != ParticleKind::rigid)
-            group.declare({Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction,
-                           Field::viscous_diagonal});
+            group.declare(
+                {Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction, Field::viscous_diagonal});
     }
 }
 

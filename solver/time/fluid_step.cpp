@@ -8,8 +8,8 @@ namespace dmp {
 
 namespace {
 
-/// Sum over the owned particles of a group. Forces of one sweep are multiples of its quantum: some of them add up exactly
-/// in a double, which is faster than one by one.
+/// Sum over the owned particles of a group. Forces of one sweep are multiples of its quantum: some of them add up
+/// exactly in a double, which is faster than one by one.
 ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
     const std::size_t at_a_time = of_one_sweep ? 32 : 1;
     const double* force = group.data(Field::force, axis);

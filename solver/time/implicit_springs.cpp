@@ -94,9 +94,7 @@ void SpringBody::multiply_in_fluid(std::span<Vector<double, 2>> values) const {
     in_fluid_->multiply(values, 1 / in_fluid_step_);
 }
 
-void SpringBody::solve_in_fluid(std::span<Vector<double, 2>> values) const {
-    in_fluid_->solve(values, in_fluid_step_);
-}
+void SpringBody::solve_in_fluid(std::span<Vector<double, 2>> values) const { in_fluid_->solve(values, in_fluid_step_); }
 
 bool SpringBody::solve_step(double dt, Impulses& impulses) {
     const std::size_t nodes = ids_.size();

@@ -24,8 +24,7 @@ class SpringBody::ImplicitSystem {
     [[nodiscard]] bool fits(double dt) const { return std::abs(dt - dt_) < 1e-2 * dt_; }
     void factorise(const SpringBody& body, const Vectors& position, double dt) { factorise(body, position, dt, {}); }
     /// Factors of A plus `more` on the diagonal, by node and axis [kg]; none: of A.
-    void factorise(const SpringBody& body, const Vectors& position, double dt,
-                   std::span<const Vector<double, 2>> more);
+    void factorise(const SpringBody& body, const Vectors& position, double dt, std::span<const Vector<double, 2>> more);
     /// values = scale A values, and values = scale (A + more)^-1 values; 0 for fixed nodes.
     void multiply(std::span<Vector<double, 2>> values, double scale) const;
     void solve(std::span<Vector<double, 2>> values, double scale) const;

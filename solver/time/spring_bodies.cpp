@@ -74,8 +74,7 @@ std::vector<Vector<double, 2>> SpringBodies::collected(const ParticleStore& part
     return values;
 }
 
-void SpringBodies::show_in(ParticleStore& particles, Field field,
-                           const std::vector<Vector<double, 2>>& values) const {
+void SpringBodies::show_in(ParticleStore& particles, Field field, const std::vector<Vector<double, 2>>& values) const {
     ParticleGroup& group = particles.of(ParticleKind::springs);
     for (std::size_t i = 0; i < group.total(); ++i)
         for (int axis = 0; axis < 2; ++axis)

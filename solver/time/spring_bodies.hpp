@@ -67,8 +67,8 @@ class SpringBody {
     /// In implicit viscosity (ViscousNodes), of nodes that would move with mean velocity w over the next dt: half the
     /// springs' forces and drag, less what changing to w takes, F/2 - m / dt (w - v) [N].
     [[nodiscard]] std::vector<Vector<double, 2>> balance(std::span<const Vector<double, 2>> w, double dt) const;
-    /// The negative derivative of the balance with respect to w, near this w (Gauss-Newton form), and the factors of its
-    /// sum with the nodes' `drag` by axis in the liquid [kg/s].
+    /// The negative derivative of the balance with respect to w, near this w (Gauss-Newton form), and the factors of
+    /// its sum with the nodes' `drag` by axis in the liquid [kg/s].
     void prepare_in_fluid(std::span<const Vector<double, 2>> w, std::span<const Vector<double, 2>> drag, double dt);
     /// The derivative times the values, in place; 0 for fixed nodes.
     void multiply_in_fluid(std::span<Vector<double, 2>> values) const;

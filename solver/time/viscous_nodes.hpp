@@ -8,8 +8,8 @@
 
 namespace dmp {
 
-/// The spring bodies' part of the equations of implicit viscosity. A node's unknown is its mean velocity w over the step
-/// to come, which is what the fluid sees of it; the springs, which will act during that step, are in its balance:
+/// The spring bodies' part of the equations of implicit viscosity. A node's unknown is its mean velocity w over the
+/// step to come, which is what the fluid sees of it; the springs, which will act during that step, are in its balance:
 ///     m / dt (w - v) - F_springs(x + dt/2 w, w) / 2 = F_others + F_viscous(w)
 /// as in the body's own implicit midpoint step, whose solution w is. Without them a light body in a thick liquid would
 /// first be stopped by it, and then spring as if nothing held it.

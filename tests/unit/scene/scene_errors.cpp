@@ -204,7 +204,8 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean \"implicit\"?"},
         Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
               "[accuracy]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
-              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, "
+              "which "
               "accuracy.spring_stepping = \"subcycled\" moves apart from it\n"
               "  write spring_stepping = \"implicit\""},
         Fault{"implicit_viscosity_of_approaching_pairs", "[run]",

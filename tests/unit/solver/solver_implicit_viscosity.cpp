@@ -91,7 +91,7 @@ TEST_P(AnyStep, poiseuille_flow_becomes_the_parabola) {
 
 INSTANTIATE_TEST_SUITE_P(Steps, AnyStep,
                          ::testing::Values(Ratio{5.1, 1}, Ratio{0.51, 10}, Ratio{0.051, 100}, Ratio{9.1e-4, 1e3},
-                                         Ratio{9.1e-6, 1e4}, Ratio{9.1e-8, 1e5}));
+                                           Ratio{9.1e-6, 1e4}, Ratio{9.1e-8, 1e5}));
 
 TEST(ImplicitViscosity, is_explicit_viscosity_to_first_order_in_the_step) {
     SceneAndParticles made = poiseuille(0.0125, 0.1);
