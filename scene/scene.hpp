@@ -157,7 +157,7 @@ struct Scene {
         Value<bool> transport_velocity = false;  ///< Adami, Hu & Adams 2013, instead of shifting
         Value<double> step_factor = 0.3;         ///< c0 dt / support radius [-]
         Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
-        Value<double> viscosity_tolerance = 1e-8;  ///< of the implicit solve, relative residual [-]
+        Value<double> viscosity_tolerance = 1e-6;  ///< of implicit viscosity: the velocities' relative error [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
         Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
     } accuracy;

@@ -157,7 +157,7 @@ std::vector<Key<Accuracy>> accuracy_keys() {
          "Fluid step: speed of sound * step / support radius."},
         {"viscosity_stepping", &Accuracy::viscosity_stepping, word_of<ViscosityStepping>(), "explicit",
          "Viscous forces of velocities as they were, which limits the step, or as they will be, solved for in each step."},
-        {"viscosity_tolerance", &Accuracy::viscosity_tolerance, number(between(1e-14, 0.01)), "1e-8",
+        {"viscosity_tolerance", &Accuracy::viscosity_tolerance, number(between(1e-14, 0.01)), "1e-6",
          "Implicit viscosity: when a solve ends, as the velocities' error by its residual over the velocities."},
         {"spring_stepping", &Accuracy::spring_stepping, word_of<SpringStepping>(), "implicit",
          "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},

@@ -171,7 +171,7 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.accuracy.step_factor, *fresh.accuracy.step_factor);
     EXPECT_EQ(*scene.accuracy.viscosity_stepping, ViscosityStepping::explicitly);
     EXPECT_EQ(*scene.accuracy.viscosity_stepping, *fresh.accuracy.viscosity_stepping);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-8);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
     EXPECT_EQ(*scene.accuracy.viscosity_tolerance, *fresh.accuracy.viscosity_tolerance);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::implicit);
     EXPECT_EQ(*scene.accuracy.spring_stepping, *fresh.accuracy.spring_stepping);
@@ -237,7 +237,7 @@ walls = "plain"
 density_diffusion = 0
 shifting = 0
 step_factor = 0.25
-viscosity_tolerance = 1e-6
+viscosity_tolerance = 1e-7
 spring_stepping = "subcycled"
 spring_step_factor = 1
 [run]
@@ -289,7 +289,7 @@ field = "pressure"
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0);
     EXPECT_EQ(*scene.accuracy.shifting, 0);
     EXPECT_EQ(*scene.accuracy.step_factor, 0.25);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-7);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::subcycled);
     EXPECT_EQ(*scene.accuracy.spring_step_factor, 1);
     EXPECT_EQ(*scene.run.duration, 60);
@@ -498,7 +498,7 @@ shifting = 4
 transport_velocity = false
 step_factor = 0.3
 viscosity_stepping = "explicit"
-viscosity_tolerance = 1e-08
+viscosity_tolerance = 1e-06
 spring_stepping = "implicit"
 spring_step_factor = 0.5
 
