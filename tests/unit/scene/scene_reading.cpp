@@ -473,6 +473,7 @@ seed = 1
 [flow]
 acceleration = ["0", "0", "0"]
 periodic = []
+symmetry = []
 largest_speed = "0.2 m/s"
 initial_velocity = ["0", "0", "0"]
 initial_pressure = "0"
@@ -527,6 +528,11 @@ name = "wall"
 kind = "rigid"
 enabled = true
 layers = 3
+surface_velocity = ["0", "0", "0"]
+slip = false
+velocity = ["0", "0", "0"]
+spin = "0"
+centre = ["0 m", "0 m", "0 m"]
 
 [[part]]
 name = "leaflets"
@@ -568,6 +574,24 @@ TEST(SceneHash, sees_values_and_not_how_they_are_written) {
     EXPECT_EQ(read_text(scene_with("\"0.1 mm\"", "'100 um'  # the same")).hash, hash);
     EXPECT_EQ(read_text(scene_with("[run]", "[accuracy]\nsupport = 3\n[run]")).hash, hash);
     EXPECT_NE(read_text(scene_with("\"0.1 mm\"", "\"0.11 mm\"")).hash, hash);
+}
+
+TEST(ReadScene, walls_that_move_and_planes_of_symmetry) {
+    const Scene scene = read_text(scene_with("kind = \"rigid\"",
+                                             "kind = \"rigid\"\nvelocity = [\"0.1 m/s * cos(2*pi*t/1 s)\", 0]\n"
+                                             "spin = \"120 deg/s\"\ncentre = [\"1 mm\", \"-2 mm\"]\nslip = true"),
+                                  {"flow.symmetry=[\"y_low\", \"x_high\"]"});
+    const Part& wall = scene.parts[1];
+    EXPECT_DOUBLE_EQ(wall.velocity.value[0](0.5), -0.1);
+    EXPECT_EQ(wall.velocity.value[1](0.5), 0);
+    EXPECT_DOUBLE_EQ((*wall.spin)(0), 2 * std::numbers::pi / 3);
+    EXPECT_EQ(wall.centre.value, Vec(1e-3, -2e-3, 0));
+    EXPECT_TRUE(wall.slip);
+    EXPECT_TRUE(wall.moves());
+    EXPECT_FALSE(wall.slides());
+    EXPECT_EQ(scene.flow.symmetry.value, (std::vector<BoxSide>{BoxSide::y_low, BoxSide::x_high}));
+    const Part still = read_text(good_scene).parts[1];
+    EXPECT_FALSE(still.moves() || still.slides() || still.slip);
 }
 
 }  // namespace
