@@ -67,6 +67,59 @@ TEST(LadderConstants, RefuseNegativeHinges) {
     }
 }
 
+TEST(LadderConstants, CrossBondsGiveTheStiffnessesAskedFor) {
+    const double across = 1e-4, bending = 3e-6;
+    for (const double along : {1.0e-4, 0.97e-4, 1.06e-4})
+        for (const double axial : {1800.0, 4000.0}) {  // 4 EI / b^2 = 1200
+            Part part = part_with(bending, axial, true);
+            part.cross_bonds = true;
+            const LadderConstants ladder = ladder_constants(part, along, across);
+            EXPECT_NEAR(ladder.axial_stiffness() / axial, 1, 1e-13);
+            EXPECT_NEAR(ladder.bending_stiffness() / bending, 1, 1e-14);
+            EXPECT_EQ(ladder.hinge_stiffness, 0);
+            EXPECT_EQ(ladder.rung_stiffness(), ladder.cross_stiffness);
+        }
+    LadderConstants equal;
+    equal.bond_stiffness = equal.cross_stiffness = equal.along = equal.across = 1;
+    EXPECT_DOUBLE_EQ(equal.axial_stiffness(), 5);
+    EXPECT_DOUBLE_EQ(equal.bending_stiffness(), 1);
+    EXPECT_DOUBLE_EQ(equal.shear_stiffness(), 2);
+}
+
+TEST(LadderConstants, CrossBondsRaiseTheAxialStiffnessOrRefuse) {
+    Part part = part_with(3e-6, 100, true);
+    part.cross_bonds = true;
+    const LadderConstants raised = ladder_constants(part, 1e-4, 1e-4);
+    EXPECT_NEAR(raised.axial_stiffness(), 5 * 3e-6 / 1e-8, 1e-9);
+    EXPECT_NEAR(raised.bending_stiffness() / 3e-6, 1, 1e-14);
+    EXPECT_EQ(raised.cross_stiffness, raised.bond_stiffness);
+    part.lower_axial_stiffness = false;
+    try {
+        (void)ladder_constants(part, 1e-4, 1e-4);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "scene.toml:31:19: the cross bonds of 'leaflets' would need a stiffness of -1.1e+07 N/m: two rows "
+                     "0.0001 m apart that bend with EI = 3e-06 N*m^2 alone have EA = 1200 N, more than axial_stiffness "
+                     "100 N\n"
+                     "  set cross_bonds = false, or lower_axial_stiffness = true, which here raises EA");
+    }
+}
+
+TEST(StripStiffness, FollowsFromTheMaterial) {
+    Part part;
+    part.youngs_modulus = 2e6;
+    part.thickness = 0.02;
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).axial, 4e4);
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).bending, 2e6 * 8e-6 / 12);
+    part.poisson_ratio = 0.3975;
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).axial, 4e4 / (1 - 0.3975 * 0.3975));
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).bending, 4e4 / (1 - 0.3975 * 0.3975) * 4e-4 / 12);
+    const StripStiffness as_given = strip_stiffness(part_with(3, 100, true));
+    EXPECT_EQ(as_given.bending, 3);
+    EXPECT_EQ(as_given.axial, 100);
+}
+
 TEST(LadderAlong, AStraightCurve) {
     const Polyline line{{Vec(1, 2, 0), Vec(1, 3, 0)}, false};
     const Ladder ladder = ladder_along(line, 0.125);
