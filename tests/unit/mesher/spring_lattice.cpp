@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
 #include "particles/kernels.hpp"
@@ -210,6 +212,36 @@ TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
 
     const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
     EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-4);
+}
+
+TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
+    // h = 0.6 spacings: EA = 1000 N lies above 5 EI / spacing^2.
+    testing_mesh::Texts texts = testing_mesh::flap_channel;
+    const std::string as_strip = "bending_stiffness = \"3 N*m^2\"\naxial_stiffness = \"100 N\"\n";
+    const auto at = texts.scene.find(as_strip);
+    ASSERT_NE(at, std::string::npos);
+    const auto spacing = testing_mesh::mesh_texts(texts).particles.spacing;
+    std::ostringstream material;
+    material << "youngs_modulus = \"" << 1000 / (0.6 * spacing) << " Pa\"\nthickness = \"" << 0.6 * spacing
+             << " m\"\ncross_bonds = true\n";
+    texts.scene.replace(at, as_strip.size(), material.str());
+    const auto meshed = testing_mesh::mesh_texts(texts);
+    const ParticleSet& set = meshed.particles;
+    const auto& line = meshed.report.springs[0];
+    const double bending_stiffness = 1000 * square(0.6 * spacing) / 12;
+    EXPECT_NEAR(line.axial_stiffness / 1000, 1, 1e-5);
+    EXPECT_NEAR(line.bending_stiffness / bending_stiffness, 1, 1e-5);
+    EXPECT_TRUE(set.hinges.empty());
+    EXPECT_GT(line.cross_stiffness, line.bond_stiffness);
+    EXPECT_THAT(meshed.report.text(), testing::HasSubstr("along rows and k_c = "));
+    const double length = 1, small = 1e-4, radius = length / small;
+    const double bending =
+        energy(set, moved(set, [&](double s, double t) {
+                   return Vec((radius + t) * std::cos(s / radius), (radius + t) * std::sin(s / radius), 0);
+               }));
+    EXPECT_NEAR(bending / (0.5 * bending_stiffness * length / square(radius)), 1, 1e-3);
+    const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
+    EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-3);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "mesher/cube_lattice.hpp"
 #include "mesher/shell_lattice.hpp"
 #include "mesher/spring_lattice.hpp"
+#include "solver/simulation.hpp"
 #include "tests/unit/solver/statics.hpp"
 #include "tests/unit/thrown.hpp"
 
@@ -396,6 +398,54 @@ TEST(ShellLattice, refuses_surfaces_that_are_none) {
     EXPECT_EQ(refused({{0, 1, 2}, {2, 1, 3}}), "point 4 belongs to no triangle\n  leave it out");
     EXPECT_EQ(text_thrown<InputError>([] { (void)shell_constants(10, 1e-3, 0.1, 0.06); }).substr(0, 70),
               "two layers 0.06 m apart of a membrane stiffness of 10 N/m bend with 0.");
+}
+
+TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_threads) {
+    // A cube and a shell above it, both bulged and free.
+    ParticleSet set = set_of(cube_lattice(block(3, 2, 2, 0.1), cube_constants(1e6, 0.1, 0.1)));
+    const Surface surface = hexagon(2, edge);
+    const ParticleSet shell =
+        set_of(shell_lattice(surface.points, surface.triangles, shell_constants(1e4, 50, edge, 0.06)));
+    const int first = static_cast<int>(set.size());
+    for (std::size_t n = 0; n < shell.size(); ++n) {
+        set.position.emplace_back(shell.position[n] + Vec(0.1, 0.1, 0.6));
+        set.body.push_back(1);
+        set.part.push_back(0);
+        set.fixed.push_back(0);
+        set.seated.push_back(0);
+        set.wall_normal.emplace_back(Vec::Zero());
+        set.wall_distance.push_back(0);
+    }
+    for (const Bond& bond : shell.bonds)
+        set.bonds.push_back({bond.a + first, bond.b + first, bond.rest_length, bond.stiffness});
+    for (const Dihedral& four : shell.dihedrals)
+        set.dihedrals.push_back(
+            {four.a + first, four.b + first, four.c + first, four.d + first, four.rest_angle, four.stiffness});
+    for (Bond& bond : set.bonds) bond.rest_length *= 1 + 0.02 * std::sin(bond.a);
+    set.volume.assign(set.size(), 1e-3);
+    set.mass.assign(set.size(), 1);
+    set.spacing = 0.1;
+    set.box = {Vec::Constant(-2), Vec::Constant(2)};
+    Scene scene;
+    scene.dimension = 3;
+    scene.particles.spacing = 0.1;
+    scene.parts = {part_with(0.01)};
+    scene.flow.largest_speed = 1.0;
+    scene.run.duration = 0.1;
+    scene.output.every = 0.1;
+    scene.contact.strength = 1e-2;
+    for (const SpringStepping stepping : {SpringStepping::implicit, SpringStepping::subcycled}) {
+        scene.accuracy.spring_stepping = stepping;
+        std::string hash;
+        for (const int threads : {1, 2}) {
+            Simulation simulation(scene, set, threads);
+            const RunSummary summary = simulation.run({});
+            EXPECT_GT(summary.steps, 5);
+            for (const double momentum : summary.end.momentum) EXPECT_NEAR(momentum, 0, 1e-10);
+            if (hash.empty()) hash = summary.state_hash;
+            EXPECT_EQ(summary.state_hash, hash);
+        }
+    }
 }
 
 }  // namespace
