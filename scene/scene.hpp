@@ -72,9 +72,13 @@ struct Part {
     [[nodiscard]] bool moves() const;           ///< whether the part moves or turns
 
     // springs
-    Value<double> bending_stiffness;           ///< EI [N m^2]
-    Value<double> axial_stiffness;             ///< EA [N]
-    Value<bool> lower_axial_stiffness = true;  ///< lower EA where the lattice cannot hold EI and EA at this spacing
+    Value<double> bending_stiffness;           ///< EI [N m^2]; 0: from youngs_modulus
+    Value<double> axial_stiffness;             ///< EA [N]; 0: from youngs_modulus
+    Value<double> youngs_modulus;              ///< E [Pa]; 0: from the stiffnesses
+    Value<double> thickness;                   ///< with youngs_modulus [m]
+    Value<double> poisson_ratio = 0.0;         ///< with youngs_modulus: that of a strip held in its depth; 0: not held
+    Value<bool> lower_axial_stiffness = true;  ///< change EA where the lattice cannot hold EI and EA at this spacing
+    Value<bool> cross_bonds = false;           ///< both diagonals of each cell instead of hinges at its corners
     Value<double> mass_per_length;             ///< [kg/m]
     Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
     Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical [-]

@@ -288,7 +288,12 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
         models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});
-        models.push_back({"hinges", "U = k_a (theta - theta0)^2", where});
+        if (part->cross_bonds) {
+            models.push_back(
+                {"cross bonds with dashpots", "U = k_c (r - r0)^2", because(part->cross_bonds, "cross_bonds")});
+        } else {
+            models.push_back({"hinges", "U = k_a (theta - theta0)^2", where});
+        }
         if (part->drag > 0) models.push_back({"lab-frame drag", "F = -k_v v", because(part->drag, "drag")});
     }
     const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();

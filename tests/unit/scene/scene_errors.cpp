@@ -153,6 +153,21 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
               "  springs parts have two rows of particles for now: write layers = 2"},
+        Fault{"springs_as_stiff_as_a_strip_and_as_a_material", "axial_stiffness = \"100 N\"",
+              "axial_stiffness = \"100 N\"\nyoungs_modulus = \"2 MPa\"",
+              "scene.toml:25:18: part 'leaflets' has its stiffness twice: as a strip, at scene.toml:23:21, and as a "
+              "material\n"
+              "  give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio"},
+        Fault{"springs_without_axial_stiffness", "axial_stiffness = \"100 N\"\n", "",
+              "scene.toml:21:8: part 'leaflets': axial_stiffness is missing\n"
+              "  add axial_stiffness, or give youngs_modulus and thickness instead"},
+        Fault{"springs_without_thickness", "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"",
+              "youngs_modulus = \"2 MPa\"",
+              "scene.toml:21:8: part 'leaflets': thickness is missing\n"
+              "  add thickness, or give bending_stiffness and axial_stiffness"},
+        Fault{"springs_without_stiffness", "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"\n", "",
+              "scene.toml:21:8: part 'leaflets' does not say how stiff it is\n"
+              "  give bending_stiffness and axial_stiffness, or youngs_modulus and thickness"},
         Fault{"missing_key_of_kind", "viscosity = \"3.5 mPa*s\"", "",
               "scene.toml:10:1: missing key: part.blood.viscosity\n"
               "  add 'viscosity' in [[part]]: a dynamic viscosity such as \"1 mPa*s\", at least 0"},

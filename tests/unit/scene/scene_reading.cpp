@@ -117,6 +117,9 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*leaflets.layers, 2);
     EXPECT_EQ(*leaflets.lower_axial_stiffness, true);
     EXPECT_EQ(*leaflets.lower_axial_stiffness, *fresh_part.lower_axial_stiffness);
+    EXPECT_EQ(*leaflets.poisson_ratio, 0);
+    EXPECT_EQ(*leaflets.cross_bonds, false);
+    EXPECT_EQ(*leaflets.cross_bonds, *fresh_part.cross_bonds);
     EXPECT_EQ(*leaflets.anchor, "");
     EXPECT_EQ(*leaflets.bond_damping, 0.01);
     EXPECT_EQ(*leaflets.bond_damping, *fresh_part.bond_damping);
@@ -542,6 +545,7 @@ layers = 2
 bending_stiffness = "3e-06 m^3*kg/s^2"
 axial_stiffness = "100 m*kg/s^2"
 lower_axial_stiffness = true
+cross_bonds = false
 mass_per_length = "0.42 kg/m"
 bond_damping = 0.01
 drag = "0 kg/s"
