@@ -60,6 +60,10 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                    origin_text(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
                                    origin_text(accuracy.support, "accuracy.support")));
     list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin_text(accuracy.walls, "accuracy.walls")));
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        const std::string key = "part." + *part->name + ".layers";
+        list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
+    }
     list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
                                       origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
                                       *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "mesher/disorder.hpp"
 #include "mesher/names.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/quality.hpp"
@@ -41,10 +42,14 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
+    const Disorder disorder{scene.particles.disorder, static_cast<std::uint64_t>(scene.particles.seed.value)};
+    disturb(builder.particles(), disorder,
+            [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
     builder.mark_seated(scene.contact.range * scene.particles.spacing);
     relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
                         [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     MeshResult result = builder.finish();
+    if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     measure_quality(result, scene);
     return result;
 }

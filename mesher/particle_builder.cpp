@@ -228,7 +228,7 @@ void ParticleBuilder::add_fluid(const Part& part) {
     std::size_t count = 0, left_out = 0;
     for (const Vec& point : lattice_.points(0)) {
         if (fluid_at(point) != &part) continue;
-        if (body_curves_.nearest(point).distance < spacing_) {
+        if (!clear_of_bodies(point)) {
             ++left_out;
             continue;
         }
@@ -296,6 +296,10 @@ void ParticleBuilder::mark_seated(double contact_range) {
 bool ParticleBuilder::holds(std::size_t i, const Vec& point) const {
     const Part* fluid = fluid_at(point);
     return fluid != nullptr && *fluid->name == result_.particles.parts[result_.particles.part[i]].name;
+}
+
+bool ParticleBuilder::clear_of_bodies(const Vec& point) const {
+    return body_curves_.nearest(point).distance >= spacing_;
 }
 
 MeshResult ParticleBuilder::finish() {

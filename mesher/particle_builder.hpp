@@ -33,6 +33,9 @@ class ParticleBuilder {
     /// True where the point belongs to the region of fluid particle i.
     [[nodiscard]] bool holds(std::size_t i, const Vec& point) const;
 
+    /// True where no spring body stands: at least one spacing from their curves.
+    [[nodiscard]] bool clear_of_bodies(const Vec& point) const;
+
     [[nodiscard]] MeshResult finish();
     [[nodiscard]] ParticleSet& particles() { return result_.particles; }
 

@@ -72,12 +72,11 @@ void need_thick_walls(const Scene& scene) {
     }
 }
 
-void need_plane_formulas(const Scene& scene, const TomlNode& document) {
-    const TomlNode* list = document.find("flow.acceleration");
-    const auto& third = scene.flow.acceleration[2];
+void need_plane_formulas(const std::string& key, const Expression& third, const TomlNode& document) {
+    const TomlNode* list = document.find(key);
     if (list == nullptr || list->children.size() < 3) return;
-    if (!third.depends_on_time() && !third.depends_on_place() && third(0) == 0) return;
-    throw InputError(list->children[2].place, "flow.acceleration has a third component in a 2-D scene",
+    if (third.is_zero()) return;
+    throw InputError(list->children[2].place, key + " has a third component in a 2-D scene",
                      "leave it out, or write 0");
 }
 
@@ -119,6 +118,26 @@ void need_regions(const Scene& scene, const TomlNode& document) {
         "add a [[region]] with a name and the corners from and to");
 }
 
+void need_plane_walls(const Scene& scene) {
+    for (const Part* wall : scene.parts_of(PartKind::rigid))
+        if (!wall->surface_velocity.value[2].is_zero())
+            throw InputError(wall->surface_velocity.place,
+                             "surface_velocity of '" + *wall->name + "' has a third component in a 2-D scene",
+                             "leave it out, or write 0");
+}
+
+/// What a scene starts from is taken once.
+void need_start_without_time(const Scene& scene) {
+    const auto need = [](const std::string& key, const Expression& formula, const Place& place) {
+        if (!formula.depends_on_time()) return;
+        throw InputError(place, key + " depends on t: \"" + formula.text() + "\"",
+                         "write a formula of x, y and z; a start has no time");
+    };
+    for (const Expression& axis : *scene.flow.initial_velocity)
+        need("flow.initial_velocity", axis, scene.flow.initial_velocity.place);
+    need("flow.initial_pressure", scene.flow.initial_pressure, scene.flow.initial_pressure.place);
+}
+
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
         need_plane_point(*point);
@@ -156,7 +175,10 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_largest_speed(scene, document);
     need_axis_in_space(scene);
     need_thick_walls(scene);
-    need_plane_formulas(scene, document);
+    need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
+    need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
+    need_start_without_time(scene);
+    need_plane_walls(scene);
     need_regions(scene, document);
     for (const auto& region : scene.regions) check_region(scene, region);
     for (const auto& measure : scene.measures) check_measure(scene, measure);

@@ -25,6 +25,8 @@ class Expression {
 
     [[nodiscard]] bool depends_on_time() const;
     [[nodiscard]] bool depends_on_place() const;
+    /// Whether it is 0 at any time and place.
+    [[nodiscard]] bool is_zero() const { return !depends_on_time() && !depends_on_place() && (*this)(0) == 0; }
     /// As the user wrote it, with units.
     [[nodiscard]] const std::string& text() const { return as_written_; }
     /// With units, literals in SI base units; the same for every way to write the same formula in other units.

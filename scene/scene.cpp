@@ -53,6 +53,7 @@ const Words<MeasureKind>& words_of() {
                                              {MeasureKind::gap, "gap"},
                                              {MeasureKind::largest_speed, "largest_speed"},
                                              {MeasureKind::density, "density"},
+                                             {MeasureKind::kinetic_energy, "kinetic_energy"},
                                              {MeasureKind::probe, "probe"}};
     return words;
 }
@@ -100,6 +101,10 @@ std::string word(FluidField field) { return find_word(field); }
 std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }
 std::string word(MeasureKind kind) { return find_word(kind); }
+
+bool Scene::any(const std::array<Expression, 3>& formulas) {
+    return !std::all_of(formulas.begin(), formulas.end(), [](const Expression& axis) { return axis.is_zero(); });
+}
 
 std::vector<const Part*> Scene::parts_of(PartKind kind) const {
     std::vector<const Part*> found;

@@ -36,7 +36,7 @@ enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, lucy };
 enum class WallModel { extrapolated, plain };
 enum class SpringStepping { implicit, subcycled };
-enum class MeasureKind { flux, gap, largest_speed, density, probe };
+enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
 enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
@@ -53,6 +53,10 @@ struct Part {
 
     // rigid and springs
     Value<int> layers;  ///< rows of particles; default 3 for rigid, 2 for springs
+
+    // rigid
+    /// Velocity of the wall's surface in itself, of a lid or a belt, as functions of t, x, y, z [m/s].
+    Value<std::array<Expression, 3>> surface_velocity;
 
     // springs
     Value<double> bending_stiffness;           ///< EI [N m^2]
@@ -102,6 +106,8 @@ struct Scene {
     struct {
         Value<double> spacing;  ///< particle spacing [m]
         Value<Arrangement> arrangement = Arrangement::square;
+        Value<double> disorder = 0.0;  ///< largest random displacement of fluid particles along an axis [spacings]
+        Value<int> seed = 1;           ///< of the disorder
     } particles;
 
     std::vector<Part> parts;  ///< in the order written, disabled ones included
@@ -110,6 +116,8 @@ struct Scene {
         std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
         std::array<Value<bool>, 3> periodic;     ///< by axis
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
+        Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
+        Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
     } flow;
 
     struct {
@@ -150,6 +158,8 @@ struct Scene {
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
+    /// Whether any of a part's formulas is not 0.
+    static bool any(const std::array<Expression, 3>& formulas);
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// Whether frames or a probe need this field.

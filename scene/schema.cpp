@@ -48,6 +48,9 @@ std::vector<Key<Particles>> particles_keys() {
          "Distance between neighbouring particles."},
         {"arrangement", &Particles::arrangement, word_of<Arrangement>(), "square",
          "Lattice on which the fluid starts."},
+        {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
+         "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
+        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements."},
     };
 }
 
@@ -62,6 +65,8 @@ std::vector<Key<Part>> part_keys() {
         {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
         {"layers", rigid, &Part::layers, integer(at_least(1)), ByQuality{"3", "3", "4"},
          "Rows of wall particles; the wall must be as thick as the kernel's support."},
+        {"surface_velocity", rigid, &Part::surface_velocity, formulas("1 m/s"), "[0, 0]",
+         "How fast the wall's surface slides in itself, as a lid or a belt does, by formulas of t, x, y."},
         {"layers", springs, &Part::layers,
          integer(exactly(2, "springs parts have two rows of particles for now: write layers = 2")), "2",
          "Rows of particles across the solid's thickness."},
@@ -89,6 +94,10 @@ std::vector<Key<Flow>> flow_keys() {
         {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
         {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
          "Largest speed expected; needed where accuracy.sound_speed is \"auto\"."},
+        {"initial_velocity", &Flow::initial_velocity, formulas("0.1 m/s"), "[0, 0]",
+         "Velocity with which the fluid starts, along x and y, as formulas of x, y."},
+        {"initial_pressure", &Flow::initial_pressure, formula("100 Pa"), "0",
+         "Pressure with which the fluid starts, as a formula of x, y; density follows from the equation of state."},
     };
 }
 
@@ -163,8 +172,8 @@ std::vector<Key<Measure>> measure_keys() {
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
-         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, or a probe's "
-         "field."},
+         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, or "
+         "a probe's field."},
         {"from", flux, &Measure::from, point(), required, "Where the line starts."},
         {"to", flux, &Measure::to, point(), required, "Where the line ends."},
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},

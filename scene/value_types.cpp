@@ -218,6 +218,17 @@ ValueType<Vec> point() {
             }};
 }
 
+ValueType<Expression> formula(const std::string& example) {
+    const Expected expected(example);
+    return {"a formula, " + expected.phrase() + " or 0",
+            [=](const TomlNode& node, const std::string& path) {
+                if (node.is_text()) return read_formula(node.text, expected, path);
+                read_quantity_node(node, path, expected);  // 0 is the only one that passes
+                return Expression();
+            },
+            [](const Expression& value) { return toml_quoted(value.si_text()); }};
+}
+
 ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
     const Expected expected(example);
     const std::string description = "a list of one to three formulas, each " + expected.phrase() + " or 0";

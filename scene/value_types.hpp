@@ -66,6 +66,8 @@ ValueType<std::string> name();
 ValueType<Vec> point();
 /// One to three formulas of t, x, y, z; a bare 0 needs no unit.
 ValueType<std::array<Expression, 3>> formulas(const std::string& example);
+/// One formula of t, x, y, z; a bare 0 needs no unit.
+ValueType<Expression> formula(const std::string& example);
 /// A list of "x", "y".
 ValueType<std::array<Value<bool>, 3>> axes();
 /// A table of numbers by name: bare numbers, angles (in radians) and lengths (divided by `unit` [m]).

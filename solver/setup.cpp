@@ -7,6 +7,7 @@
 
 #include "scene/read_scene.hpp"
 #include "solver/models/contact/repulsion.hpp"
+#include "solver/starting_state.hpp"
 
 namespace dmp {
 
@@ -98,6 +99,7 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         for (int axis = 0; axis < set.dimension; ++axis)
             fill(Field::wall_normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
     }
+    fill_starting_density(scene, set, equations_of_state(scene, set), particles);
 }
 
 StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit) {
@@ -137,6 +139,12 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
             models.push_back(
                 {"particle shifting", "after Sun et al. 2017", because(scene.accuracy.shifting, "accuracy.shifting")});
     }
+    if (has_starting_state(scene)) {
+        const bool moves = scene.flow.initial_velocity.given();
+        models.push_back({"starting state", "density by the inverse equation of state",
+                          moves ? because(scene.flow.initial_velocity, "flow.initial_velocity")
+                                : because(scene.flow.initial_pressure, "flow.initial_pressure")});
+    }
     for (const Expression& axis : scene.flow.acceleration)
         if (axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0) {
             models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
@@ -146,6 +154,10 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
                           scene.accuracy.walls == WallModel::plain ? "Monaghan 1994"
                                                                    : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
                           because(scene.accuracy.walls, "accuracy.walls")});
+    for (const Part* part : scene.parts_of(PartKind::rigid))
+        if (Scene::any(part->surface_velocity))
+            models.push_back({"sliding surface of '" + *part->name + "'", "velocity of the wall in the viscous force",
+                              because(part->surface_velocity, "surface_velocity")});
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
         models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});

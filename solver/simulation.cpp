@@ -11,6 +11,7 @@
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
 #include "solver/setup.hpp"
+#include "solver/starting_state.hpp"
 #include "solver/state/checkpoints.hpp"
 #include "solver/state/state_hash.hpp"
 #include "solver/state/watch.hpp"
@@ -48,7 +49,7 @@ struct Simulation::State {
     State(Scene s, const ParticleSet& set, const Resources& resources)
         : scene(std::move(s)),
           ranks(resources.ranks),
-          particles(checked(set), rest_densities(scene, set), ranks),
+          particles(starting_particles(scene, checked(set), equations_of_state(scene, set), ranks)),
           settings(pair_settings(scene, resources)),
           fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
@@ -60,6 +61,7 @@ struct Simulation::State {
           measure_times(scene.output.measure_every > 0 ? scene.output.measure_every.value : scene.output.every / 4) {
         for (std::size_t i = 0; i < set.size(); ++i) ++count[word(static_cast<PartKind>(set.kind(i)))];
         fill_store(scene, set, particles);
+        fluid.take_speed();
         at_start = conserved();
     }
 

@@ -38,15 +38,17 @@ class Warnings {
     }
 
     [[nodiscard]] bool is_driven() const {
-        return std::ranges::any_of(scene_.flow.acceleration, [](const Expression& axis) {
-            return axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0;
-        });
+        const auto acts = [](const Expression& formula) { return !formula.is_zero(); };
+        const auto& flow = scene_.flow;
+        const auto slides = [&](const Part* wall) { return std::ranges::any_of(*wall->surface_velocity, acts); };
+        return std::ranges::any_of(flow.acceleration, acts) || std::ranges::any_of(*flow.initial_velocity, acts) ||
+               acts(flow.initial_pressure) || std::ranges::any_of(scene_.parts_of(PartKind::rigid), slides);
     }
 
     void about_drive() {
         if (is_driven()) return;
         add("flow.acceleration", {}, "is 0 and nothing else drives the scene: nothing will move",
-            "give a body acceleration");
+            "give a body acceleration, an initial velocity or pressure, or a wall that slides");
     }
 
     void about_contact() {

@@ -105,6 +105,9 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
                 column(name + "_low", "1");
                 column(name + "_high", "1");
                 break;
+            case MeasureKind::kinetic_energy:
+                column(name, "J");
+                break;
             case MeasureKind::probe:
                 for (const std::string& ending : column_endings(scene, measure.field, set.dimension))
                     column(name + ending, unit_of(measure.field));
@@ -131,6 +134,9 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
                 row.push_back(extremes.density_high);
                 break;
             }
+            case MeasureKind::kinetic_energy:
+                row.push_back(kinetic_energy(particles.fluid()));
+                break;
             case MeasureKind::probe: {
                 const auto values = probe(*measure, particles, fluid);
                 if (series_.rows.empty() && std::isnan(values[0]))
@@ -201,6 +207,19 @@ double Measures::flux(const Measure& measure, const ParticleStore& particles) co
             speed += normal[axis] * fluid.data(Field::velocity, axis)[i];
         sum.add(fluid.data(Field::volume)[i] * speed * (1 - across / half_width) / half_width);
     });
+    return over_all_ranks(sum);
+}
+
+double Measures::kinetic_energy(const ParticleGroup& fluid) const {
+    ExactSum sum;
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        double square = 0;
+        for (int axis = 0; axis < space_.dimension; ++axis) {
+            const double speed = fluid.data(Field::velocity, axis)[i];
+            square += speed * speed;
+        }
+        sum.add(0.5 * fluid.data(Field::mass)[i] * square);
+    }
     return over_all_ranks(sum);
 }
 

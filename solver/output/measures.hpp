@@ -13,6 +13,7 @@ namespace dmp {
 ///   gap            smallest distance between centres of particles of different bodies of a springs part [m]
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
+///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
 ///   probe          a fluid field at a point (Shepard interpolation); vectors and tensors have one column a component,
 ///                  residence_time one a region
 class Measures {
@@ -35,6 +36,7 @@ class Measures {
     void for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const;
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
+    [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
     [[nodiscard]] double gap(const Measure& measure, const SpringBodies& springs) const;
     /// A value a column of the probe.
     [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,

@@ -32,6 +32,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       sweeps_(make_pair_sweeps(settings, particles)),
       passes_(std::move(state_of_part), settings.threads),
       springs_(set, scene, ranks),
+      walls_(scene, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
@@ -48,12 +49,14 @@ void FluidStep::advance(double t, double dt) {
         neighbours_.moved(dt / 2 * largest_speed_);
     });
     timer_.timed("neighbours", [&] { renew_list(); });
-    sweep("forces", {Field::position, Field::pressure, Field::volume, Field::density},
-          [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
-              sweeps_->forces(particles_, neighbours_.list(), g, clusters);
-          });
+    FieldList at_forces{Field::position, Field::pressure, Field::volume, Field::density};
+    if (walls_.show_surfaces(particles_.of(ParticleKind::rigid), t)) at_forces.push_back(Field::velocity);
+    sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
+        sweeps_->forces(particles_, neighbours_.list(), g, clusters);
+    });
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
+    walls_.show_motion(particles_.of(ParticleKind::rigid));
     sweep("density", {Field::velocity},
           [this](ClusterChoice clusters) { sweeps_->density_rates(particles_, neighbours_.list(), clusters); });
     timer_.timed("drift", [&] { drift_to_end(dt); });

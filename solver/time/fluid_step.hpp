@@ -11,6 +11,7 @@
 #include "solver/time/fluid_passes.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
+#include "solver/time/wall_motion.hpp"
 
 namespace dmp {
 
@@ -40,6 +41,8 @@ class FluidStep {
     /// From time t to t + dt.
     void advance(double t, double dt);
 
+    /// Takes note of how fast the fluid is; for one that starts in motion.
+    void take_speed() { largest_speed_ = extremes().largest_speed; }
     /// Makes the neighbour list and the copies fit the present positions.
     void refresh_neighbours();
     /// Brings pressure (and volume) up to the present density, of copies too.
@@ -77,6 +80,7 @@ class FluidStep {
     std::unique_ptr<PairSweeps> sweeps_;
     FluidPasses passes_;
     SpringBodies springs_;
+    WallMotion walls_;
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;  ///< the acceleration

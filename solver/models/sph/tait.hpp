@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 namespace dmp {
 
 /// Tait's equation of state for a weakly compressible liquid (Monaghan 1994 with gamma = 7):
@@ -15,6 +17,13 @@ struct TaitEquation {
         const T cube = ratio * ratio * ratio;
         return sound_speed * sound_speed * rest_density / 7 * (cube * cube * ratio - T(1.0));
     }
+
+    /// The inverse: density at which the liquid has this pressure [kg/m^3]; pressure must exceed `lowest_pressure`.
+    [[nodiscard]] double density(double pressure) const {
+        return rest_density * std::pow(1 + 7 * pressure / (sound_speed * sound_speed * rest_density), 1.0 / 7);
+    }
+    /// The pressure of a vanishing density [Pa].
+    [[nodiscard]] double lowest_pressure() const { return -sound_speed * sound_speed * rest_density / 7; }
 };
 
 }  // namespace dmp

@@ -167,6 +167,32 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"no_component", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nacceleration = []",
               "scene.toml:29:16: flow.acceleration: found a list of 0, expected one to three formulas\n"
               "  write acceleration = [x, y], such as [\"0.1 m/s^2\", 0]"},
+        Fault{"third_component_of_the_starting_velocity", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\ninitial_velocity = [0, 0, \"1 m/s\"]",
+              "scene.toml:29:27: flow.initial_velocity has a third component in a 2-D scene\n"
+              "  leave it out, or write 0"},
+        Fault{"starting_velocity_of_another_dimension", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\ninitial_velocity = [\"1 m * x\", 0]",
+              "scene.toml:29:22: flow.initial_velocity: found \"1 m * x\" (area), expected a speed such as "
+              "\"0.1 m/s\"\n  check the units of its factors: the whole formula must be a speed"},
+        Fault{"starting_velocity_in_time", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\ninitial_velocity = [0, \"1 m/s * sin(t / 1 s)\"]",
+              "scene.toml:29:20: flow.initial_velocity depends on t: \"1 m/s * sin(t / 1 s)\"\n"
+              "  write a formula of x, y and z; a start has no time"},
+        Fault{"starting_pressure_in_time", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\ninitial_pressure = \"1 Pa/s * t\"",
+              "scene.toml:29:20: flow.initial_pressure depends on t: \"1 Pa/s * t\"\n"
+              "  write a formula of x, y and z; a start has no time"},
+        Fault{"starting_pressure_without_unit", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\ninitial_pressure = 3",
+              "scene.toml:29:20: missing unit: initial_pressure = 3, expected a pressure such as \"100 Pa\"\n"
+              "  write initial_pressure = \"3 Pa\", with the unit you mean"},
+        Fault{"too_much_disorder", "spacing = \"0.1 mm\"", "spacing = \"0.1 mm\"\ndisorder = 0.6",
+              "scene.toml:9:12: particles.disorder: found 0.6, expected between 0 and 0.4\n"
+              "  give a value that is between 0 and 0.4"},
+        Fault{"negative_seed", "spacing = \"0.1 mm\"", "spacing = \"0.1 mm\"\nseed = -1",
+              "scene.toml:9:8: particles.seed: found -1, expected at least 0\n"
+              "  give a value that is at least 0"},
         Fault{"third_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"z\"]",
               "scene.toml:29:13: flow.periodic: a scene in the plane has no axis 'z'\n"
               "  give 'x' and 'y' only, or write dimension = 3"},

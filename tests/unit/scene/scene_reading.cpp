@@ -105,6 +105,10 @@ TEST(ReadScene, every_default) {
     EXPECT_TRUE(scene.geometry.parameters.empty());
     EXPECT_EQ(*scene.particles.arrangement, Arrangement::square);
     EXPECT_EQ(*scene.particles.arrangement, *fresh.particles.arrangement);
+    EXPECT_EQ(*scene.particles.disorder, 0);
+    EXPECT_EQ(*scene.particles.disorder, *fresh.particles.disorder);
+    EXPECT_EQ(*scene.particles.seed, 1);
+    EXPECT_EQ(*scene.particles.seed, *fresh.particles.seed);
 
     const Part fresh_part;
     for (const auto& part : scene.parts) EXPECT_EQ(*part.enabled, true);
@@ -121,6 +125,8 @@ TEST(ReadScene, every_default) {
 
     for (const auto& component : scene.flow.acceleration) EXPECT_EQ(component(1, 2, 3, 4), 0);
     for (const auto& axis : scene.flow.periodic) EXPECT_FALSE(axis);
+    for (const auto& component : *scene.flow.initial_velocity) EXPECT_EQ(component(0, 2, 3, 4), 0);
+    EXPECT_EQ((*scene.flow.initial_pressure)(0, 2, 3, 4), 0);
     EXPECT_EQ(*scene.contact.range, 1);
     EXPECT_EQ(*scene.contact.range, *fresh.contact.range);
     EXPECT_EQ(*scene.contact.strength, 0) << "auto";
@@ -413,11 +419,15 @@ parameters = { "odd name" = 1, w = 2 }
 [particles]
 spacing = "1e-04 m"
 arrangement = "square"
+disorder = 0
+seed = 1
 
 [flow]
 acceleration = ["0", "0", "0"]
 periodic = []
 largest_speed = "0.2 m/s"
+initial_velocity = ["0", "0", "0"]
+initial_pressure = "0"
 
 [contact]
 range = 1

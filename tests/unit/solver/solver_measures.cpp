@@ -150,6 +150,14 @@ TEST(LargestSpeedAndDensity, of_uniform_flow) {
     }
 }
 
+TEST(KineticEnergy, of_uniform_flow) {
+    const auto series = measured(falling({measure_of("energy", MeasureKind::kinetic_energy)}));
+    ASSERT_EQ(series.names, std::vector<std::string>{"energy"});
+    EXPECT_EQ(series.units, std::vector<std::string>{"J"});
+    for (std::size_t row = 0; row < series.time.size(); ++row)
+        EXPECT_NEAR(series.rows[row][0], 0.5 * 640 * std::pow(0.5 * series.time[row], 2), 1e-10);
+}
+
 /// A springs part without fluid, periodic in x with a period of 0.8 m.
 SceneAndParticles flags_alone() {
     SceneAndParticles made = endless_water();
