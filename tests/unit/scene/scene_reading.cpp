@@ -470,6 +470,7 @@ name = "wall"
 kind = "rigid"
 enabled = true
 layers = 3
+surface_velocity = ["0", "0", "0"]
 
 [[part]]
 name = "leaflets"
