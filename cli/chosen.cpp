@@ -70,6 +70,10 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                    origin_text(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
                                    origin_text(accuracy.support, "accuracy.support")));
     list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin_text(accuracy.walls, "accuracy.walls")));
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        const std::string key = "part." + *part->name + ".layers";
+        list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
+    }
     list.add("liquid", fmt::format("{} equation of state ({}), density by {} ({})", word(*accuracy.equation_of_state),
                                    origin_text(accuracy.equation_of_state, "accuracy.equation_of_state"),
                                    word(*accuracy.density), origin_text(accuracy.density, "accuracy.density")));
@@ -81,10 +85,10 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                       origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
                                       *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));
     if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly)
-        list.add("viscosity", fmt::format("implicit ({}), solved to {:.3g} ({})",
-                                          origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
-                                          *accuracy.viscosity_tolerance,
-                                          origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
+        list.add("stepped", fmt::format("implicitly ({}), solved to {:.3g} ({})",
+                                        origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
+                                        *accuracy.viscosity_tolerance,
+                                        origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
     list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
                                         origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
