@@ -63,7 +63,7 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
 }
 
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen) {
-    if (*scene.accuracy.sound_speed == 0) scene.accuracy.sound_speed = Value<double>(chosen.value);
+    if (chosen.pressure_rules) scene.accuracy.sound_speed = Value<double>(chosen.value);
     return scene;
 }
 

@@ -21,7 +21,7 @@ struct SoundSpeed {
 /// 64 instants of the run (components that depend on place count 0).
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
 
-/// The scene with that speed of sound in place of "auto".
+/// The scene with that speed of sound in place of an "auto" that looks at speeds alone.
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen);
 
 }  // namespace dmp
