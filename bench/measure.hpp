@@ -32,7 +32,7 @@ struct EngineTimes {
     std::size_t planned_bytes = 0;         ///< per particle, by the plan
     std::optional<double> resident_bytes;  ///< per particle, of the largest resident set above the start's; none: the
                                            ///< system does not tell
-    double viscous_iterations = 0;             ///< of implicit viscosity in one step, on average
+    double viscous_iterations = 0;         ///< of implicit viscosity in one step, on average
     double density_low = 0, density_high = 0;  ///< of the fluid, over density at rest, that the run was a sane one [-]
 };
 

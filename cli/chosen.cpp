@@ -29,6 +29,16 @@ class Origins {
 std::string sound_speed_text(const Scene& scene, const Plan& plan) {
     const Origins origin_text(scene);
     const bool automatic = *scene.accuracy.sound_speed == 0;
+    if (automatic && plan.sound.pressure_rules) {
+        const std::string pressure = plan.sound.pressure_is_estimated
+                                         ? "by the body acceleration over the fluid's extent"
+                                         : origin_text(scene.flow.largest_pressure, "flow.largest_pressure");
+        return fmt::format(
+            "{}   (sqrt(p / rho) / Mach {:.3g} of the largest pressure expected, {}, {}; "
+            "accuracy.sound_speed = \"auto\")",
+            quantity_text(plan.sound_speed, "m/s"), *scene.accuracy.mach_number,
+            quantity_text(plan.sound.largest_pressure, "Pa"), pressure);
+    }
     return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
                        automatic
                            ? fmt::format("(the largest speed expected, {}, over Mach {:.3g}; accuracy.sound_speed = "
@@ -60,14 +70,25 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                    origin_text(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
                                    origin_text(accuracy.support, "accuracy.support")));
     list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin_text(accuracy.walls, "accuracy.walls")));
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        const std::string key = "part." + *part->name + ".layers";
+        list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
+    }
+    list.add("liquid", fmt::format("{} equation of state ({}), density by {} ({})", word(*accuracy.equation_of_state),
+                                   origin_text(accuracy.equation_of_state, "accuracy.equation_of_state"),
+                                   word(*accuracy.density), origin_text(accuracy.density, "accuracy.density")));
+    list.add("viscosity",
+             fmt::format("{} ({}), {} mean between fluids ({})", word(*accuracy.viscous_law),
+                         origin_text(accuracy.viscous_law, "accuracy.viscous_law"), word(*accuracy.viscosity_mean),
+                         origin_text(accuracy.viscosity_mean, "accuracy.viscosity_mean")));
     list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
                                       origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
                                       *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));
     if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly)
-        list.add("viscosity", fmt::format("implicit ({}), solved to {:.3g} ({})",
-                                          origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
-                                          *accuracy.viscosity_tolerance,
-                                          origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
+        list.add("stepped", fmt::format("implicitly ({}), solved to {:.3g} ({})",
+                                        origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
+                                        *accuracy.viscosity_tolerance,
+                                        origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
     list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
                                         origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,

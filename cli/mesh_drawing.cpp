@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh_drawing.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -30,12 +31,14 @@ DrawingOptions drawing_of(const Scene& scene) {
 }
 
 std::string springs_text(const MeshReport::SpringLine& line) {
+    const std::string corners = line.cross_stiffness > 0 ? "k_c " + quantity_text(line.cross_stiffness, "N/m")
+                                                         : "k_a " + quantity_text(line.hinge_stiffness, "J");
     std::string text =
-        fmt::format("k_b {}, k_a {}, EI {}, EA {}", quantity_text(line.bond_stiffness, "N/m"),
-                    quantity_text(line.hinge_stiffness, "J"), quantity_text(line.bending_stiffness, "N m^2"),
-                    quantity_text(line.axial_stiffness, "N"));
-    if (line.axial_stiffness < 0.999 * line.axial_stiffness_asked) {
-        text += fmt::format(" (lowered from {}: the lattice cannot hold both at this spacing)",
+        fmt::format("k_b {}, {}, EI {}, EA {}", quantity_text(line.bond_stiffness, "N/m"), corners,
+                    quantity_text(line.bending_stiffness, "N m^2"), quantity_text(line.axial_stiffness, "N"));
+    if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 0.001) {
+        text += fmt::format(" ({} from {}: the lattice cannot hold both at this spacing)",
+                            line.axial_stiffness < line.axial_stiffness_asked ? "lowered" : "raised",
                             quantity_text(line.axial_stiffness_asked, "N"));
     }
     return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));

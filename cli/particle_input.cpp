@@ -108,16 +108,19 @@ struct Range {
 
 Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles) {
     Origin origin{"from", file.string(), {}, {}};
-    std::vector<Range> bonds(particles.parts.size()), hinges(particles.parts.size());
+    std::vector<Range> bonds(particles.parts.size()), hinges(bonds), dihedrals(bonds);
     const auto part_of = [&](int particle) {
         return static_cast<std::size_t>(particles.part[static_cast<std::size_t>(particle)]);
     };
     for (const Bond& bond : particles.bonds) bonds[part_of(bond.a)].add(bond.stiffness);
     for (const Hinge& hinge : particles.hinges) hinges[part_of(hinge.centre)].add(hinge.stiffness);
+    for (const Dihedral& dihedral : particles.dihedrals) dihedrals[part_of(dihedral.b)].add(dihedral.stiffness);
     for (std::size_t n = 0; n < particles.parts.size(); ++n) {
         if (particles.parts[n].kind != ParticleKind::springs) continue;
-        origin.springs.emplace_back(particles.parts[n].name, fmt::format("k_b {}, k_a {}, from the file",
-                                                                         bonds[n].text("N/m"), hinges[n].text("J")));
+        const std::string folds = particles.dihedrals.empty() ? "" : ", k_d " + dihedrals[n].text("J");
+        origin.springs.emplace_back(
+            particles.parts[n].name,
+            fmt::format("k_b {}, k_a {}{}, from the file", bonds[n].text("N/m"), hinges[n].text("J"), folds));
     }
     return origin;
 }

@@ -70,9 +70,9 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
                                   count_text(static_cast<std::size_t>(summary.threads), "thread")));
     if (const std::string stages = stages_text(summary); !stages.empty()) list.add("spent on", stages);
     if (summary.viscous_solves.solves > 0)
-        list.add("viscosity", fmt::format("{:.3g} iterations a step on average, {} at most",
-                                          summary.viscous_solves.mean_iterations(),
-                                          summary.viscous_solves.most_iterations));
+        list.add("viscosity",
+                 fmt::format("{:.3g} iterations a step on average, {} at most",
+                             summary.viscous_solves.mean_iterations(), summary.viscous_solves.most_iterations));
     const double mass_change = summary.start.mass > 0 ? summary.end.mass / summary.start.mass - 1 : 0;
     list.add("mass", fmt::format("{} kg moving, changed by {:.2g} of it", fmt::format("{:.6g}", summary.end.mass),
                                  mass_change));

@@ -29,6 +29,7 @@ struct MeshReport {
         std::size_t bonds = 0, hinges = 0, anchored = 0;
         double bond_stiffness = 0;         ///< k_b [N/m]
         double hinge_stiffness = 0;        ///< k_a [J]
+        double cross_stiffness = 0;        ///< k_c of diagonals and rungs [N/m]; 0: hinges in their place
         double bending_stiffness = 0;      ///< EI the lattice gives [N m^2]
         double axial_stiffness = 0;        ///< EA the lattice gives [N]
         double axial_stiffness_asked = 0;  ///< EA the scene asks for [N]

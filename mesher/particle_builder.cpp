@@ -95,15 +95,17 @@ void ParticleBuilder::add_springs(const Part& part) {
     const int number = add_part(part, ParticleKind::springs);
     MeshReport::SpringLine line;
     line.part = part.name;
-    line.axial_stiffness_asked = part.axial_stiffness;
+    line.axial_stiffness_asked = strip_stiffness(part).axial;
     for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
     if (!part.anchor->empty() && line.anchored == 0)
         throw InputError(part.anchor.place, "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'",
                          "put the anchor points on the curve in the drawing");
-    if (line.axial_stiffness < (1 - 1e-9) * part.axial_stiffness) {
+    if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
         std::ostringstream note;
-        note << part.name.value << ": EA lowered from " << part.axial_stiffness.value << " to " << line.axial_stiffness
-             << " N, so that two rows " << spacing_ << " m apart can bend as softly as EI asks; EI is held";
+        const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
+        note << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
+             << " to " << line.axial_stiffness << " N, so that two rows " << spacing_ << " m apart can "
+             << (lowered ? "bend as softly as EI asks" : "resist shear by cross bonds") << "; EI is held";
         result_.report.notes.push_back(note.str());
     }
     result_.report.springs.push_back(line);
@@ -140,8 +142,8 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         add_particle(part_number,
                      {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
 
-    const auto bond = [&](int a, int b) {
-        set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), constants.bond_stiffness});
+    const auto bond = [&](int a, int b, double stiffness) {
+        set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), stiffness});
         ++line.bonds;
     };
     const auto hinge = [&](int a, int centre, int b) {
@@ -152,11 +154,16 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     };
     for (int c = 0; c < ladder.columns(); ++c) {
         const int left = first + 2 * c, right = left + 1;
-        bond(left, right);
+        bond(left, right, constants.rung_stiffness());
         if (c + 1 == ladder.columns()) break;
         const int next_left = left + 2, next_right = right + 2;
-        bond(left, next_left);
-        bond(right, next_right);
+        bond(left, next_left, constants.bond_stiffness);
+        bond(right, next_right, constants.bond_stiffness);
+        if (constants.cross_stiffness > 0) {
+            bond(left, next_right, constants.cross_stiffness);
+            bond(right, next_left, constants.cross_stiffness);
+            continue;
+        }
         hinge(next_left, left, right);
         hinge(left, right, next_right);
         hinge(right, next_right, next_left);
@@ -166,6 +173,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     line.anchored += 2 * static_cast<std::size_t>(std::count(anchored.begin(), anchored.end(), true));
     line.bond_stiffness = constants.bond_stiffness;
     line.hinge_stiffness = constants.hinge_stiffness;
+    line.cross_stiffness = constants.cross_stiffness;
     line.bending_stiffness = constants.bending_stiffness();
     line.axial_stiffness = constants.axial_stiffness();
     line.shear_stiffness = constants.shear_stiffness();

@@ -22,7 +22,8 @@ class ParticleBuilder {
   public:
     ParticleBuilder(const Geometry& geometry, const Scene& scene);
 
-    /// Two rows of nodes along each curve, with bonds along and across and four hinges a cell, clamped at the anchors.
+    /// Two rows of nodes along each curve, with bonds along and across and four hinges or two diagonals a cell,
+    /// clamped at the anchors.
     void add_springs(const Part& part);
     /// Lattice points inside the region, outside the bodies: a body takes up one spacing on both sides of its curve.
     /// Points on the border of two fluids belong to the first of them.

@@ -195,10 +195,13 @@ void read_space(const Hdf5Reader& from, ParticleSpace& space) {
     if (periodic.size() != 3 || std::ranges::any_of(periodic, [](int flag) { return flag > 1; }))
         from.refuse("periodic is not 0 or 1 for each of three axes");
     std::copy(periodic.begin(), periodic.end(), space.periodic.begin());
-    const auto mirrored = from.array<std::uint8_t>("mirrored");
-    if (mirrored.size() != 6 || std::ranges::any_of(mirrored, [](int flag) { return flag > 1; }))
-        from.refuse("mirrored is not 0 or 1 for each side of three axes");
-    for (std::size_t side = 0; side < mirrored.size(); ++side) space.mirrored[side / 2][side % 2] = mirrored[side] == 1;
+    if (from.has("mirrored")) {  // files of before there were planes of symmetry are without
+        const auto mirrored = from.array<std::uint8_t>("mirrored");
+        if (mirrored.size() != 6 || std::ranges::any_of(mirrored, [](int flag) { return flag > 1; }))
+            from.refuse("mirrored is not 0 or 1 for each side of three axes");
+        for (std::size_t side = 0; side < mirrored.size(); ++side)
+            space.mirrored[side / 2][side % 2] = mirrored[side] == 1;
+    }
     const auto names = from.texts("parts/name"), kinds = from.texts("parts/kind");
     if (names.size() != kinds.size())
         from.refuse(std::to_string(names.size()) + " parts have a name, and " + std::to_string(kinds.size()) +

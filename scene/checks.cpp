@@ -70,10 +70,63 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
                          "write spring_stepping = \"implicit\"");
 }
 
+/// Terms that exclude each other: the one that was written is an error, a default gives way.
+void need_terms_that_go_together(const Scene& scene) {
+    const auto& accuracy = scene.accuracy;
+    const bool summation = *accuracy.density == DensityModel::summation;
+    if (summation && accuracy.density_diffusion.given() && *accuracy.density_diffusion > 0)
+        throw InputError(accuracy.density_diffusion.place,
+                         "accuracy.density_diffusion smooths a density that is integrated, and accuracy.density = "
+                         "\"summation\" integrates none",
+                         "leave density_diffusion out, or write density = \"continuity\"");
+    if (*accuracy.transport_velocity && accuracy.shifting.given() && *accuracy.shifting > 0)
+        throw InputError(accuracy.shifting.place,
+                         "accuracy.shifting and accuracy.transport_velocity both spread the particles",
+                         "leave one of them out");
+    if (*accuracy.gradient_correction)
+        for (const Part* wall : scene.parts_of(PartKind::rigid))
+            if (wall->slip || wall->moves())
+                throw InputError(
+                    first_known(scene, {&accuracy.gradient_correction.place}),
+                    "accuracy.gradient_correction does not know walls that move or let the fluid slip, as '" +
+                        *wall->name + "' does",
+                    "leave out gradient_correction");
+    if (*accuracy.walls != WallModel::plain || (!summation && !*accuracy.gradient_correction)) return;
+    const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
+    throw InputError(
+        accuracy.walls.place,
+        "accuracy.walls = \"plain\" integrates a density of the walls' own, which accuracy." + term + " does not know",
+        "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
+}
+
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
                      "give 'x' and 'y' only, or write dimension = 3");
+}
+
+/// How stiff a springs part is: as a strip, or as a material and a thickness.
+void need_one_stiffness(const Part& part) {
+    const std::string part_name = "part '" + *part.name + "'";
+    const bool as_strip = part.bending_stiffness.given() || part.axial_stiffness.given();
+    const bool as_material = part.youngs_modulus.given() || part.thickness.given() || part.poisson_ratio.given();
+    const auto first = [](const auto& a, const auto& b) { return a.given() ? a.place : b.place; };
+    if (as_strip && as_material)
+        throw InputError(
+            part.youngs_modulus.given() ? part.youngs_modulus.place : first(part.thickness, part.poisson_ratio),
+            part_name + " has its stiffness twice: as a strip, at " +
+                first(part.bending_stiffness, part.axial_stiffness).text() + ", and as a material",
+            "give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio");
+    if (part.bending_stiffness.given() && part.axial_stiffness.given()) return;
+    if (part.youngs_modulus.given() && part.thickness.given()) return;
+    const char* missing = as_strip ? (part.bending_stiffness.given() ? "axial_stiffness" : "bending_stiffness")
+                                   : (part.youngs_modulus.given() ? "thickness" : "youngs_modulus");
+    throw InputError(part.name.place,
+                     as_strip || as_material ? part_name + ": " + missing + " is missing"
+                                             : part_name + " does not say how stiff it is",
+                     as_strip      ? "add " + std::string(missing) + ", or give youngs_modulus and thickness instead"
+                     : as_material ? "add " + std::string(missing) + ", or give bending_stiffness and axial_stiffness"
+                                   : "give bending_stiffness and axial_stiffness, or youngs_modulus and thickness");
 }
 
 /// A fluid particle at the wall must not see past the wall's last row.
@@ -237,6 +290,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_something_to_move(scene);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
+    need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_thick_walls(scene);
     need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
@@ -247,7 +301,14 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     check_symmetry(scene);
     need_regions(scene, document);
     for (const auto& region : scene.regions) check_region(scene, region);
+    for (const Part& part : scene.parts)
+        if (*part.kind == PartKind::springs) need_one_stiffness(part);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+}
+
+void switch_off_what_gives_way(Scene& scene) {
+    if (*scene.accuracy.density == DensityModel::summation) scene.accuracy.density_diffusion.value = 0;
+    if (*scene.accuracy.transport_velocity) scene.accuracy.shifting.value = 0;
 }
 
 }  // namespace dmp

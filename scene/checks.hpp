@@ -10,4 +10,8 @@ namespace dmp {
 /// Throws InputError.
 void check_scene(const Scene& scene, const TomlNode& document);
 
+/// Sets defaults to 0 that stand against what the scene asks for: density diffusion beside summed densities, shifting
+/// beside a transport velocity.
+void switch_off_what_gives_way(Scene& scene);
+
 }  // namespace dmp

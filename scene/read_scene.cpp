@@ -188,6 +188,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     scene.regions = read_items(document, "region", schema().region, *scene.quality);
     scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
     check_scene(scene, document);
+    switch_off_what_gives_way(scene);
     scene.hash = fnv1a(resolved_scene(scene));
     return scene;
 }

@@ -72,9 +72,13 @@ struct Part {
     [[nodiscard]] bool moves() const;           ///< whether the part moves or turns
 
     // springs
-    Value<double> bending_stiffness;           ///< EI [N m^2]
-    Value<double> axial_stiffness;             ///< EA [N]
-    Value<bool> lower_axial_stiffness = true;  ///< lower EA where the lattice cannot hold EI and EA at this spacing
+    Value<double> bending_stiffness;           ///< EI [N m^2]; 0: from youngs_modulus
+    Value<double> axial_stiffness;             ///< EA [N]; 0: from youngs_modulus
+    Value<double> youngs_modulus;              ///< E [Pa]; 0: from the stiffnesses
+    Value<double> thickness;                   ///< with youngs_modulus [m]
+    Value<double> poisson_ratio = 0.0;         ///< with youngs_modulus: that of a strip held in its depth; 0: not held
+    Value<bool> lower_axial_stiffness = true;  ///< change EA where the lattice cannot hold EI and EA at this spacing
+    Value<bool> cross_bonds = false;           ///< both diagonals of each cell instead of hinges at its corners
     Value<double> mass_per_length;             ///< [kg/m]
     Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
     Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical [-]
@@ -157,7 +161,7 @@ struct Scene {
         Value<bool> transport_velocity = false;  ///< Adami, Hu & Adams 2013, instead of shifting
         Value<double> step_factor = 0.3;         ///< c0 dt / support radius [-]
         Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
-        Value<double> viscosity_tolerance = 1e-8;  ///< of the implicit solve, relative residual [-]
+        Value<double> viscosity_tolerance = 1e-6;  ///< of implicit viscosity: the velocities' relative error [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
         Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
     } accuracy;

@@ -2,12 +2,17 @@
 #include "solver/setup.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <tuple>
 
 #include <omp.h>
 
 #include "scene/read_scene.hpp"
+#include "solver/free_surface.hpp"
 #include "solver/models/contact/repulsion.hpp"
+#include "solver/models/sph/lattice_viscosity.hpp"
+#include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/starting_state.hpp"
 
 namespace dmp {
@@ -36,6 +41,48 @@ ViscousForce viscous_force(const Scene& scene) {
     return harmonic && has_unlike_viscosities(scene) ? ViscousForce::morris_harmonic : ViscousForce::morris;
 }
 
+template <class T>
+std::string because(const Value<T>& value, const std::string& key) {
+    return value.given() ? key + " at " + value.place.text() : key + " (default)";
+}
+
+std::string three_digits(double value) {
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    return text.str();
+}
+
+std::string on_the_lattice(const LatticeViscosity& viscosity) {
+    return "on the lattice " + three_digits(viscosity.shear) + " of the viscosity in shear, " +
+           three_digits(viscosity.longitudinal) + " along";
+}
+
+/// The viscous law with what it really gives.
+ModelUse viscous_model(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps) {
+    const Part& fluid = *scene.parts_of(PartKind::fluid).front();
+    const auto slope = [&](double r) { return sweeps.kernel_slope(r); };
+    const int dimension = scene.dimension;
+    if (settings.viscous_force == ViscousForce::monaghan) {
+        const LatticeViscosity found =
+            lattice_viscosity_of_monaghan(dimension, settings.spacing, settings.support, slope);
+        const double alpha =
+            MonaghanViscosity<2>(settings.support, settings.approaching_pairs_only, settings.arithmetic_viscosity)
+                .alpha(fluid.viscosity / fluid.density, settings.support, settings.sound_speed) *
+            (dimension + 2) / 4;
+        return {"viscous force",
+                std::string("Monaghan & Gingold 1983, ") +
+                    (settings.approaching_pairs_only ? "approaching pairs only" : "all pairs") +
+                    ", alpha = " + three_digits(alpha) + "; " + on_the_lattice(found),
+                because(scene.accuracy.viscous_law, "accuracy.viscous_law")};
+    }
+    const LatticeViscosity found = lattice_viscosity_of_morris(dimension, settings.spacing, settings.support, slope);
+    const bool harmonic = settings.viscous_force == ViscousForce::morris_harmonic;
+    return {"viscous force",
+            std::string("Morris, Fox & Zhu 1997, eq. 22") +
+                (harmonic ? ", harmonic mean between fluids (Cleary & Monaghan 1999); " : "; ") + on_the_lattice(found),
+            because(fluid.viscosity, "viscosity")};
+}
+
 double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
@@ -60,8 +107,11 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     settings.support = scene.accuracy.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
     settings.background_pressure = scene.accuracy.background_pressure;
-    settings.density_diffusion = scene.accuracy.density_diffusion;
-    settings.shifting = scene.accuracy.shifting;
+    settings.density_by_summation = *scene.accuracy.density == DensityModel::summation;
+    settings.gradient_correction = scene.accuracy.gradient_correction;
+    settings.transport_velocity = scene.accuracy.transport_velocity;
+    settings.density_diffusion = settings.density_by_summation ? 0 : scene.accuracy.density_diffusion.value;
+    settings.shifting = settings.transport_velocity ? 0 : scene.accuracy.shifting.value;
     settings.density = largest_density(scene);
     for (const Part* part : scene.parts_of(PartKind::fluid))
         settings.viscosity = std::max(settings.viscosity, part->viscosity.value);
@@ -82,6 +132,17 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     }
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
+    return settings;
+}
+
+PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Resources& resources) {
+    PairSettings settings = pair_settings(scene, resources);
+    for (int axis = 0; axis < set.dimension; ++axis) {
+        const Expression& g = scene.flow.acceleration[axis];
+        if (!set.periodic[axis] && (g.depends_on_time() || g.depends_on_place() || g(0) != 0))
+            settings.stratified = true;
+    }
+    if (!settings.stratified) settings.stratified = has_free_surface(set, settings.threads);
     return settings;
 }
 
@@ -151,7 +212,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     return scales;
 }
 
-std::vector<ModelUse> models_in_use(const Scene& scene) {
+std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps) {
     const auto because = [&](const auto& value, const std::string& key) {
         return value.given() ? key + " at " + value.place.text() : key + " (" + default_origin(scene, key) + ")";
     };
@@ -168,19 +229,34 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
         if (*scene.accuracy.background_pressure != 0)
             models.push_back({"background pressure", "added to the equation of state",
                               because(scene.accuracy.background_pressure, "accuracy.background_pressure")});
-        models.push_back({"continuity", "Monaghan 1994, in volume form", fluid});
+        if (settings.density_by_summation)
+            models.push_back(
+                {"summation density", "Monaghan 1992, eq. 2.9", because(scene.accuracy.density, "accuracy.density")});
+        else
+            models.push_back({"continuity", "Monaghan 1994, in volume form", fluid});
         models.push_back({"pressure force", "Bonet & Lok 1999", fluid});
-        models.push_back(
-            {"viscous force", "Morris, Fox & Zhu 1997, eq. 22", because(fluids.front()->viscosity, "viscosity")});
-        if (*scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly)
+        models.push_back(viscous_model(scene, settings, sweeps));
+        if (settings.implicit_viscosity)
             models.push_back({"implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
                               because(scene.accuracy.viscosity_stepping, "accuracy.viscosity_stepping")});
-        if (scene.accuracy.density_diffusion > 0)
-            models.push_back({"density diffusion", "Molteni & Colagrossi 2009",
+        if (settings.gradient_correction)
+            models.push_back({"gradient correction", "Bonet & Lok 1999, in antisymmetric form",
+                              because(scene.accuracy.gradient_correction, "accuracy.gradient_correction")});
+        if (settings.density_diffusion > 0)
+            models.push_back({"density diffusion",
+                              settings.stratified ? "Molteni & Colagrossi 2009, less what is hydrostatic: Fourtakas "
+                                                    "et al. 2019"
+                                                  : "Molteni & Colagrossi 2009",
                               because(scene.accuracy.density_diffusion, "accuracy.density_diffusion")});
-        if (scene.accuracy.shifting > 0)
-            models.push_back(
-                {"particle shifting", "after Sun et al. 2017", because(scene.accuracy.shifting, "accuracy.shifting")});
+        if (settings.shifting > 0)
+            models.push_back({"particle shifting",
+                              settings.stratified
+                                  ? "after Sun et al. 2017; not across a free surface: Mokos et al. 2017"
+                                  : "after Sun et al. 2017",
+                              because(scene.accuracy.shifting, "accuracy.shifting")});
+        if (settings.transport_velocity)
+            models.push_back({"transport velocity", "Adami, Hu & Adams 2013",
+                              because(scene.accuracy.transport_velocity, "accuracy.transport_velocity")});
     }
     if (has_starting_state(scene)) {
         const bool moves = scene.flow.initial_velocity.given();
@@ -212,7 +288,12 @@ std::vector<ModelUse> models_in_use(const Scene& scene) {
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const std::string where = "part '" + part->name.value + "' at " + part->name.place.text();
         models.push_back({"bonds with dashpots", "U = k_b (r - r0)^2", where});
-        models.push_back({"hinges", "U = k_a (theta - theta0)^2", where});
+        if (part->cross_bonds) {
+            models.push_back(
+                {"cross bonds with dashpots", "U = k_c (r - r0)^2", because(part->cross_bonds, "cross_bonds")});
+        } else {
+            models.push_back({"hinges", "U = k_a (theta - theta0)^2", where});
+        }
         if (part->drag > 0) models.push_back({"lab-frame drag", "F = -k_v v", because(part->drag, "drag")});
     }
     const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();

@@ -16,6 +16,9 @@ double sound_speed(const Scene& scene);
 /// What the pair terms need; "auto" values decided.
 PairSettings pair_settings(const Scene& scene, const Resources& resources);
 
+/// The same with what the particles at the start decide: whether the fluid is stratified or has a free surface.
+PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Resources& resources);
+
 /// Equation of state by part number; solids stand in for the first fluid part.
 std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSpace& space);
 
@@ -29,6 +32,6 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
 StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit);
 
 /// Which models run and why.
-std::vector<ModelUse> models_in_use(const Scene& scene);
+std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps);
 
 }  // namespace dmp

@@ -11,6 +11,7 @@
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
 #include "solver/setup.hpp"
+#include "solver/sound_speed.hpp"
 #include "solver/starting_state.hpp"
 #include "solver/state/checkpoints.hpp"
 #include "solver/state/state_hash.hpp"
@@ -47,10 +48,11 @@ std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text)
 
 struct Simulation::State {
     State(Scene s, const ParticleSet& set, const Resources& resources)
-        : scene(std::move(s)),
+        : sound(choose_sound_speed(s, set)),
+          scene(with_sound_speed(std::move(s), sound)),
           ranks(resources.ranks),
           particles(starting_particles(scene, checked(set), equations_of_state(scene, set), ranks)),
-          settings(pair_settings(scene, resources)),
+          settings(pair_settings(scene, set, resources)),
           fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
           residence_times(scene, particles),
@@ -83,6 +85,7 @@ struct Simulation::State {
     void advance(const RunOptions& options, double until, FluidExtremes& extremes);
     [[nodiscard]] RunSummary summary() const;
 
+    SoundSpeed sound;
     Scene scene;
     Ranks ranks;
     std::map<std::string, std::size_t> count;  ///< particles of all ranks by kind
@@ -216,6 +219,7 @@ Plan Simulation::plan() const {
     plan.bytes_per_particle = s.particles.bytes() / std::max<std::size_t>(1, s.particles.owned());
     plan.sound_speed = s.settings.sound_speed;
     plan.largest_speed = s.scene.flow.largest_speed;
+    plan.sound = s.sound;
     double g = 0;  // largest over one run, sampled
     for (int k = 0; k <= 64; ++k) {
         double here = 0;
@@ -237,7 +241,7 @@ Plan Simulation::plan() const {
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
-    plan.models = models_in_use(s.scene);
+    plan.models = models_in_use(s.scene, s.settings, s.fluid.sweeps());
     plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {
         if (group.empty()) continue;

@@ -14,6 +14,7 @@
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
 #include "solver/resources.hpp"
+#include "solver/sound_speed.hpp"
 #include "solver/state/checkpoints.hpp"
 #include "solver/warnings.hpp"
 
@@ -40,6 +41,7 @@ struct Plan {
     std::map<std::string, std::size_t> particles;  ///< by kind
     std::size_t bytes_per_particle = 0;
     double sound_speed = 0;    ///< c0 [m/s]
+    SoundSpeed sound;          ///< the same, and why
     double largest_speed = 0;  ///< expected [m/s]
     double dt = 0;             ///< fluid step [s]
     int spring_substeps = 0;   ///< spring steps in one fluid step; 0: no springs
@@ -99,9 +101,9 @@ struct RunSummary {
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
     ViscousSolves viscous_solves;  ///< none where viscosity is explicit
-    long first_step = 0;       ///< that this process made; 0 unless it resumed
-    bool interrupted = false;  ///< left before its end
-    bool out_of_time = false;  ///< by the wall time's limit
+    long first_step = 0;           ///< that this process made; 0 unless it resumed
+    bool interrupted = false;      ///< left before its end
+    bool out_of_time = false;      ///< by the wall time's limit
 };
 
 struct RunProgress {

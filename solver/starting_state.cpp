@@ -29,7 +29,7 @@ bool has_velocity(const Scene& scene) {
 }
 
 /// Density at the starting pressure [kg/m^3].
-double density_at(const Scene& scene, const TaitEquation& state, const Vec& at) {
+double density_at(const Scene& scene, const LiquidState& state, const Vec& at) {
     const Expression& formula = scene.flow.initial_pressure;
     const double pressure = formula(0, at[0], at[1], at[2]);
     if (!(pressure > state.lowest_pressure() && std::isfinite(pressure))) {
@@ -41,7 +41,7 @@ double density_at(const Scene& scene, const TaitEquation& state, const Vec& at) 
     return state.density(pressure);
 }
 
-Vec velocity_at(const Scene& scene, const TaitEquation& state, const Vec& at, int dimension) {
+Vec velocity_at(const Scene& scene, const LiquidState& state, const Vec& at, int dimension) {
     Vec velocity = Vec::Zero();
     for (int axis = 0; axis < dimension; ++axis)
         velocity[axis] = (*scene.flow.initial_velocity)[static_cast<std::size_t>(axis)](0, at[0], at[1], at[2]);
@@ -61,15 +61,15 @@ bool has_starting_state(const Scene& scene) {
     return has_velocity(scene) || says_something(scene.flow.initial_pressure);
 }
 
-ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, const std::vector<TaitEquation>& states,
+ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                                  const Ranks& ranks) {
     std::vector<double> rest_density;
-    for (const TaitEquation& state : states) rest_density.push_back(state.rest_density);
+    for (const LiquidState& state : states) rest_density.push_back(state.rest_density);
     ParticleStore particles(set, rest_density, ranks);
     ParticleGroup& fluid = particles.fluid();
     const bool moves = has_velocity(scene), is_pressed = says_something(scene.flow.initial_pressure);
     for (std::size_t i = 0; (moves || is_pressed) && i < fluid.owned(); ++i) {
-        const TaitEquation& state = states[fluid.tags()[i].part];
+        const LiquidState& state = states[fluid.tags()[i].part];
         const Vec& at = set.position[static_cast<std::size_t>(fluid.tags()[i].id)];
         if (is_pressed) fluid.data(Field::mass)[i] = density_at(scene, state, at) * fluid.data(Field::volume)[i];
         if (!moves) continue;
@@ -79,7 +79,7 @@ ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, con
     return particles;
 }
 
-void fill_starting_density(const Scene& scene, const ParticleSet& set, const std::vector<TaitEquation>& states,
+void fill_starting_density(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                            ParticleStore& particles) {
     ParticleGroup& fluid = particles.fluid();
     if (!says_something(scene.flow.initial_pressure) || !fluid.has(Field::density)) return;

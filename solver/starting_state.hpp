@@ -3,7 +3,7 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
-#include "solver/models/sph/tait.hpp"
+#include "solver/models/sph/liquid_state.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {
@@ -16,11 +16,11 @@ bool has_starting_state(const Scene& scene);
 /// of the equation of state. `states` by part number.
 /// Throws InputError where a formula gives no number, less than the lowest pressure of the liquid, or a speed beyond
 /// that of sound.
-ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, const std::vector<TaitEquation>& states,
+ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                                  const Ranks& ranks);
 
 /// Puts the density that belongs to the starting pressure into a store that has that field.
-void fill_starting_density(const Scene& scene, const ParticleSet& set, const std::vector<TaitEquation>& states,
+void fill_starting_density(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                            ParticleStore& particles);
 
 }  // namespace dmp

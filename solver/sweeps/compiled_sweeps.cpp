@@ -13,10 +13,13 @@
 #include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/no_viscosity.hpp"
+#include "solver/sweeps/correction_sweep.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/near_sweep.hpp"
+#include "solver/sweeps/summation_sweep.hpp"
+#include "solver/sweeps/transport_sweep.hpp"
 #include "solver/sweeps/viscous_sweep.hpp"
 
 namespace dmp {
@@ -44,7 +47,10 @@ class Sweeps final : public PairSweeps {
           repulsion_{settings.repulsion_strength},
           force_rounding_(largest_force()),
           density_rounding_{OrderFree(settings.density * volume() * steepest() * settings.sound_speed),
-                            OrderFree(1.2 * volume() * steepest())} {}
+                            OrderFree(1.2 * volume() * steepest()),
+                            OrderFree(volume() * steepest() * settings.support)},
+          summation_rounding_(settings.density * volume() * kernel_.value(0.0)),
+          correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate} {}
 
     void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
                 ClusterChoice choice) const override {
@@ -58,37 +64,74 @@ class Sweeps final : public PairSweeps {
             if (settings_.walls == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                with_flag(settings_.slip_walls || settings_.moving_walls, [&](auto motion) {
-                    ExtrapolatedSolid<D, decltype(motion)::value> solid{{}, 0.5 * settings_.spacing};
-                    for (int axis = 0; axis < D; ++axis) {
-                        solid.acceleration[axis] = body_acceleration[axis];
-                        solid.driven[axis] = settings_.periodic[axis] ? body_acceleration[axis] : 0;
-                    }
-                    run(solid);
-                });
+                with_flag(settings_.slip_walls || settings_.moving_walls,
+                          [&](auto motion) { run(extrapolated<decltype(motion)::value>(body_acceleration)); });
             }
         });
+        if (settings_.gradient_correction) {
+            const auto solid = extrapolated(body_acceleration);
+            corrected(particles, list, solid).forces(choice);
+        }
+        if (settings_.transport_velocity)
+            TransportSweep<L, D, Kernel>(particles, list, kernel_, force_rounding_, density_rounding_.shift,
+                                         settings_.threads)
+                .run(choice);
     }
 
-    void density_rates(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+    void density_rates(ParticleStore& particles, const ClusterList& list,
+                       const std::array<double, 3>& body_acceleration, ClusterChoice choice) const override {
+        const StratifiedDiffusion<D> stratified_diffusion(settings_.density_diffusion, settings_.support,
+                                                          settings_.sound_speed, narrowed(body_acceleration));
+        const auto run = [&]<class Solid, DensityTerms with>() {
+            DensitySweep<L, D, Kernel, Solid, with>(particles, list, kernel_, diffusion_, stratified_diffusion,
+                                                    shifting_, density_rounding_, settings_.threads)
+                .run(choice);
+        };
+        if (settings_.density_by_summation) {
+            constexpr DensityTerms shifts{.rate = false, .shifting = true, .stratified = true};
+            if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
+            return;
+        }
         if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
             with_flag(settings_.shifting > 0, [&](auto shifting) {
-                DensitySweep<L, D, Kernel, ExtrapolatedSolid<D, true>, true, decltype(shifting)::value>(
-                    particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
-                    .run(choice);
+                with_flag(settings_.stratified, [&](auto stratified) {
+                    constexpr DensityTerms with{.diffusion = true,
+                                                .shifting = decltype(shifting)::value,
+                                                .stratified = decltype(stratified)::value};
+                    run.template operator()<ExtrapolatedSolid<D, true>, with>();
+                });
             });
             return;
         }
-        with_flag(settings_.density_diffusion > 0, [&](auto diffusion) {
+        with_flag(settings_.density_diffusion > 0 || settings_.stratified, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
-                with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
-                    using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
-                    DensitySweep<L, D, Kernel, Solid, decltype(diffusion)::value, decltype(shifting)::value>(
-                        particles, list, kernel_, diffusion_, shifting_, density_rounding_, settings_.threads)
-                        .run(choice);
+                with_flag(settings_.stratified, [&](auto stratified) {
+                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
+                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
+                        constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
+                                                    .shifting = decltype(shifting)::value,
+                                                    .stratified = decltype(stratified)::value};
+                        // What is stratified comes with diffusion, of strength 0 where there is none.
+                        if constexpr (with.diffusion || !with.stratified) run.template operator()<Solid, with>();
+                    });
                 });
             });
         });
+        if (settings_.gradient_correction) {
+            const auto solid = extrapolated(body_acceleration);
+            corrected(particles, list, solid).rates(choice);
+        }
+    }
+
+    void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,
+                   ClusterChoice choice) const override {
+        SummationSweep<L, D, Kernel>(particles, list, kernel_, summation_rounding_, rest_density, settings_.threads)
+            .run(choice);
+    }
+
+    void corrections(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
+        const auto solid = extrapolated({});
+        corrected(particles, list, solid).matrices(choice);
     }
 
     void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
@@ -100,8 +143,7 @@ class Sweeps final : public PairSweeps {
 
     void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
         const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest() / settings_.spacing);
-        with_viscous_sweep(particles, list, rounding, Field::velocity, 0,
-                           [&](auto sweep) { sweep.diagonal(choice); });
+        with_viscous_sweep(particles, list, rounding, Field::velocity, 0, [&](auto sweep) { sweep.diagonal(choice); });
     }
 
     void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
@@ -118,7 +160,8 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double largest_speed, double dt) const override {
-        return shifting_.step(largest_speed, dt);
+        return settings_.transport_velocity ? TransportVelocity::step(settings_.sound_speed, dt)
+                                            : shifting_.step(largest_speed, dt);
     }
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
@@ -159,6 +202,25 @@ class Sweeps final : public PairSweeps {
         });
     }
 
+    static Vector<double, D> narrowed(const std::array<double, 3>& v) {
+        Vector<double, D> narrow;
+        for (int axis = 0; axis < D; ++axis) narrow[axis] = v[axis];
+        return narrow;
+    }
+    template <bool Motion = false>
+    [[nodiscard]] ExtrapolatedSolid<D, Motion> extrapolated(const std::array<double, 3>& body_acceleration) const {
+        ExtrapolatedSolid<D, Motion> solid{narrowed(body_acceleration), 0.5 * settings_.spacing};
+        if constexpr (Motion)
+            for (int axis = 0; axis < D; ++axis)
+                solid.driven[axis] = settings_.periodic[axis] ? body_acceleration[axis] : 0;
+        return solid;
+    }
+    [[nodiscard]] auto corrected(ParticleStore& particles, const ClusterList& list,
+                                 const ExtrapolatedSolid<D>& solid) const {
+        return CorrectionSweep<L, D, Kernel, ExtrapolatedSolid<D>>(particles, list, kernel_, solid,
+                                                                   correction_rounding_, settings_.threads);
+    }
+
     [[nodiscard]] double volume() const { return std::pow(settings_.spacing, D); }
     /// Largest |dW/dr| [1/m^(D+1)].
     [[nodiscard]] double steepest() const {
@@ -174,8 +236,7 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
         const double pressure = 0.1 * settings_.density * c0 * c0 + settings_.background_pressure;
-        const double viscous =
-            settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
+        const double viscous = settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
         return std::max(2 * (pressure + viscous) * volume() * volume() * steepest(),
                         10 * settings_.repulsion_strength / settings_.spacing);
     }
@@ -187,6 +248,8 @@ class Sweeps final : public PairSweeps {
     Repulsion repulsion_;
     OrderFree force_rounding_;
     DensityRounding density_rounding_;
+    OrderFree summation_rounding_;
+    CorrectionRounding correction_rounding_;
 };
 
 template <KernelKind kernel, int D>

@@ -12,20 +12,27 @@ namespace dmp {
 
 /// What the sums of a density sweep are rounded to.
 struct DensityRounding {
-    OrderFree rate, shift;
+    OrderFree rate, shift, divergence;
+};
+
+/// What a density sweep sums. `stratified`: a body force or a free surface is there, see StratifiedDiffusion and
+/// Shifting.
+struct DensityTerms {
+    bool rate = true, diffusion = false, shifting = false, stratified = false;
 };
 
 /// Sums the density rate and the shifting vector over the neighbours of each cluster, L of its particles at a time.
-template <class L, int D, class Kernel, class Solid, bool WithDiffusion, bool WithShifting>
+template <class L, int D, class Kernel, class Solid, DensityTerms with>
 class DensitySweep {
   public:
     DensitySweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
-                 const DensityDiffusion& diffusion, const Shifting<Kernel>& shifting, const DensityRounding& order_free,
-                 int threads)
+                 const DensityDiffusion& diffusion, const StratifiedDiffusion<D>& stratified,
+                 const Shifting<Kernel>& shifting, const DensityRounding& order_free, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           diffusion_(diffusion),
+          stratified_(stratified),
           shifting_(shifting),
           order_free_(order_free),
           threads_(threads),
@@ -35,7 +42,7 @@ class DensitySweep {
 
     void run(ClusterChoice choice) {
         fluid(choice);
-        if constexpr (Solid::needs_state) {  // these walls carry a density that the fluid's motion changes
+        if constexpr (with.rate && Solid::needs_state) {  // these walls carry a density that the fluid's motion changes
             solids(ParticleKind::rigid, choice, rigid_);
             solids(ParticleKind::springs, choice, springs_);
         }
@@ -45,14 +52,20 @@ class DensitySweep {
     struct Sum {
         L rate;
         Vector<L, D> shift;
+        L divergence;
     };
 
     void fluid(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
         for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const Sum sum = around_fluid(near);
-            if constexpr (WithShifting) store<L, D>(sum.shift, group, Field::shift, near.cluster);
-            store_rate(sum.rate, group, near.cluster);
+            if constexpr (with.shifting && with.stratified) {
+                const L kept = Shifting<Kernel>::template kept<D>(sum.divergence);
+                store<L, D>(kept * sum.shift, group, Field::shift, near.cluster);
+            } else if constexpr (with.shifting) {
+                store<L, D>(sum.shift, group, Field::shift, near.cluster);
+            }
+            if constexpr (with.rate) store_rate(sum.rate, group, near.cluster);
         });
     }
 
@@ -66,7 +79,7 @@ class DensitySweep {
     // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Sum sum{0.0, Vector<L, D>::zero()};
+        Sum sum{0.0, Vector<L, D>::zero(), 0.0};
         for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum);
         for (const std::int32_t index : near.of(ParticleKind::rigid)) {
             if constexpr (Solid::needs_motion) {
@@ -104,17 +117,23 @@ class DensitySweep {
         const L distance = sqrt(dot(separation, separation));
         const L slope = kernel_.slope(distance);
         const Pair pair{i, j, separation, distance, 1.0};
-        L rate = ContinuityRate::law(pair);
-        if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
-        if constexpr (BothFluid && WithDiffusion) rate += diffusion_.law(pair);
-        sum.rate += order_free_.rate(slope * rate);
-        if constexpr (WithShifting) sum.shift += order_free_.shift(slope * shifting_.law(pair, kernel_));
+        if constexpr (with.rate) {
+            L rate = ContinuityRate::law(pair);
+            if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
+            if constexpr (BothFluid && with.diffusion && with.stratified) rate += stratified_.law(pair);
+            if constexpr (BothFluid && with.diffusion && !with.stratified) rate += diffusion_.law(pair);
+            sum.rate += order_free_.rate(slope * rate);
+        }
+        if constexpr (with.shifting) sum.shift += order_free_.shift(slope * shifting_.law(pair, kernel_));
+        if constexpr (with.shifting && with.stratified)
+            sum.divergence += order_free_.divergence(slope * Shifting<Kernel>::divergence(pair));
     }
 
     ParticleStore& particles_;
     const ClusterList& list_;
     const Kernel& kernel_;
     const DensityDiffusion& diffusion_;
+    const StratifiedDiffusion<D>& stratified_;
     const Shifting<Kernel>& shifting_;
     const DensityRounding& order_free_;
     int threads_;

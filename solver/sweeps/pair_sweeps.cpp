@@ -11,9 +11,13 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
     const bool plain = settings.walls == WallModel::plain, contact = settings.repulsion_strength > 0;
     for (ParticleGroup& group : particles.groups()) {
         const bool is_fluid = group.kind() == ParticleKind::fluid;
-        if (is_fluid || plain) group.declare({Field::density, Field::density_rate, Field::pressure});
+        if (is_fluid || plain) group.declare({Field::density, Field::pressure});
+        if ((is_fluid && !settings.density_by_summation) || plain) group.declare({Field::density_rate});
         if (is_fluid) group.declare({Field::viscosity});
         if (is_fluid && settings.shifting > 0) group.declare({Field::shift});
+        if (is_fluid && settings.transport_velocity) group.declare({Field::shift, Field::transport_velocity});
+        if (is_fluid && settings.gradient_correction)
+            group.declare({Field::correction, Field::correction_off_diagonal});
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
         if (settings.implicit_viscosity) group.declare({Field::viscous_force});

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "scene/scene.hpp"
 #include "solver/neighbours/cluster_list.hpp"
@@ -21,6 +22,8 @@ struct PairSettings {
     ViscousForce viscous_force = ViscousForce::morris;
     bool approaching_pairs_only = false;  ///< of Monaghan's viscosity
     bool arithmetic_viscosity = false;    ///< of Monaghan's viscosity: the mean of two fluids' viscosities
+    /// A free surface, or a body force along an axis that is not periodic: diffusion and shifting mind it.
+    bool stratified = false;
     bool density_by_summation = false;
     bool gradient_correction = false;
     bool transport_velocity = false;
@@ -48,8 +51,8 @@ struct ViscousMotion {
     double largest_term = 0;           ///< of one pair [N]; sums stay exact up to 128 times that
 };
 
-/// The two sweeps over all pairs that one step makes. Each sweep visits every pair of a cluster and a neighbour once
-/// and applies all pair terms of its stage.
+/// The sweeps over all pairs that one step makes: two, and one more for each that a scene asks for. Each sweep visits
+/// every pair of a cluster and a neighbour once and applies all pair terms of its stage.
 class PairSweeps {
   public:
     virtual ~PairSweeps() = default;
@@ -63,6 +66,7 @@ class PairSweeps {
     /// density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m]. Fluid
     /// particles; with plain walls the solids' density rate too.
     virtual void density_rates(ParticleStore& particles, const ClusterList& list,
+                               const std::array<double, 3>& body_acceleration,
                                ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// viscous_force [N] alone, of fluid and spring bodies, and, where walls move, of walls.
@@ -71,6 +75,13 @@ class PairSweeps {
     /// viscous_diagonal [kg/s]: by axis, the force that its own velocity costs a particle, of fluid and spring bodies.
     virtual void viscous_diagonal(ParticleStore& particles, const ClusterList& list,
                                   ClusterChoice choice = ClusterChoice::all) const = 0;
+    /// density [kg/m^3] of the fluid as a sum over neighbours; `rest_density` by part number.
+    virtual void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,
+                           ClusterChoice choice = ClusterChoice::all) const = 0;
+
+    /// Gradient correction of the fluid, which copies need too before forces and density rates are worked out with it.
+    virtual void corrections(ParticleStore& particles, const ClusterList& list,
+                             ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
     virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;

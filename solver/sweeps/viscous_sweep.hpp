@@ -117,7 +117,8 @@ class ViscousSweep {
                 const auto j = at_rest(fluid_(index));
                 const Force separation = moving.position - j.position;
                 // A cluster's members are among their own neighbours.
-                const L term = where_less(L(0.0), dot(separation, separation), pair(moving, j, separation)[axis], L(0.0));
+                const L term =
+                    where_less(L(0.0), dot(separation, separation), pair(moving, j, separation)[axis], L(0.0));
                 sum[axis] -= order_free_(term);
             }
             for (const std::int32_t index : near.of(ParticleKind::rigid))

@@ -54,6 +54,18 @@ void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
         }
 }
 
+void FluidPasses::note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const {
+    for_each_owned(fluid, threads_, [&](std::ptrdiff_t i) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis)
+            square += std::pow(shift.per_sum * fluid.data(Field::shift, axis)[i], 2);
+        const double length = std::sqrt(square), shortened = length > shift.longest ? shift.longest / length : 1;
+        for (int axis = 0; axis < fluid.dimension(); ++axis)
+            fluid.data(Field::transport_velocity, axis)[i] =
+                shortened * shift.per_sum / dt * fluid.data(Field::shift, axis)[i];
+    });
+}
+
 void FluidPasses::update_density(ParticleGroup& group, double dt) const {
     double* density = group.data(Field::density);
     const double* rate = group.data(Field::density_rate);
@@ -82,7 +94,7 @@ void FluidPasses::update_pressure(ParticleGroup& group) const {
 
 void FluidPasses::update_pressure(ParticleStore& particles) const {
     for (ParticleGroup& group : particles.groups())
-        if (group.has(Field::density_rate)) update_pressure(group);
+        if (group.has(Field::pressure)) update_pressure(group);
 }
 
 double FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const {

@@ -36,6 +36,9 @@ class FluidPasses {
     /// x += dt v + shift, rho += dt drho/dt.
     [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
 
+    /// Velocity of transport less the fluid's own, of a step dt whose particles were moved by the shift.
+    void note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const;
+
     /// Pressure and volume from density.
     void update_pressure(ParticleStore& particles) const;
     [[nodiscard]] PassExtremes extremes(const ParticleGroup& fluid) const;

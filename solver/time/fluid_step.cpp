@@ -22,6 +22,12 @@ ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
     return total;
 }
 
+std::vector<double> rest_densities_of(const std::vector<LiquidState>& state_of_part) {
+    std::vector<double> densities;
+    for (const LiquidState& state : state_of_part) densities.push_back(state.rest_density);
+    return densities;
+}
+
 }  // namespace
 
 FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
@@ -30,6 +36,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       settings_(settings),
       ranks_(ranks),
       sweeps_(make_pair_sweeps(settings, particles)),
+      rest_density_(rest_densities_of(state_of_part)),
       passes_(std::move(state_of_part), settings.threads),
       springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
       walls_(scene, set, particles),
@@ -37,6 +44,9 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
                                     [](const Expression& axis) { return axis.depends_on_place(); })) {
+    if (settings.gradient_correction)
+        force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
+    if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
     ExactSum mass;
     for (std::size_t i = 0; i < particles.fluid().owned(); ++i) mass.add(particles.fluid().data(Field::mass)[i]);
     ranks.sum(mass);
@@ -49,7 +59,9 @@ void FluidStep::advance(double t, double dt) {
     walls_.start_step(t, dt);
     timer_.timed("drift", [&] { drift_to_middle(dt); });
     timer_.timed("neighbours", [&] { renew_list(); });
-    FieldList at_forces{Field::position, Field::pressure, Field::volume, Field::density};
+    find_densities();
+    find_corrections();
+    FieldList at_forces = force_fields_;
     for (const Field field : walls_.show_surfaces(particles_)) at_forces.push_back(field);
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
@@ -59,8 +71,9 @@ void FluidStep::advance(double t, double dt) {
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
     walls_.show_velocities(particles_);
-    sweep("density", {Field::velocity},
-          [this](ClusterChoice clusters) { sweeps_->density_rates(particles_, neighbours_.list(), clusters); });
+    sweep("density", {Field::velocity}, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
+        sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
+    });
     timer_.timed("drift", [&] { drift_to_end(dt); });
 }
 
@@ -80,6 +93,20 @@ void FluidStep::add_viscous_forces(double t, double dt) {
     timer_.timed("viscosity", [&] {
         viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_acceleration(t), swept);
     });
+}
+
+void FluidStep::find_densities() {
+    if (!settings_.density_by_summation) return;
+    sweep("density", {Field::position}, [this](ClusterChoice clusters) {
+        sweeps_->densities(particles_, neighbours_.list(), rest_density_, clusters);
+    });
+    passes_.update_pressure(particles_);
+}
+
+void FluidStep::find_corrections() {
+    if (!settings_.gradient_correction) return;
+    sweep("correction", {Field::position, Field::volume},
+          [this](ClusterChoice clusters) { sweeps_->corrections(particles_, neighbours_.list(), clusters); });
 }
 
 void FluidStep::advance_springs(double dt) {
@@ -119,6 +146,13 @@ void FluidStep::renew_list() {
 std::array<double, 3> FluidStep::body_acceleration(double t) const {
     std::array<double, 3> g{};
     for (int axis = 0; axis < 3; ++axis) g[axis] = acceleration_[axis].depends_on_place() ? 0 : acceleration_[axis](t);
+    return g;
+}
+
+std::array<double, 3> FluidStep::hydrostatic_acceleration(double t) const {
+    std::array<double, 3> g = body_acceleration(t);
+    for (int axis = 0; axis < 3; ++axis)
+        if (particles_.space().periodic[axis]) g[axis] = 0;
     return g;
 }
 
@@ -167,8 +201,11 @@ void FluidStep::drift_to_middle(double dt) {
 
 void FluidStep::drift_to_end(double dt) {
     ShiftStep shift;
-    if (settings_.shifting > 0) shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+    const bool transports = settings_.transport_velocity;
+    if (settings_.shifting > 0 || transports)
+        shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
     const double shifted = ranks_.largest(passes_.drift_to_end(particles_, dt / 2, shift).longest_shift);
+    if (transports) passes_.note_transport(particles_.fluid(), dt, shift);
     const double bodies_moved = springs_.show_positions(particles_), walls_moved = walls_.move_to_end(particles_);
     neighbours_.moved(std::max({dt / 2 * largest_speed_ + shifted, bodies_moved, walls_moved}));
 }

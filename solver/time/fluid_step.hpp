@@ -69,9 +69,13 @@ class FluidStep {
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
 
   private:
+    /// The same without axes that are periodic: along them nothing holds the fluid, and no pressure builds up.
+    [[nodiscard]] std::array<double, 3> hydrostatic_acceleration(double t) const;
     void renew_list();
     void look_through_list();
     void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);
+    void find_densities();
+    void find_corrections();
     void advance_springs(double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
@@ -85,6 +89,9 @@ class FluidStep {
     PairSettings settings_;
     const Ranks& ranks_;
     std::unique_ptr<PairSweeps> sweeps_;
+    std::vector<double> rest_density_;  ///< by part number [kg/m^3]
+    /// Of copies, that forces need.
+    FieldList force_fields_{Field::position, Field::pressure, Field::volume, Field::density};
     FluidPasses passes_;
     std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;

@@ -55,8 +55,8 @@ void ImplicitViscosity::give_up(double error, long iterations) const {
     problem << "implicit viscosity: the velocities' error is still " << error << " of them after " << iterations
             << " iterations, more than accuracy.viscosity_tolerance = " << tolerance_;
     throw UnsolvedViscosity(problem.str(),
-                            "raise accuracy.viscosity_tolerance (rounding leaves about 1e-13), or lower "
-                            "accuracy.step_factor if the fluid is diverging");
+                            "raise accuracy.viscosity_tolerance (rounding alone leaves about 1e-15 times the step "
+                            "over the explicit limit), or lower accuracy.step_factor");
 }
 
 void ImplicitViscosity::archive(Archive& file) {

@@ -2,34 +2,63 @@
 #include "solver/time/self_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dmp {
 
+namespace {
+
+constexpr double skin = 0.4;  ///< beyond the range, in ranges
+
+}  // namespace
+
 template <int D>
-void SelfContact<D>::add_forces(const Vectors& position, Vectors& force) const {
-    const std::size_t nodes = position.size();
+bool SelfContact<D>::moved_far(const Vectors& position) const {
+    if (looked_at_.size() != position.size()) return true;
+    const double least = 0.5 * skin * contact_.range;
+    for (std::size_t n = 0; n < position.size(); ++n) {
+        const auto way = position[n] - looked_at_[n];
+        if (!(dot(way, way) < least * least)) return true;  // no number: true too
+    }
+    return false;
+}
+
+template <int D>
+void SelfContact<D>::look_around(const Vectors& position) {
+    pairs_.clear();
+    looked_at_ = position;
     Coordinates points;
     for (int axis = 0; axis < D; ++axis)
-        for (const auto& at : position) points[axis].push_back(at[axis]);
-    // A place that is no number belongs to no cell; the step that follows says so.
-    for (const auto& axis : points)
-        if (!std::all_of(axis.begin(), axis.end(), [](double x) { return std::isfinite(x); })) return;
-
-    const CellGrid grid(points, nodes, D, contact_.range);
-    const double range_square = contact_.range * contact_.range;
-    std::vector<int> partners;
-    for (std::size_t i = 0; i < nodes; ++i) {
+        for (const auto& at : position) {
+            // A place that is no number belongs to no cell; the step that follows says so.
+            if (!std::isfinite(at[axis])) return;
+            points[axis].push_back(at[axis]);
+        }
+    const double reach = (1 + skin) * contact_.range;
+    const CellGrid grid(points, position.size(), D, reach);
+    for (int i = 0; i < static_cast<int>(position.size()); ++i) {
         std::array<double, 3> here{};
         for (int axis = 0; axis < D; ++axis) here[axis] = position[i][axis];
-        partners.clear();
-        grid.for_each_near(here, contact_.range, [&](int j) {
+        grid.for_each_near(here, reach, [&](int j) {
+            if (j <= i) return;
             const auto apart = position[i] - position[j], drawn_apart = drawn_[i] - drawn_[j];
-            if (dot(apart, apart) < range_square && dot(drawn_apart, drawn_apart) > neighbourhood_square_)
-                partners.push_back(j);
+            if (dot(apart, apart) < reach * reach && dot(drawn_apart, drawn_apart) > neighbourhood_square_)
+                pairs_.emplace_back(i, j);
         });
-        std::sort(partners.begin(), partners.end());
-        for (const int j : partners) force[i] += contact_.repulsion.law(position[i] - position[j], contact_.range);
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+}
+
+template <int D>
+void SelfContact<D>::add_forces(const Vectors& position, Vectors& force) {
+    if (moved_far(position)) look_around(position);
+    for (const auto& [i, j] : pairs_) {
+        const auto apart = position[i] - position[j];
+        if (!(dot(apart, apart) < contact_.range * contact_.range)) continue;
+        const auto by_other = contact_.repulsion.law(apart, contact_.range);
+        force[i] += by_other;
+        force[j] -= by_other;
     }
 }
 

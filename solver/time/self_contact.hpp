@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "particles/cell_grid.hpp"
@@ -33,13 +35,20 @@ class SelfContact {
     /// corners of a square of bonds.
     static double neighbourhood(double range, double longest_bond) { return 1.5 * std::max(range, longest_bond); }
 
-    /// Adds the forces of nodes at these places [N], each node's in the order of its partners' numbers.
-    void add_forces(const Vectors& position, Vectors& force) const;
+    /// Adds the forces of nodes at these places [N], in the order of the nodes' numbers: it does not matter when pairs
+    /// were looked for.
+    void add_forces(const Vectors& position, Vectors& force);
 
   private:
+    [[nodiscard]] bool moved_far(const Vectors& position) const;
+    /// Lists the pairs that repel or may before nodes have moved by half the skin.
+    void look_around(const Vectors& position);
+
     SpringContact contact_;
     Vectors drawn_;
     double neighbourhood_square_;
+    std::vector<std::pair<int, int>> pairs_;  ///< sorted
+    Vectors looked_at_;                       ///< where nodes were then
 };
 
 }  // namespace dmp

@@ -45,6 +45,9 @@ class SpringBody {
     virtual void multiply_in_fluid(std::span<Vec> values) const = 0;
     /// Solves with the factors, in place; 0 for fixed nodes.
     virtual void solve_in_fluid(std::span<Vec> values) const = 0;
+    /// The next implicit step moves the nodes with these mean velocities, which it was solved for together with the
+    /// liquid: without its drag a light body's step has no solution to be found.
+    virtual void expect(std::span<const Vec> w) = 0;
 
     [[nodiscard]] virtual Vec place(std::size_t node) const = 0;          ///< now [m]
     [[nodiscard]] virtual Vec place_before(std::size_t node) const = 0;   ///< before the last advance [m]

@@ -64,6 +64,7 @@ class SpringNetwork final : public SpringBody {
     void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
     void multiply_in_fluid(std::span<Vec> values) const override;
     void solve_in_fluid(std::span<Vec> values) const override;
+    void expect(std::span<const Vec> w) override;
 
     /// Velocities change by dt F / m, F the forces of the fluid and of contact on the nodes. Returns the impulse that
     /// the fixed nodes' holders give [N s].
@@ -137,6 +138,7 @@ class SpringNetwork final : public SpringBody {
     void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
     /// One implicit midpoint step; false, and nothing changed, when Newton finds no solution.
     bool solve_step(double dt, Impulses& impulses);
+    Impulses advance_as_expected(double dt);
     /// v += h F / m on free nodes; adds up what anchors and drag gave.
     void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
 
@@ -148,6 +150,7 @@ class SpringNetwork final : public SpringBody {
     Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
     Vectors position_before_;              ///< before the last advance
     Vectors position_at_rest_;             ///< as drawn
+    Vectors expected_;                     ///< mean velocities of the next step, where they are known
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
     double in_fluid_step_ = 0;  ///< that the latter was made for [s]
     std::unique_ptr<SelfContact<D>> self_contact_;  ///< none where contact is off

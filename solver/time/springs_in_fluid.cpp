@@ -42,6 +42,12 @@ void SpringNetwork<D>::solve_in_fluid(std::span<Vec> values) const {
     in_fluid_->solve(values, in_fluid_step_);
 }
 
+template <int D>
+void SpringNetwork<D>::expect(std::span<const Vec> w) {
+    expected_.clear();
+    for (const Vec& velocity : w) expected_.push_back(of_space(velocity));
+}
+
 template class SpringNetwork<2>;
 template class SpringNetwork<3>;
 

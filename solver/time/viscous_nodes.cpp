@@ -86,6 +86,12 @@ void ViscousNodes::turn(double beta) {
         direction_[n] = beta == 0 ? preconditioned_[n] : Vec(preconditioned_[n] + beta * direction_[n]);
 }
 
+void ViscousNodes::hand_over() const {
+    for_each_body([&](SpringBody& body, std::size_t first) {
+        body.expect(std::span(velocity_).subspan(first, body.ids().size()));
+    });
+}
+
 void ViscousNodes::add_squares(ExactSum& sum) const {
     for_each_body([&](const SpringBody& body, std::size_t first) {
         for (std::size_t n = 0; n < body.ids().size(); ++n)

@@ -11,8 +11,8 @@ namespace dmp {
 /// The spring bodies' part of the equations of implicit viscosity. A node's unknown is its mean velocity w over the
 /// step to come, which is what the fluid sees of it; the springs, which will act during that step, are in its balance:
 ///     m / dt (w - v) - F_springs(x + dt/2 w, w) / 2 = F_others + F_viscous(w)
-/// as in the body's own implicit midpoint step, which then finds the same w from the same forces. Without them a light
-/// body in a thick liquid would first be stopped by it, and then spring as if nothing held it.
+/// as in the body's own implicit midpoint step, whose solution w is. Without them a light body in a thick liquid would
+/// first be stopped by it, and then spring as if nothing held it.
 /// Every rank holds all nodes. The preconditioner solves each body's own equations, its diagonal drag in the liquid
 /// included, so that stiff springs cost no iterations.
 class ViscousNodes {
@@ -34,6 +34,8 @@ class ViscousNodes {
     void find_image(const ParticleStore& particles);
     void step(double alpha);
     void turn(double beta);
+    /// Tells the bodies what they will do.
+    void hand_over() const;
 
     /// Terms of the sums over all particles; called on every rank after those of the fluid were added up over ranks.
     void add_squares(ExactSum& sum) const;    ///< m w^2

@@ -39,11 +39,7 @@ double at_least_something(double value) { return std::max(value, 1e-280); }
 }  // namespace
 
 ViscousSystem::ViscousSystem(const Around& around, double dt, const std::array<double, 3>& g)
-    : on_(around),
-      fluid_(around.particles.fluid()),
-      nodes_(around.springs, around.particles, dt),
-      dt_(dt),
-      g_(g) {
+    : on_(around), fluid_(around.particles.fluid()), nodes_(around.springs, around.particles, dt), dt_(dt), g_(g) {
     on_.sweep({}, [this](ClusterChoice clusters) { on_.sweeps.viscous_diagonal(on_.particles, on_.list, clusters); });
     nodes_.prepare(on_.particles);
 
@@ -51,7 +47,8 @@ ViscousSystem::ViscousSystem(const Around& around, double dt, const std::array<d
     const double* mass = fluid_.data(Field::mass);
     double worst = 0;  // diagonal over inertia
     for (std::size_t i = 0; i < fluid_.owned(); ++i)
-        for (int axis = 0; axis < fluid_.dimension(); ++axis) worst = std::max(worst, diagonal[axis][i] * dt_ / mass[i]);
+        for (int axis = 0; axis < fluid_.dimension(); ++axis)
+            worst = std::max(worst, diagonal[axis][i] * dt_ / mass[i]);
     const ParticleGroup& walls = on_.particles.of(ParticleKind::rigid);
     std::array<double, 3> largest_of_all{
         std::max(largest(fluid_, Field::viscous_diagonal),
@@ -94,9 +91,8 @@ double ViscousSystem::largest(const ParticleGroup& group, Field field) const {
 void ViscousSystem::sweep_forces(Field velocity, double of_walls, double fastest) {
     // No sum is larger than the diagonal times twice the fastest, and no term is.
     const ViscousMotion motion{velocity, of_walls, at_least_something(largest_diagonal_ * fastest / 16)};
-    on_.sweep({velocity}, [&](ClusterChoice clusters) {
-        on_.sweeps.viscous_forces(on_.particles, on_.list, motion, clusters);
-    });
+    on_.sweep({velocity},
+              [&](ClusterChoice clusters) { on_.sweeps.viscous_forces(on_.particles, on_.list, motion, clusters); });
 }
 
 double ViscousSystem::true_error() {
@@ -112,8 +108,8 @@ double ViscousSystem::true_error() {
     auto sums = sums_over<2>(fluid_, on_.threads, [&](std::ptrdiff_t i, auto& sum) {
         double error = 0, square = 0;
         for (int axis = 0; axis < fluid_.dimension(); ++axis) {
-            const double r = mass[i] / dt_ * (v[axis][i] - u[axis][i]) + mass[i] * g_[axis] + force[axis][i] +
-                             viscous[axis][i];
+            const double r =
+                mass[i] / dt_ * (v[axis][i] - u[axis][i]) + mass[i] * g_[axis] + force[axis][i] + viscous[axis][i];
             residual[axis][i] = r;
             error += r * r;
             square += u[axis][i] * u[axis][i];
@@ -167,8 +163,7 @@ Residual ViscousSystem::step(double alpha) {
 
 Residual ViscousSystem::residual_sums() const {
     const double* mass = fluid_.data(Field::mass);
-    const Axes residual = axes_of(fluid_, Field::viscous_residual),
-               diagonal = axes_of(fluid_, Field::viscous_diagonal);
+    const Axes residual = axes_of(fluid_, Field::viscous_residual), diagonal = axes_of(fluid_, Field::viscous_diagonal);
     auto sums = sums_over<2>(fluid_, on_.threads, [&](std::ptrdiff_t i, auto& sum) {
         double weighted = 0, square = 0;
         for (int axis = 0; axis < fluid_.dimension(); ++axis) {
@@ -205,6 +200,7 @@ void ViscousSystem::turn(double beta) {
 }
 
 void ViscousSystem::add_forces() {
+    nodes_.hand_over();
     for (ParticleGroup& group : on_.particles.groups()) {
         const Axes force = axes_of(group, Field::force), viscous = axes_of(group, Field::viscous_force);
         const auto count = static_cast<std::ptrdiff_t>(group.owned());

@@ -57,6 +57,20 @@ TEST_F(SomeRanks, RanksDoNotChangeABitAndTheFirstOneSpeaks) {
     }
 }
 
+TEST_F(SomeRanks, TheFluidsOptionsAreTheSameBitsOnAnyNumberOfRanks) {
+    const auto options = [](Words more = {}) {
+        for (const char* option : {"gradient_correction=true", "density=summation", "transport_velocity=true",
+                                   "viscous_law=monaghan", "kernel=quintic_spline"})
+            more.insert(more.end(), {"--set", std::string("accuracy.") + option});
+        more.insert(more.end(), {"--until", "0.01 s"});
+        return more;
+    };
+    ASSERT_EQ(run("whole", options()).code, 0);
+    const auto outcome = run("out", options(), {.ranks = 3});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(hash("out"), hash("whole"));
+}
+
 TEST_F(SomeRanks, ATermSignalToMpirunLeavesACheckpointForAnyNumberOfRanks) {
     // mpirun takes its time to hand the signal on.
     const Words long_enough{"--until", "0.5 s"};

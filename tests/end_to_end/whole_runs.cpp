@@ -165,7 +165,8 @@ TEST_F(Poiseuille, ExplainNamesModelsSourcesFieldsAndLimits) {
                                HasSubstr(" B a particle")));
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("fields  fluid: shift, 16 bytes"), HasSubstr("Measured\n"),
                                                HasSubstr("whole step"), HasSubstr(" ns a particle and step"),
-                                               HasSubstr("quality      standard (quality, default)")));
+                                               HasSubstr("quality      standard (quality, default)"),
+                                               HasSubstr("rows wall    3 (part.wall.layers, ")));
     EXPECT_THAT(outcome.output, testing::Not(HasSubstr("Warnings")));
 }
 

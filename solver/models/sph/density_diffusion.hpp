@@ -20,4 +20,23 @@ struct DensityDiffusion {
     }
 };
 
+/// The same where body forces keep the fluid stratified (Fourtakas, Dominguez, Vacondio & Rogers 2019): only what a
+/// pair's pressures differ by beyond the hydrostatic difference is evened out. At rest it does nothing, neither inside
+/// nor at a free surface or a wall, where the plain term would wear the stratification down:
+///   drho_i/dt = 2 delta h c0 SUM_j V_j [(p_i - p_j) - (rho_i + rho_j)/2 g . x_ij] / c0^2 (1/r dW/dr)
+template <int D>
+struct StratifiedDiffusion {
+    double coefficient;              ///< 2 delta h / c0 [s]
+    Vector<double, D> acceleration;  ///< g, of axes that are not periodic [m/s^2]
+
+    StratifiedDiffusion(double delta, double support, double sound_speed, const Vector<double, D>& g)
+        : coefficient(delta * support / sound_speed), acceleration(g) {}
+
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        const auto hydrostatic = 0.5 * (p.i.density + p.j.density) * dot(acceleration, p.separation);
+        return coefficient * p.j.volume * ((p.i.pressure - p.j.pressure) - hydrostatic) * p.slope;
+    }
+};
+
 }  // namespace dmp

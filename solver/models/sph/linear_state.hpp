@@ -14,6 +14,13 @@ struct LinearEquation {
     [[nodiscard]] T pressure(const T& density) const {
         return (sound_speed * sound_speed) * (density - T(rest_density));
     }
+
+    /// The inverse: density at which the liquid has this pressure [kg/m^3]; pressure must exceed `lowest_pressure`.
+    [[nodiscard]] double density(double pressure) const {
+        return rest_density + pressure / (sound_speed * sound_speed);
+    }
+    /// The pressure of a vanishing density [Pa].
+    [[nodiscard]] double lowest_pressure() const { return -sound_speed * sound_speed * rest_density; }
 };
 
 }  // namespace dmp

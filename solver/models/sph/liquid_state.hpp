@@ -17,10 +17,22 @@ struct LiquidState {
     EquationOfState equation = EquationOfState::tait;
 
     [[nodiscard]] double pressure(double density) const {
-        const double own = equation == EquationOfState::tait
-                               ? TaitEquation{sound_speed, rest_density}.pressure(density)
-                               : LinearEquation{sound_speed, rest_density}.pressure(density);
-        return own + background_pressure;
+        return by_equation([&](const auto& state) { return state.pressure(density); }) + background_pressure;
+    }
+    /// Density at which the liquid has this pressure over the background [kg/m^3]; it must exceed `lowest_pressure`.
+    [[nodiscard]] double density(double over_background) const {
+        return by_equation([&](const auto& state) { return state.density(over_background); });
+    }
+    /// The pressure of a vanishing density, less the background [Pa].
+    [[nodiscard]] double lowest_pressure() const {
+        return by_equation([](const auto& state) { return state.lowest_pressure(); });
+    }
+
+  private:
+    template <class Value>
+    [[nodiscard]] double by_equation(const Value& value) const {
+        return equation == EquationOfState::tait ? value(TaitEquation{sound_speed, rest_density})
+                                                 : value(LinearEquation{sound_speed, rest_density});
     }
 };
 

@@ -16,10 +16,11 @@ namespace dmp {
 /// so that rho alpha h c0 = 2 (D + 2) mu_ij, mu_ij the mean of both viscosities.
 /// That holds when every pair takes part. Where only pairs that approach do, as in the shock capturing that the term
 /// comes from, half of the pairs of a shear flow are left out, and the same viscosity takes twice the alpha.
-/// Conserves linear and angular momentum. In the continuum waves of compression meet 3 mu, shear mu; a lattice gives
-/// both with an error (LatticeViscosity). Reads volume, velocity and dynamic viscosity.
-/// Largest stable explicit step: Morris' over 2.5, the largest ratio of both symbols over all waves and kernels (2.48,
-/// waves of compression); half of that where only approach counts.
+/// They then also push, with a pressure like mu times the shear rate: a liquid that is not stiff against it is
+/// compressed. Conserves linear and angular momentum. In the continuum waves of compression meet 3 mu, shear mu; a
+/// lattice gives both with an error (LatticeViscosity). Reads volume, velocity and dynamic viscosity. Largest stable
+/// explicit step: Morris' over 2.5, the largest ratio of both symbols over all waves and kernels (2.48, waves of
+/// compression); half of that where only approach counts.
 template <int D>
 struct MonaghanViscosity {
     double twice_strength;  ///< 2 (D + 2) / 2 of the sum of the viscosities; twice that where only approach counts [-]

@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "particles/kernels.hpp"
 #include "solver/models/pair.hpp"
 
@@ -9,6 +11,9 @@ namespace dmp {
 /// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
 ///   dx_i = - s U dt R SUM_j [1 + 0.2 (W_ij / W(dx))^4] V_j grad_i W_ij,   |dx_i| <= 0.1 dx
 /// with R the support radius and U the largest speed in the fluid. The sum vanishes where particles are even.
+/// Near a free surface the sum points out of the fluid. There the displacement shrinks with the divergence of position,
+/// SUM_j V_j x_ji . grad_i W_ij, from all of it at D, among neighbours all around, to none at 3/4 D (Lee et al. 2008;
+/// Mokos, Rogers & Stansby 2017).
 /// The pair law is the term of the sum [1/m]; `step` turns the sum into a displacement [m].
 template <class Kernel>
 struct Shifting {
@@ -24,6 +29,19 @@ struct Shifting {
     [[nodiscard]] auto law(const P& p, const Kernel& kernel) const {
         const auto ratio = kernel.value(p.distance) * inverse_kernel_at_spacing;
         return (0.2 * square(square(ratio)) + 1.0) * ((p.j.volume * p.slope) * p.separation);
+    }
+
+    /// Term of the divergence of position [-].
+    template <class P>
+    static auto divergence(const P& p) {
+        return -1.0 * (p.j.volume * p.slope) * (p.distance * p.distance);
+    }
+    /// What is left of the displacement near a free surface [-].
+    template <int D, class T>
+    static T kept(const T& divergence) {
+        using std::max;
+        using std::min;
+        return max(T(0.0), min(T(1.0), (4.0 / D) * divergence - T(3.0)));
     }
 
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx.

@@ -64,15 +64,22 @@ TEST(MeshErrors, AnOpenFluidBoundary) {
     EXPECT_EQ(fault_of(channel.with("{1, 3};\n", "{1};\n")),
               "scene.toml:7:8: the boundary of 'water' is open between (4000, 2000) mm and (0, 2000) mm: no rigid part "
               "and no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the "
-              "axis periodic (flow.periodic)");
+              "axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     EXPECT_EQ(fault_of(channel.with("periodic = [\"x\"]\n", "")),
               "scene.toml:7:8: the boundary of 'water' is open between (4000, 0) mm and (4000, 2000) mm: no rigid part "
               "and no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the "
-              "axis periodic (flow.periodic)");
+              "axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     EXPECT_EQ(fault_of(channel.with("kind = \"rigid\"", "kind = \"rigid\"\nenabled = false")),
               "scene.toml:7:8: the boundary of 'water' is open between (0, 0) mm and (4000, 0) mm: no rigid part and "
               "no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the axis "
-              "periodic (flow.periodic)");
+              "periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
+    // A plane of symmetry closes its own side only.
+    const Texts open_above = channel.with("{1, 3};\n", "{1};\n");
+    const auto mirrored = [&](const std::string& side) {
+        return fault_of(open_above.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"" + side + "\"]"));
+    };
+    EXPECT_EQ(mirrored("y_high"), "no error");
+    EXPECT_NE(mirrored("y_low").find("is open between (4000, 2000) mm and (0, 2000) mm"), std::string::npos);
 }
 
 TEST(MeshErrors, PeriodicSidesThatDoNotMatch) {

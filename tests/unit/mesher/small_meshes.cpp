@@ -36,6 +36,28 @@ std::vector<Vec> clamped_nodes(const ParticleSet& set) {
     return nodes;
 }
 
+TEST(ChannelMesh, EndsAtPlanesOfSymmetry) {
+    // Walls above and below, planes at both ends; 4 m are a whole number of cells of about 0.13 m after stretching.
+    const Meshed meshed = mesh_texts(
+        channel.with("periodic = [\"x\"]", "symmetry = [\"x_low\", \"x_high\"]").with("\"0.125 m\"", "\"0.13 m\""));
+    const ParticleSet& set = meshed.particles;
+    EXPECT_TRUE(set.mirrored[0][0] && set.mirrored[0][1]);
+    EXPECT_FALSE(set.mirrored[1][0] || set.mirrored[1][1] || set.periodic[0]);
+    EXPECT_EQ(set.box.low[0], 0);
+    EXPECT_EQ(set.box.high[0], 4);
+    const double step = 4.0 / 31;
+    double first = 4, last = 0;
+    for (const Vec& place : set.position) {
+        first = std::min(first, place[0]);
+        last = std::max(last, place[0]);
+    }
+    EXPECT_NEAR(first, step / 2, 1e-12);
+    EXPECT_NEAR(last, 4 - step / 2, 1e-12);
+    EXPECT_EQ(count_of(set, "wall") % 31, 0U) << "whole rows, and nothing beyond the planes";
+    ASSERT_FALSE(meshed.report.notes.empty());
+    EXPECT_NE(meshed.report.notes.front().find("reaches the plane of symmetry"), std::string::npos);
+}
+
 TEST(ChannelMesh, CountsVolumesAndMasses) {
     const Meshed meshed = mesh_texts(channel);
     const ParticleSet& set = meshed.particles;

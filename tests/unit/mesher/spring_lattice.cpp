@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
 #include "particles/kernels.hpp"
@@ -65,6 +67,59 @@ TEST(LadderConstants, RefuseNegativeHinges) {
                      "  lower axial_stiffness to at most 75 N, refine particles.spacing, or set "
                      "lower_axial_stiffness = true");
     }
+}
+
+TEST(LadderConstants, CrossBondsGiveTheStiffnessesAskedFor) {
+    const double across = 1e-4, bending = 3e-6;
+    for (const double along : {1.0e-4, 0.97e-4, 1.06e-4})
+        for (const double axial : {1800.0, 4000.0}) {  // 4 EI / b^2 = 1200
+            Part part = part_with(bending, axial, true);
+            part.cross_bonds = true;
+            const LadderConstants ladder = ladder_constants(part, along, across);
+            EXPECT_NEAR(ladder.axial_stiffness() / axial, 1, 1e-13);
+            EXPECT_NEAR(ladder.bending_stiffness() / bending, 1, 1e-14);
+            EXPECT_EQ(ladder.hinge_stiffness, 0);
+            EXPECT_EQ(ladder.rung_stiffness(), ladder.cross_stiffness);
+        }
+    LadderConstants equal;
+    equal.bond_stiffness = equal.cross_stiffness = equal.along = equal.across = 1;
+    EXPECT_DOUBLE_EQ(equal.axial_stiffness(), 5);
+    EXPECT_DOUBLE_EQ(equal.bending_stiffness(), 1);
+    EXPECT_DOUBLE_EQ(equal.shear_stiffness(), 2);
+}
+
+TEST(LadderConstants, CrossBondsRaiseTheAxialStiffnessOrRefuse) {
+    Part part = part_with(3e-6, 100, true);
+    part.cross_bonds = true;
+    const LadderConstants raised = ladder_constants(part, 1e-4, 1e-4);
+    EXPECT_NEAR(raised.axial_stiffness(), 5 * 3e-6 / 1e-8, 1e-9);
+    EXPECT_NEAR(raised.bending_stiffness() / 3e-6, 1, 1e-14);
+    EXPECT_EQ(raised.cross_stiffness, raised.bond_stiffness);
+    part.lower_axial_stiffness = false;
+    try {
+        (void)ladder_constants(part, 1e-4, 1e-4);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "scene.toml:31:19: the cross bonds of 'leaflets' would need a stiffness of -1.1e+07 N/m: two rows "
+                     "0.0001 m apart that bend with EI = 3e-06 N*m^2 alone have EA = 1200 N, more than axial_stiffness "
+                     "100 N\n"
+                     "  set cross_bonds = false, or lower_axial_stiffness = true, which here raises EA");
+    }
+}
+
+TEST(StripStiffness, FollowsFromTheMaterial) {
+    Part part;
+    part.youngs_modulus = 2e6;
+    part.thickness = 0.02;
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).axial, 4e4);
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).bending, 2e6 * 8e-6 / 12);
+    part.poisson_ratio = 0.3975;
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).axial, 4e4 / (1 - 0.3975 * 0.3975));
+    EXPECT_DOUBLE_EQ(strip_stiffness(part).bending, 4e4 / (1 - 0.3975 * 0.3975) * 4e-4 / 12);
+    const StripStiffness as_given = strip_stiffness(part_with(3, 100, true));
+    EXPECT_EQ(as_given.bending, 3);
+    EXPECT_EQ(as_given.axial, 100);
 }
 
 TEST(LadderAlong, AStraightCurve) {
@@ -157,6 +212,36 @@ TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
 
     const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
     EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-4);
+}
+
+TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
+    // h = 0.6 spacings: EA = 1000 N lies above 5 EI / spacing^2.
+    testing_mesh::Texts texts = testing_mesh::flap_channel;
+    const std::string as_strip = "bending_stiffness = \"3 N*m^2\"\naxial_stiffness = \"100 N\"\n";
+    const auto at = texts.scene.find(as_strip);
+    ASSERT_NE(at, std::string::npos);
+    const auto spacing = testing_mesh::mesh_texts(texts).particles.spacing;
+    std::ostringstream material;
+    material << "youngs_modulus = \"" << 1000 / (0.6 * spacing) << " Pa\"\nthickness = \"" << 0.6 * spacing
+             << " m\"\ncross_bonds = true\n";
+    texts.scene.replace(at, as_strip.size(), material.str());
+    const auto meshed = testing_mesh::mesh_texts(texts);
+    const ParticleSet& set = meshed.particles;
+    const auto& line = meshed.report.springs[0];
+    const double bending_stiffness = 1000 * square(0.6 * spacing) / 12;
+    EXPECT_NEAR(line.axial_stiffness / 1000, 1, 1e-5);
+    EXPECT_NEAR(line.bending_stiffness / bending_stiffness, 1, 1e-5);
+    EXPECT_TRUE(set.hinges.empty());
+    EXPECT_GT(line.cross_stiffness, line.bond_stiffness);
+    EXPECT_THAT(meshed.report.text(), testing::HasSubstr("along rows and k_c = "));
+    const double length = 1, small = 1e-4, radius = length / small;
+    const double bending =
+        energy(set, moved(set, [&](double s, double t) {
+                   return Vec((radius + t) * std::cos(s / radius), (radius + t) * std::sin(s / radius), 0);
+               }));
+    EXPECT_NEAR(bending / (0.5 * bending_stiffness * length / square(radius)), 1, 1e-3);
+    const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
+    EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-3);
 }
 
 }  // namespace

@@ -117,6 +117,30 @@ TEST(KernelIdentities, OfWendlandC2OnASquareLattice) {
     EXPECT_NEAR(lattice.longitudinal(), 3.10368460619539455, 1e-13);
 }
 
+// Worked out apart from the code, from each piece's expanded polynomial and its derivative.
+struct Identities {
+    double sum, half_moment, shear, longitudinal;
+};
+
+template <class Kernel>
+void expect_identities(const Identities& expected) {
+    const LatticeSums<Kernel> lattice(3.0);
+    EXPECT_EQ(lattice.points(), 25);
+    EXPECT_NEAR(lattice.sum(), expected.sum, 1e-13);
+    EXPECT_NEAR(lattice.half_moment(), expected.half_moment, 1e-13);
+    EXPECT_NEAR(lattice.laplacian(), expected.half_moment, 1e-13);
+    EXPECT_NEAR(lattice.shear(), expected.shear, 1e-13);
+    EXPECT_NEAR(lattice.longitudinal(), expected.longitudinal, 1e-12);
+}
+
+TEST(KernelIdentities, OfWendlandC4AndTheSplinesOnASquareLattice) {
+    expect_identities<WendlandC4<2>>({1.0029796915554106, 0.9905770261932999, 0.81731422103626417, 3.1449938837369369});
+    expect_identities<CubicSpline<2>>(
+        {1.0034403964801619, 1.0067245147528718, 0.94643113772770093, 3.0804669212837856});
+    expect_identities<QuinticSpline<2>>(
+        {1.0000632245946193, 1.0007954430582375, 0.83172533929515657, 3.1714564329377919});
+}
+
 TEST(KernelIdentities, ConvergeToTheContinuum) {
     const LatticeSums<WendlandC2<2>> wendland(40.5);
     EXPECT_NEAR(wendland.sum(), 1, 1e-6);
@@ -126,6 +150,15 @@ TEST(KernelIdentities, ConvergeToTheContinuum) {
     EXPECT_NEAR(lucy.sum(), 1, 1e-5);
     EXPECT_NEAR(lucy.half_moment(), 1, 1e-4);
     EXPECT_NEAR(lucy.shear(), 1, 1e-2);
+    const LatticeSums<CubicSpline<2>> cubic(40.5);
+    EXPECT_NEAR(cubic.sum(), 1, 1e-5);
+    EXPECT_NEAR(cubic.half_moment(), 1, 1e-4);
+    const LatticeSums<QuinticSpline<2>> quintic(40.5);
+    EXPECT_NEAR(quintic.sum(), 1, 1e-6);
+    EXPECT_NEAR(quintic.longitudinal(), 3, 1e-2);
+    const LatticeSums<WendlandC4<2>> smooth(40.5);
+    EXPECT_NEAR(smooth.sum(), 1, 1e-6);
+    EXPECT_NEAR(smooth.shear(), 1, 1e-2);
 }
 
 }  // namespace

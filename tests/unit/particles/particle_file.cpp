@@ -36,6 +36,7 @@ ParticleSet some_particles(int count = 50) {
     set.spacing = 0.1;
     set.box = {Vec(-1, -2, -3), Vec(1, 2, 3.25)};
     set.periodic = {true, false, true};
+    set.mirrored[1] = {true, false};
     set.parts = {{"blood", ParticleKind::fluid}, {"wall", ParticleKind::rigid}, {"leaflets", ParticleKind::springs}};
     for (int i = 0; i < count; ++i) {
         set.position.push_back(vector());
@@ -62,6 +63,7 @@ void expect_equal(const ParticleSet& read, const ParticleSet& written) {
     EXPECT_EQ(read.box.low, written.box.low);
     EXPECT_EQ(read.box.high, written.box.high);
     EXPECT_EQ(read.periodic, written.periodic);
+    EXPECT_EQ(read.mirrored, written.mirrored);
     ASSERT_EQ(read.parts.size(), written.parts.size());
     for (std::size_t n = 0; n < read.parts.size(); ++n) {
         EXPECT_EQ(read.parts[n].name, written.parts[n].name);
@@ -243,6 +245,7 @@ TEST_F(ParticleFile, ContentsThatAreNoParticlesAreNamed) {
         {"box/low", Reals{0, 3, 0}, "box is none"},
         {"box/high", Reals{1, 2, 3, 4, 5, 6}, "box/high is not one vector"},
         {"periodic", Flags{0, 2, 0}, "periodic is not 0 or 1"},
+        {"mirrored", Flags{0, 1, 0}, "mirrored is not 0 or 1"},
         {"parts/kind", Flags{0, 1, 2}, "'parts/kind' holds uint8, not text"},
     };
     for (const Wrong& wrong : wrongs) {

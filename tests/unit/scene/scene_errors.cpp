@@ -153,6 +153,21 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
               "  springs parts have two rows of particles for now: write layers = 2"},
+        Fault{"springs_as_stiff_as_a_strip_and_as_a_material", "axial_stiffness = \"100 N\"",
+              "axial_stiffness = \"100 N\"\nyoungs_modulus = \"2 MPa\"",
+              "scene.toml:25:18: part 'leaflets' has its stiffness twice: as a strip, at scene.toml:23:21, and as a "
+              "material\n"
+              "  give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio"},
+        Fault{"springs_without_axial_stiffness", "axial_stiffness = \"100 N\"\n", "",
+              "scene.toml:21:8: part 'leaflets': axial_stiffness is missing\n"
+              "  add axial_stiffness, or give youngs_modulus and thickness instead"},
+        Fault{"springs_without_thickness", "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"",
+              "youngs_modulus = \"2 MPa\"",
+              "scene.toml:21:8: part 'leaflets': thickness is missing\n"
+              "  add thickness, or give bending_stiffness and axial_stiffness"},
+        Fault{"springs_without_stiffness", "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"\n", "",
+              "scene.toml:21:8: part 'leaflets' does not say how stiff it is\n"
+              "  give bending_stiffness and axial_stiffness, or youngs_modulus and thickness"},
         Fault{"missing_key_of_kind", "viscosity = \"3.5 mPa*s\"", "",
               "scene.toml:10:1: missing key: part.blood.viscosity\n"
               "  add 'viscosity' in [[part]]: a dynamic viscosity such as \"1 mPa*s\", at least 0"},
@@ -264,7 +279,8 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean \"implicit\"?"},
         Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
               "[accuracy]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
-              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, "
+              "which "
               "accuracy.spring_stepping = \"subcycled\" moves apart from it\n"
               "  write spring_stepping = \"implicit\""},
         Fault{"implicit_viscosity_of_approaching_pairs", "[run]",
@@ -272,6 +288,30 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:32:15: accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the "
               "velocities, and accuracy.viscous_law = \"monaghan_approaching\" is none\n"
               "  write viscous_law = \"monaghan\" or \"morris\""},
+        Fault{"diffusion_of_a_summed_density", "[run]",
+              "[accuracy]\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
+              "scene.toml:32:21: accuracy.density_diffusion smooths a density that is integrated, and accuracy.density "
+              "= \"summation\" integrates none\n"
+              "  leave density_diffusion out, or write density = \"continuity\""},
+        Fault{"shifting_and_transport", "[run]", "[accuracy]\ntransport_velocity = true\nshifting = 4\n[run]",
+              "scene.toml:32:12: accuracy.shifting and accuracy.transport_velocity both spread the particles\n"
+              "  leave one of them out"},
+        Fault{"summation_beside_plain_walls", "[run]", "[accuracy]\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: accuracy.walls = \"plain\" integrates a density of the walls' own, which "
+              "accuracy.density = \"summation\" does not know\n"
+              "  leave walls out, or density"},
+        Fault{"correction_beside_plain_walls", "[run]",
+              "[accuracy]\ngradient_correction = true\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: accuracy.walls = \"plain\" integrates a density of the walls' own, which "
+              "accuracy.gradient_correction = true does not know\n"
+              "  leave walls out, or gradient_correction"},
+        Fault{"background_below_zero", "[run]", "[accuracy]\nbackground_pressure = \"-1 Pa\"\n[run]",
+              "scene.toml:31:23: accuracy.background_pressure: found \"-1 Pa\", expected at least 0\n"
+              "  give a value that is at least 0"},
+        Fault{"unknown_viscous_law", "[run]", "[accuracy]\nviscous_law = \"moris\"\n[run]",
+              "scene.toml:31:15: accuracy.viscous_law: found \"moris\", expected one of 'morris', 'monaghan' and "
+              "'monaghan_approaching'\n"
+              "  did you mean \"morris\"?"},
         Fault{"more_than_a_fraction", "[run]", "[accuracy]\nstep_factor = 2\n[run]",
               "scene.toml:31:15: accuracy.step_factor: found 2, expected more than 0 and at most 1\n"
               "  give a value that is more than 0 and at most 1"},

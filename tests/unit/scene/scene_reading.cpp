@@ -117,6 +117,9 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*leaflets.layers, 2);
     EXPECT_EQ(*leaflets.lower_axial_stiffness, true);
     EXPECT_EQ(*leaflets.lower_axial_stiffness, *fresh_part.lower_axial_stiffness);
+    EXPECT_EQ(*leaflets.poisson_ratio, 0);
+    EXPECT_EQ(*leaflets.cross_bonds, false);
+    EXPECT_EQ(*leaflets.cross_bonds, *fresh_part.cross_bonds);
     EXPECT_EQ(*leaflets.anchor, "");
     EXPECT_EQ(*leaflets.bond_damping, 0.01);
     EXPECT_EQ(*leaflets.bond_damping, *fresh_part.bond_damping);
@@ -148,6 +151,21 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.output.average_from, *fresh.output.average_from);
     EXPECT_EQ(*scene.accuracy.walls, WallModel::extrapolated);
     EXPECT_EQ(*scene.accuracy.walls, *fresh.accuracy.walls);
+    EXPECT_EQ(*scene.flow.largest_pressure, 0) << "not given";
+    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::tait);
+    EXPECT_EQ(*scene.accuracy.equation_of_state, *fresh.accuracy.equation_of_state);
+    EXPECT_EQ(*scene.accuracy.background_pressure, 0);
+    EXPECT_EQ(*scene.accuracy.background_pressure, *fresh.accuracy.background_pressure);
+    EXPECT_EQ(*scene.accuracy.density, DensityModel::continuity);
+    EXPECT_EQ(*scene.accuracy.density, *fresh.accuracy.density);
+    EXPECT_FALSE(*scene.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.gradient_correction, *fresh.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::morris);
+    EXPECT_EQ(*scene.accuracy.viscous_law, *fresh.accuracy.viscous_law);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::harmonic);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, *fresh.accuracy.viscosity_mean);
+    EXPECT_FALSE(*scene.accuracy.transport_velocity);
+    EXPECT_EQ(*scene.accuracy.transport_velocity, *fresh.accuracy.transport_velocity);
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0.1);
     EXPECT_EQ(*scene.accuracy.density_diffusion, *fresh.accuracy.density_diffusion);
     EXPECT_EQ(*scene.accuracy.shifting, 4);
@@ -156,7 +174,7 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.accuracy.step_factor, *fresh.accuracy.step_factor);
     EXPECT_EQ(*scene.accuracy.viscosity_stepping, ViscosityStepping::explicitly);
     EXPECT_EQ(*scene.accuracy.viscosity_stepping, *fresh.accuracy.viscosity_stepping);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-8);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
     EXPECT_EQ(*scene.accuracy.viscosity_tolerance, *fresh.accuracy.viscosity_tolerance);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::implicit);
     EXPECT_EQ(*scene.accuracy.spring_stepping, *fresh.accuracy.spring_stepping);
@@ -222,7 +240,7 @@ walls = "plain"
 density_diffusion = 0
 shifting = 0
 step_factor = 0.25
-viscosity_tolerance = 1e-6
+viscosity_tolerance = 1e-7
 spring_stepping = "subcycled"
 spring_step_factor = 1
 [run]
@@ -274,7 +292,7 @@ field = "pressure"
     EXPECT_EQ(*scene.accuracy.density_diffusion, 0);
     EXPECT_EQ(*scene.accuracy.shifting, 0);
     EXPECT_EQ(*scene.accuracy.step_factor, 0.25);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
+    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-7);
     EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::subcycled);
     EXPECT_EQ(*scene.accuracy.spring_step_factor, 1);
     EXPECT_EQ(*scene.run.duration, 60);
@@ -328,6 +346,27 @@ TEST(Quality, is_where_defaults_come_from) {
     EXPECT_EQ(default_origin(read_text(good_scene), "accuracy.kernel"), "default");
 }
 
+TEST(ReadScene, fluid_terms_that_are_off_by_default) {
+    const Scene scene =
+        read_text(good_scene,
+                  {"flow.largest_pressure=2 kPa", "accuracy.kernel=quintic_spline", "accuracy.equation_of_state=linear",
+                   "accuracy.background_pressure=3 Pa", "accuracy.density=summation",
+                   "accuracy.gradient_correction=true", "accuracy.viscous_law=monaghan_approaching",
+                   "accuracy.viscosity_mean=arithmetic", "accuracy.transport_velocity=true"});
+    EXPECT_EQ(*scene.flow.largest_pressure, 2000);
+    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::quintic_spline);
+    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::linear);
+    EXPECT_EQ(*scene.accuracy.background_pressure, 3);
+    EXPECT_EQ(*scene.accuracy.density, DensityModel::summation);
+    EXPECT_TRUE(*scene.accuracy.gradient_correction);
+    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::monaghan_approaching);
+    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::arithmetic);
+    EXPECT_TRUE(*scene.accuracy.transport_velocity);
+    EXPECT_EQ(*scene.accuracy.density_diffusion, 0) << "gives way to the summed density";
+    EXPECT_EQ(*scene.accuracy.shifting, 0) << "gives way to the transport velocity";
+    EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
+}
+
 TEST(ReadScene, values_keep_their_places) {
     const Scene scene = read_text(good_scene);
     EXPECT_EQ(scene.particles.spacing.place.text(), "scene.toml:8:11");
@@ -367,6 +406,11 @@ TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(word(WallModel::plain), "plain");
     EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
     EXPECT_EQ(word(ViscosityStepping::implicitly), "implicit");
+    EXPECT_EQ(word(KernelKind::cubic_spline), "cubic_spline");
+    EXPECT_EQ(word(EquationOfState::linear), "linear");
+    EXPECT_EQ(word(DensityModel::summation), "summation");
+    EXPECT_EQ(word(ViscousLaw::monaghan_approaching), "monaghan_approaching");
+    EXPECT_EQ(word(ViscosityMean::arithmetic), "arithmetic");
 }
 
 TEST(Override, reaches_every_kind_of_key) {
@@ -432,6 +476,7 @@ seed = 1
 [flow]
 acceleration = ["0", "0", "0"]
 periodic = []
+symmetry = []
 largest_speed = "0.2 m/s"
 initial_velocity = ["0", "0", "0"]
 initial_pressure = "0"
@@ -446,11 +491,18 @@ support = 3
 sound_speed = "auto"
 mach_number = 0.1
 walls = "extrapolated"
+equation_of_state = "tait"
+background_pressure = "0 kg/m/s^2"
+density = "continuity"
+gradient_correction = false
+viscous_law = "morris"
+viscosity_mean = "harmonic"
 density_diffusion = 0.1
 shifting = 4
+transport_velocity = false
 step_factor = 0.3
 viscosity_stepping = "explicit"
-viscosity_tolerance = 1e-08
+viscosity_tolerance = 1e-06
 spring_stepping = "implicit"
 spring_step_factor = 0.5
 
@@ -479,6 +531,11 @@ name = "wall"
 kind = "rigid"
 enabled = true
 layers = 3
+surface_velocity = ["0", "0", "0"]
+slip = false
+velocity = ["0", "0", "0"]
+spin = "0"
+centre = ["0 m", "0 m", "0 m"]
 
 [[part]]
 name = "leaflets"
@@ -488,6 +545,7 @@ layers = 2
 bending_stiffness = "3e-06 m^3*kg/s^2"
 axial_stiffness = "100 m*kg/s^2"
 lower_axial_stiffness = true
+cross_bonds = false
 mass_per_length = "0.42 kg/m"
 bond_damping = 0.01
 drag = "0 kg/s"
@@ -520,6 +578,24 @@ TEST(SceneHash, sees_values_and_not_how_they_are_written) {
     EXPECT_EQ(read_text(scene_with("\"0.1 mm\"", "'100 um'  # the same")).hash, hash);
     EXPECT_EQ(read_text(scene_with("[run]", "[accuracy]\nsupport = 3\n[run]")).hash, hash);
     EXPECT_NE(read_text(scene_with("\"0.1 mm\"", "\"0.11 mm\"")).hash, hash);
+}
+
+TEST(ReadScene, walls_that_move_and_planes_of_symmetry) {
+    const Scene scene = read_text(scene_with("kind = \"rigid\"",
+                                             "kind = \"rigid\"\nvelocity = [\"0.1 m/s * cos(2*pi*t/1 s)\", 0]\n"
+                                             "spin = \"120 deg/s\"\ncentre = [\"1 mm\", \"-2 mm\"]\nslip = true"),
+                                  {"flow.symmetry=[\"y_low\", \"x_high\"]"});
+    const Part& wall = scene.parts[1];
+    EXPECT_DOUBLE_EQ(wall.velocity.value[0](0.5), -0.1);
+    EXPECT_EQ(wall.velocity.value[1](0.5), 0);
+    EXPECT_DOUBLE_EQ((*wall.spin)(0), 2 * std::numbers::pi / 3);
+    EXPECT_EQ(wall.centre.value, Vec(1e-3, -2e-3, 0));
+    EXPECT_TRUE(wall.slip);
+    EXPECT_TRUE(wall.moves());
+    EXPECT_FALSE(wall.slides());
+    EXPECT_EQ(scene.flow.symmetry.value, (std::vector<BoxSide>{BoxSide::y_low, BoxSide::x_high}));
+    const Part still = read_text(good_scene).parts[1];
+    EXPECT_FALSE(still.moves() || still.slides() || still.slip);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(ExplainKey, a_word_with_a_default) {
     EXPECT_EQ(explain_key("accuracy.kernel"),
               "accuracy.kernel\n"
               "    Smoothing kernel.\n"
-              "    type:    one of 'wendland_c2' and 'lucy'\n"
+              "    type:    one of 'wendland_c2', 'wendland_c4', 'lucy', 'cubic_spline' and 'quintic_spline'\n"
               "    default: \"wendland_c2\" (draft: \"lucy\", fine: \"wendland_c2\")\n");
 }
 

@@ -59,6 +59,7 @@ class ArrangedCrowd {
         : particles_(set, std::vector<double>(set.parts.size(), settings.density)),
           neighbours_(ranks_, particles_.space(), settings.support + arrangement.extra_reach, arrangement.threads) {
         border_apart_ = arrangement.border_apart;
+        with_correction_ = settings.gradient_correction;
         settings.vector_unit = arrangement.vector_unit;
         settings.threads = arrangement.threads;
         sweeps_ = make_pair_sweeps(settings, particles_);
@@ -78,8 +79,9 @@ class ArrangedCrowd {
     [[nodiscard]] Sums sweep() {
         using enum ClusterChoice;
         for (const ClusterChoice clusters : border_apart_ ? std::vector{inner, border} : std::vector{all}) {
+            if (with_correction_) correct(clusters);
             sweeps_->forces(particles_, neighbours_.list(), body_acceleration, clusters);
-            sweeps_->density_rates(particles_, neighbours_.list(), clusters);
+            sweeps_->density_rates(particles_, neighbours_.list(), body_acceleration, clusters);
         }
         const ById by_id(particles_);
         Sums sums(by_id.size());
@@ -92,6 +94,18 @@ class ArrangedCrowd {
         return sums;
     }
 
+    /// Densities as sums over neighbours, by particle id; 0 of solids.
+    [[nodiscard]] std::vector<double> densities(const std::vector<double>& rest_density) {
+        using enum ClusterChoice;
+        for (const ClusterChoice clusters : border_apart_ ? std::vector{inner, border} : std::vector{all})
+            sweeps_->densities(particles_, neighbours_.list(), rest_density, clusters);
+        const ById by_id(particles_);
+        std::vector<double> found(by_id.size());
+        for (std::size_t id = 0; id < by_id.size(); ++id)
+            if (by_id.group(id).kind() == ParticleKind::fluid) found[id] = by_id.value(Field::density, id);
+        return found;
+    }
+
     ParticleStore& particles() { return particles_; }
     [[nodiscard]] const PairSweeps& sweeps() const { return *sweeps_; }
     [[nodiscard]] const ClusterList& list() const { return neighbours_.list(); }
@@ -99,6 +113,14 @@ class ArrangedCrowd {
     void exchange(const FieldList& fields) { neighbours_.exchange(particles_, fields); }
 
   private:
+    /// Before the first clusters' forces: of all, as forces need their neighbours' too.
+    void correct(ClusterChoice clusters) {
+        if (clusters == ClusterChoice::border) return;
+        for (const ClusterChoice part : {ClusterChoice::border, ClusterChoice::inner})
+            sweeps_->corrections(particles_, neighbours_.list(), part);
+        neighbours_.exchange(particles_, {Field::correction, Field::correction_off_diagonal});
+    }
+
     void shuffle(unsigned seed) {
         std::mt19937 random(seed);
         for (ParticleGroup& group : particles_.groups()) {
@@ -132,6 +154,7 @@ class ArrangedCrowd {
             for (int axis = 0; axis < set.dimension; ++axis) {
                 put(Field::velocity, unit(random), axis);
                 put(Field::wall_normal, set.wall_normal[id][axis], axis);
+                put(Field::transport_velocity, 0.1 * unit(random), axis);
             }
             put(Field::density, 1000 + 10 * unit(random));
             put(Field::pressure, 3000 * (unit(random) + 0.5));
@@ -146,7 +169,7 @@ class ArrangedCrowd {
     ParticleStore particles_;
     Neighbours neighbours_;
     std::unique_ptr<PairSweeps> sweeps_;
-    bool border_apart_ = false;
+    bool border_apart_ = false, with_correction_ = false;
 };
 
 }  // namespace dmp::testing_solver

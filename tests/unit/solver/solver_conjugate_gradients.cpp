@@ -1,10 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/time/conjugate_gradients.hpp"
-
 #include <Eigen/Dense>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "solver/time/conjugate_gradients.hpp"
 
 namespace dmp {
 namespace {

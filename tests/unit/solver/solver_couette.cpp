@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
+#include "walled_water.hpp"
 
 namespace dmp {
 namespace {
@@ -105,6 +106,45 @@ TEST(Couette, lid_may_slide_by_a_formula_of_time_and_place) {
     EXPECT_EQ(uniform.summary.state_hash, by_place.summary.state_hash);
     EXPECT_NE(uniform.summary.end.momentum[0], 0);
     EXPECT_LT(uniform.summary.momentum_residual, 1e-12);
+}
+
+TEST(Couette, is_a_straight_line_in_space_too) {
+    // Walls y = 0 and y = 1 of a slab that is periodic in x and z, made without a drawing.
+    using testing_solver::formula_of;
+    using testing_solver::WalledWater;
+    constexpr int rows = 10, wide = 5;
+    const WalledWater plane(wide, rows, {"wall", "lid"}, [](int column, int row) {
+        return column < 0 || column >= wide ? 0 : row < 0 ? 1 : row >= rows ? 2 : 0;
+    });
+    WalledWater made = plane;
+    ParticleSet& set = made.particles;
+    set = ParticleSet();
+    static_cast<ParticleSpace&>(set) = plane.particles;
+    set.dimension = 3;
+    made.scene.dimension = 3;
+    set.box.high[2] = wide * testing_solver::spacing;
+    made.make_periodic(0);
+    made.make_periodic(2);
+    for (int layer = 0; layer < wide; ++layer)
+        for (std::size_t i = 0; i < plane.particles.size(); ++i) {
+            made.add(plane.particles.part[i], plane.particles.position[i] + Vec(0, 0, (layer + 0.5) * 0.1),
+                     plane.particles.wall_normal[i], plane.particles.wall_distance[i]);
+            set.volume.back() *= testing_solver::spacing;
+        }
+    made.part(2).surface_velocity = std::array{formula_of("1"), Expression(), formula_of("0.5")};
+    made.scene.parts[0].viscosity = 1000.0;
+    KeptFrames kept;
+    const RunSummary summary = run_of(made, &kept);
+    EXPECT_LT(summary.momentum_residual, 1e-12);
+    const FrameGroup& fluid = *group_of(kept.frames.back(), "fluid");
+    ASSERT_EQ(fluid.size(), static_cast<std::size_t>(wide * wide * rows));
+    const FrameField& velocity = *field_of(fluid, "velocity");
+    for (std::size_t k = 0; k < fluid.size(); ++k) {
+        const double y = fluid.position[3 * k + 1];
+        EXPECT_NEAR(velocity.values[3 * k], y, 0.015);
+        EXPECT_NEAR(velocity.values[3 * k + 1], 0, 0.01);
+        EXPECT_NEAR(velocity.values[3 * k + 2], 0.5 * y, 0.0075);
+    }
 }
 
 TEST(Couette, explain_names_the_lid) {

@@ -152,6 +152,26 @@ TEST_P(FluidPassesOn, kick) {
     EXPECT_DOUBLE_EQ(fastest, expected_fastest);
 }
 
+TEST_P(FluidPassesOn, note_transport_is_the_way_of_the_shift_over_the_step) {
+    particles.fluid().declare({Field::transport_velocity});
+    const ShiftStep shift{-4e-4, 1.5e-3};
+    passes().note_transport(particles.fluid(), dt, shift);
+    int cut = 0;
+    for (std::size_t i = 0; i < particles.fluid().owned(); ++i) {
+        Vec way = Vec::Zero(), noted = Vec::Zero();
+        for (int axis = 0; axis < particles.dimension(); ++axis) {
+            way[axis] = shift.per_sum * before.fluid().data(Field::shift, axis)[i];
+            noted[axis] = particles.fluid().data(Field::transport_velocity, axis)[i];
+        }
+        if (way.norm() > shift.longest) {
+            way *= shift.longest / way.norm();
+            ++cut;
+        }
+        EXPECT_LT((dt * noted - way).norm(), 1e-14 * way.norm());
+    }
+    EXPECT_GT(cut, 0);
+}
+
 TEST_P(FluidPassesOn, drift_to_end_with_shifting) {
     const ShiftStep shift{-4e-4, 1.5e-3};  // sums are up to 5 long an axis: some are cut
     const PassExtremes extremes = passes().drift_to_end(particles, dt, shift);

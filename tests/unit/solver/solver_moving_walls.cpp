@@ -216,6 +216,15 @@ TEST(MovingWalls, their_speed_shortens_the_step) {
     EXPECT_NEAR(steps_at("2.5") / steps_at("0.001"), 1.25, 0.06);
 }
 
+TEST(MovingWalls, of_plain_particles_carry_the_liquid_too) {
+    WalledWater made = carried_box();
+    made.scene.accuracy.walls = WallModel::plain;
+    const RunSummary summary = run_of(made);
+    EXPECT_EQ(summary.lost, 0U);
+    EXPECT_LT(summary.momentum_residual, 1e-12);
+    EXPECT_NEAR(summary.end.momentum[0], 800 * carried_speed(1.5), 0.03 * 800);
+}
+
 TEST(MovingWalls, are_told_by_explain) {
     const WalledWater made = drum("1");
     bool named = false;

@@ -103,7 +103,16 @@ TEST(OrderFree, rounds_vectors_and_lanes_as_numbers) {
         for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(rounded[axis][k], order_free(terms[2 * k + axis]));
 }
 
-using Variant = std::tuple<int, WallModel>;
+using Variant = std::tuple<int, WallModel, bool>;  ///< the last: with what is off by default
+
+PairSettings settings_of(const ParticleSet& set, const Variant& variant) {
+    PairSettings settings = crowd_settings(set, true, std::get<WallModel>(variant));
+    if (!std::get<bool>(variant)) return settings;
+    settings.viscous_force = ViscousForce::morris_harmonic;
+    settings.stratified = settings.gradient_correction = settings.transport_velocity = true;
+    settings.shifting = 0;
+    return settings;
+}
 
 /// Forces, density rates and shifts of a crowd with all models, in a box that is periodic all around.
 class SumsOver : public testing::TestWithParam<Variant> {
@@ -124,7 +133,7 @@ class SumsOver : public testing::TestWithParam<Variant> {
     }
 
     ParticleSet set = crowd(std::get<int>(GetParam()), {true, true, std::get<int>(GetParam()) == 3}, 9);
-    PairSettings settings = crowd_settings(set, true, std::get<WallModel>(GetParam()));
+    PairSettings settings = settings_of(set, GetParam());
     Sums usual = in({});
 };
 
@@ -192,12 +201,29 @@ TEST_P(SumsOver, of_fluid_and_bodies_without_walls_leave_no_force_in_all) {
     }
 }
 
+TEST_P(SumsOver, neighbours_of_masses_are_densities_whatever_the_arrangement) {
+    settings.density_by_summation = true;
+    const std::vector<double> rest_density(set.parts.size(), settings.density);
+    const auto densities_in = [&](const Arrangement& arrangement) {
+        return ArrangedCrowd(set, settings, arrangement).densities(rest_density);
+    };
+    const std::vector<double> first = densities_in({});
+    for (const VectorUnit unit : available_vector_units())
+        EXPECT_EQ(densities_in({.vector_unit = unit, .threads = 3, .extra_reach = 0.1, .near_only = true}), first);
+    EXPECT_EQ(densities_in({.border_apart = true, .shuffled = 3, .wrapped = true, .displaced = Vec(0.31, -0.47, 0)}),
+              first);
+}
+
 INSTANTIATE_TEST_SUITE_P(Crowds, SumsOver,
-                         testing::Combine(testing::Values(2, 3),
-                                          testing::Values(WallModel::extrapolated, WallModel::plain)),
+                         testing::Values(Variant{2, WallModel::extrapolated, false},
+                                         Variant{2, WallModel::plain, false}, Variant{2, WallModel::extrapolated, true},
+                                         Variant{3, WallModel::extrapolated, false},
+                                         Variant{3, WallModel::plain, false},
+                                         Variant{3, WallModel::extrapolated, true}),
                          [](const auto& variant) {
                              return std::to_string(std::get<int>(variant.param)) + "d_" +
-                                    word(std::get<WallModel>(variant.param));
+                                    word(std::get<WallModel>(variant.param)) +
+                                    (std::get<bool>(variant.param) ? "_with_options" : "");
                          });
 
 }  // namespace

@@ -7,12 +7,17 @@
 #include "particles/kernels.hpp"
 #include "solver/models/sph/continuity.hpp"
 #include "solver/models/sph/density_diffusion.hpp"
+#include "solver/models/sph/gradient_correction.hpp"
+#include "solver/models/sph/lattice_viscosity.hpp"
+#include "solver/models/sph/liquid_state.hpp"
 #include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/no_viscosity.hpp"
 #include "solver/models/sph/pressure_force.hpp"
 #include "solver/models/sph/shifting.hpp"
+#include "solver/models/sph/summation_density.hpp"
 #include "solver/models/sph/tait.hpp"
+#include "solver/models/sph/transport_velocity.hpp"
 #include "solver/models/sph/walls.hpp"
 #include "solver/sweeps/lanes.hpp"
 
@@ -49,6 +54,155 @@ TEST(TaitEquation, value_and_slope) {
     EXPECT_NEAR(state.pressure(1010.0), 400 * 1000.0 / 7 * (std::pow(1.01, 7) - 1), 1e-6);
     EXPECT_NEAR(state.pressure(970.0), 400 * 1000.0 / 7 * (std::pow(0.97, 7) - 1), 1e-6);
     EXPECT_NEAR((state.pressure(1000.1) - state.pressure(999.9)) / 0.2, 400, 1e-3);  // c0^2 at rest
+}
+
+TEST(LinearEquation, is_a_line_of_slope_c0_squared) {
+    const LinearEquation state{20, 1000};
+    EXPECT_EQ(state.pressure(1000.0), 0);
+    EXPECT_DOUBLE_EQ(state.pressure(1010.0), 4000);
+    EXPECT_DOUBLE_EQ(state.pressure(970.0), -12000);
+    const TaitEquation tait{20, 1000};  // the same to first order
+    EXPECT_NEAR(tait.pressure(1000.1) - tait.pressure(999.9), state.pressure(1000.1) - state.pressure(999.9), 1e-4);
+}
+
+TEST(LiquidState, is_the_equation_asked_for_and_the_background_on_top) {
+    for (const double rho : {950.0, 1000.0, 1020.0}) {
+        EXPECT_EQ((LiquidState{20, 1000}.pressure(rho)), (TaitEquation{20, 1000}.pressure(rho)));
+        EXPECT_EQ((LiquidState{20, 1000, 0, EquationOfState::linear}.pressure(rho)),
+                  (LinearEquation{20, 1000}.pressure(rho)));
+        EXPECT_DOUBLE_EQ((LiquidState{20, 1000, 500, EquationOfState::linear}.pressure(rho)),
+                         (500 + LinearEquation{20, 1000}.pressure(rho)));
+        EXPECT_DOUBLE_EQ((LiquidState{20, 1000, 500}.pressure(rho)), (500 + TaitEquation{20, 1000}.pressure(rho)));
+    }
+}
+
+TEST(StratifiedDiffusion, one_pair_by_hand) {
+    const StratifiedDiffusion<2> diffusion(0.1, 3.0, 20, V2{{1.5, -9.81}});
+    // 2 delta h / c0 = 2 * 0.1 * 1.5 / 20; g . x_ij = 1.5 * 0.75 + 9.81 = 10.935, mean density 1000.
+    const double expected = 0.015 * 0.9 * ((120 - 80) - 1000 * 10.935) * kernel_derivative(distance) / distance;
+    EXPECT_NEAR(diffusion.law(pair_of(particle_i, particle_j, separation)), expected, 1e-6 * std::abs(expected));
+}
+
+TEST(StratifiedDiffusion, does_nothing_to_a_fluid_at_rest_and_is_the_plain_one_without_a_force) {
+    const V2 g{{1.5, -9.81}};
+    Point i = particle_i, j = particle_j;
+    i.pressure = j.pressure + 0.5 * (i.density + j.density) * dot(g, separation);
+    EXPECT_NEAR((StratifiedDiffusion<2>(0.1, 3.0, 20, g).law(pair_of(i, j, separation))), 0, 1e-9);
+    const LinearEquation state{20, 1000};
+    i.pressure = state.pressure(i.density);
+    j.pressure = state.pressure(j.density);
+    const double plain = DensityDiffusion(0.1, 3.0, 20).law(pair_of(i, j, separation));
+    EXPECT_NEAR((StratifiedDiffusion<2>(0.1, 3.0, 20, V2{{0, 0}}).law(pair_of(i, j, separation))), plain,
+                1e-12 * std::abs(plain));
+}
+
+TEST(Shifting, shrinks_near_a_free_surface) {
+    using Shift = Shifting<WendlandC2<2>>;
+    // SUM V_j x_ji . grad W = -V_j r^2 (1/r dW/dr)
+    EXPECT_NEAR(Shift::divergence(pair_of(particle_i, particle_j, separation)),
+                -0.9 * distance * kernel_derivative(distance), 1e-9);
+    EXPECT_EQ(Shift::kept<2>(0.7), 0);
+    EXPECT_EQ(Shift::kept<2>(1.5), 0);
+    EXPECT_DOUBLE_EQ(Shift::kept<2>(1.75), 0.5);
+    EXPECT_EQ(Shift::kept<2>(2.0), 1);
+    EXPECT_EQ(Shift::kept<2>(2.1), 1);
+    EXPECT_DOUBLE_EQ(Shift::kept<3>(2.625), 0.5);
+}
+
+TEST(TransportVelocity, one_pair_by_hand) {
+    const V2 u{{0.02, 0.01}};
+    const auto p = pair_of(particle_i, particle_j, separation);
+    const double slope = kernel_derivative(distance) / distance;
+    // A_i . x_ij = rho_i v_i (u . x_ij), u . x_ij = 0.015 - 0.01 = 0.005
+    const double size = 1.1 * 0.9 * 990 * 0.005 * slope;
+    expect_near(TransportVelocity::law(p, particle_i, u), {{size * 0.4, size * -0.3}}, 1e-9);
+    expect_near(TransportVelocity::law(pair_of(particle_j, particle_i, -1.0 * separation), particle_i, u),
+                -1.0 * TransportVelocity::law(p, particle_i, u), 1e-15);
+    const double spread = (1.21 + 0.81) / 1.1 * slope;
+    expect_near(TransportVelocity::spreading(p), {{spread * 0.75, spread * -1}}, 1e-9);
+    EXPECT_DOUBLE_EQ(TransportVelocity::step(20, 0.01), -0.02);
+}
+
+TEST(SummationDensity, is_mass_times_kernel) { EXPECT_EQ(SummationDensity::law(3.0, 0.25), 0.75); }
+
+TEST(GradientCorrection, inverts_the_moment_of_the_gradient) {
+    const Symmetric<double, 2> plane{{{0.9, 0.6}}, {{0.1}}};
+    const auto e = GradientCorrection::excess(plane);
+    const Symmetric<double, 2> b{{{1 + e.diagonal[0], 1 + e.diagonal[1]}}, e.off};
+    for (const V2 x : {V2{{1, 0}}, V2{{0, 1}}}) expect_near(b * (plane * x), x, 1e-15);
+
+    using V3 = Vector<double, 3>;
+    const Symmetric<double, 3> space{{{0.9, 0.8, 1.1}}, {{0.1, -0.2, 0.05}}};
+    const auto f = GradientCorrection::excess(space);
+    const Symmetric<double, 3> c{{{1 + f.diagonal[0], 1 + f.diagonal[1], 1 + f.diagonal[2]}}, f.off};
+    for (const V3 x : {V3{{1, 0, 0}}, V3{{0, 1, 0}}, V3{{0, 0, 1}}}) {
+        const V3 back = c * (space * x);
+        for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(back[axis], x[axis], 1e-14);
+    }
+}
+
+TEST(GradientCorrection, leaves_particles_with_few_neighbours) {
+    const auto e = GradientCorrection::excess(Symmetric<double, 2>{{{0.5, 0.59}}, {{0.0}}});  // 0.295
+    EXPECT_EQ(e.diagonal[0], 0);
+    EXPECT_EQ(e.diagonal[1], 0);
+    EXPECT_EQ(GradientCorrection::excess(Symmetric<double, 2>{{{1.0, 0.5}}, {{0.0}}}).diagonal[1], 1);
+}
+
+TEST(GradientCorrection, of_one_pair_by_hand) {
+    const Symmetric<double, 2> e{{{0.1, -0.05}}, {{0.02}}};
+    const auto p = pair_of(particle_i, particle_j, separation);
+    const double slope = kernel_derivative(distance) / distance;
+    const V2 x{{0.1 * 0.75 - 0.02, 0.02 * 0.75 + 0.05}};  // E x_ij
+    expect_near(GradientCorrection::force(p, 120.0, e),
+                {{-1.1 * 0.9 * 120 * slope * x[0], -1.1 * 0.9 * 120 * slope * x[1]}}, 1e-7);
+    EXPECT_NEAR(GradientCorrection::rate(p, e), 990 * 0.9 * slope * (0.6 * x[0] - 0.8 * x[1]), 1e-6);
+}
+
+TEST(GradientCorrection, makes_gradients_of_linear_fields_exact_among_disordered_points) {
+    // SUM V_j (f_j - f_i) B grad W = grad f, whatever the places; f = 3 x - 2 y, one term a pair.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-0.3, 0.3);
+    Symmetric<double, 2> moment{V2::zero(), Vector<double, 1>::zero()};
+    V2 plain = V2::zero();
+    for (int a = -3; a <= 3; ++a)
+        for (int b = -3; b <= 3; ++b) {
+            if (a == 0 && b == 0) continue;
+            const V2 x{{a + unit(random), b + unit(random)}};  // x_ij
+            const double slope = kernel.slope(std::sqrt(dot(x, x)));
+            const auto term = GradientCorrection::term(1.0, x);
+            for (int axis = 0; axis < 2; ++axis) moment.diagonal[axis] += slope * term.diagonal[axis];
+            moment.off[0] += slope * term.off[0];
+            plain += (-(3 * x[0] - 2 * x[1]) * slope) * x;
+        }
+    const auto e = GradientCorrection::excess(moment);
+    expect_near(plain + e * plain, {{3, -2}}, 1e-13);
+    EXPECT_GT(std::abs(plain[0] - 3), 1e-3) << "nothing to correct";
+}
+
+// Softening of the distance takes a little off what kernel_identities.cpp finds without it (0.88591 and 3.10368).
+TEST(LatticeViscosity, is_what_the_laws_make_of_parabolas) {
+    const auto slope = [](double r) { return kernel.slope(r); };
+    const LatticeViscosity morris = lattice_viscosity_of_morris(2, 1, 3, slope);
+    EXPECT_NEAR(morris.shear, 0.99739926844389515, 1e-13);
+    EXPECT_DOUBLE_EQ(morris.longitudinal, morris.shear);
+    const LatticeViscosity found = lattice_viscosity_of_monaghan(2, 1, 3, slope);
+    const MonaghanViscosity<2> law(3.0, false, false);
+    V2 shear = V2::zero(), along = V2::zero();
+    for (int a = -3; a <= 3; ++a)
+        for (int b = -3; b <= 3; ++b) {
+            if (a == 0 && b == 0) continue;
+            Point i = particle_i, j = particle_i;
+            i.volume = j.volume = i.viscosity = j.viscosity = 1;
+            i.velocity = V2::zero();
+            j.velocity = {{0.5 * b * b, 0}};
+            shear += law.law(pair_of(i, j, {{-1.0 * a, -1.0 * b}}));
+            j.velocity = {{0.5 * a * a, 0}};
+            along += law.law(pair_of(i, j, {{-1.0 * a, -1.0 * b}}));
+        }
+    EXPECT_NEAR(found.shear, shear[0], 1e-13);
+    EXPECT_NEAR(found.longitudinal, along[0], 1e-13);
+    EXPECT_NEAR(found.shear, 0.88591, 0.02);
+    EXPECT_NEAR(found.longitudinal, 3.10368, 0.06);
 }
 
 TEST(PressureForce, one_pair_by_hand) {

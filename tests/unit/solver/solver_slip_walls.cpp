@@ -80,8 +80,31 @@ TEST(SlipWalls, one_of_two_gives_half_a_parabola) {
     EXPECT_LT(summary.momentum_residual, 1e-12);
 }
 
-template <int D>
-using Place = Vector<double, D>;
+TEST(SlipWalls, leave_a_column_of_liquid_at_rest) {
+    // A closed box under gravity: what the walls let slip they hold up all the same, by the pressure behind them.
+    const auto column = [](bool slips) {
+        WalledWater made(10, 10, {"box"}, [](int, int) { return 1; });
+        made.part(1).slip = slips;
+        made.scene.flow.acceleration[1] = formula_of("-1 * min(t / 0.5, 1)");
+        made.scene.run.duration = 3;
+        KeptFrames kept;
+        const RunSummary summary = run_of(made, &kept);
+        EXPECT_EQ(summary.lost, 0U);
+        const FrameGroup& fluid = *group_of(kept.frames.back(), "fluid");
+        double fastest = 0, slope = 0, moment = 0;
+        for (std::size_t k = 0; k < fluid.size(); ++k) {
+            const float* v = &field_of(fluid, "velocity")->values[3 * k];
+            fastest = std::max<double>(fastest, std::hypot(v[0], v[1]));
+            const double y = fluid.position[3 * k + 1] - 0.5;
+            slope += y * field_of(fluid, "pressure")->values[k];
+            moment += y * y;
+        }
+        EXPECT_NEAR(slope / moment, -1000, 20);
+        return fastest;
+    };
+    const double fastest = column(true);
+    EXPECT_LT(fastest, 0.01);  // of sqrt(2 g H) = 1.4 m/s
+}
 
 /// A fluid particle at height 0.2 and a wall particle at depth 0.1 below it, the surface across the last axis.
 template <int D>

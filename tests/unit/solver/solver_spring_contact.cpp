@@ -35,7 +35,7 @@ TEST(SelfContact, a_body_at_rest_feels_nothing_even_where_neighbours_are_within_
 TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) {
     // Nodes of a chain along x, the last brought near the first; its neighbour too, but that one was drawn near it.
     const Vectors drawn{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{3, 0}}};
-    const SelfContact<2> contact(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1));
+    SelfContact<2> contact(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1));
     const Vectors now{{{0, 0}}, {{0.5, 0}}, {{2, 0}}, {{0.3, 0.6}}};
     Vectors force(4, V2::zero());
     contact.add_forces(now, force);
@@ -48,6 +48,15 @@ TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) 
         EXPECT_EQ(force[2][axis], 0);
     }
     EXPECT_GT(by_first[1], 0);
+    // Approaching by small steps, with pairs listed before: the same bits as looked for anew.
+    for (double x = 2.2; x > 0.4; x -= 0.013) {
+        const Vectors place{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{x, 0.2}}};
+        Vectors listed(4, V2::zero()), anew(4, V2::zero());
+        contact.add_forces(place, listed);
+        SelfContact<2>(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1)).add_forces(place, anew);
+        for (std::size_t n = 0; n < 4; ++n)
+            for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(listed[n][axis], anew[n][axis]);
+    }
 }
 
 /// Columns of a leaflet that is held in its middle while its arms are lifted and pressed together: how far the left arm

@@ -13,6 +13,7 @@
 
 #include "base/errors.hpp"
 #include "tests/unit/solver/statics.hpp"
+#include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
 namespace dmp {
@@ -244,6 +245,31 @@ TEST(SpringNetwork, momentum_and_moment_of_momentum_are_kept_in_space) {
         EXPECT_LT((body.total_momentum() - before).norm(), 1e-11);
         EXPECT_LT((moment() - turning).norm(), implicit ? 1e-6 : 1e-11);  // to the tolerance of the solution
     }
+}
+
+TEST(SpringNetwork, goes_on_from_a_checkpoint_with_the_same_bits) {
+    const testing::TemporaryFolder folder;
+    const Ranks alone = Ranks::alone();
+    const ParticleSet set = strained_chain();
+    Body body(set, part_with(0.05), 0);
+    for (int step = 0; step < 20; ++step) body.advance_implicit(0.05);
+    {
+        Hdf5Writer file(folder.path() / "state.h5");
+        Archive archive(alone, &file);
+        body.archive(archive, "springs/body_0");
+        file.close();
+    }
+    const Hdf5Reader file(folder.path() / "state.h5");
+    Archive archive(alone, file);
+    Body other(set, part_with(0.05), 0);
+    other.archive(archive, "springs/body_0");
+    for (int step = 0; step < 20; ++step)
+        for (Body* each : {&body, &other}) each->advance_implicit(0.05);
+    for (std::size_t n = 0; n < set.size(); ++n)
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(other.positions()[n][axis], body.positions()[n][axis]);
+            EXPECT_EQ(other.velocities()[n][axis], body.velocities()[n][axis]);
+        }
 }
 
 TEST(SpringNetwork, plane_bodies_have_no_dihedrals) {

@@ -48,7 +48,7 @@ Creep creep_of(const SceneAndParticles& made, const Resources& resources = 1) {
     options.sink = &kept;
     Creep creep;
     creep.summary = Simulation(made.scene, made.particles, resources).run(options);
-    const FrameGroup& rod = *group_of(kept.frames.back(), "springs");
+    const FrameGroup& rod = *group_of(kept.frames.back(), "solid");
     const double length = std::hypot(rod.position[3] - rod.position[0], rod.position[4] - rod.position[1]);
     creep.left = (length - rest_length) / stretch;
     return creep;

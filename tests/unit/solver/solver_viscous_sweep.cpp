@@ -125,8 +125,8 @@ TEST_P(ViscousSweepOf, forces_are_those_of_all_pairs) {
         ParticleStore& particles = arranged.particles();
         arranged.sweeps().viscous_forces(particles, arranged.list(),
                                          {Field::velocity, 1, largest_term(arranged.sweeps())});
-        const auto expected = set.dimension == 3 ? by_all_pairs<3>(particles, set, settings)
-                                                 : by_all_pairs<2>(particles, set, settings);
+        const auto expected =
+            set.dimension == 3 ? by_all_pairs<3>(particles, set, settings) : by_all_pairs<2>(particles, set, settings);
         const ById by_id(particles);
         double largest = 0;
         for (std::size_t id = 0; id < set.size(); ++id) largest = std::max(largest, expected[id].norm());

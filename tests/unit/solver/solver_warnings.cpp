@@ -9,6 +9,7 @@ namespace dmp {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -158,6 +159,19 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"picture_of_nothing", [](Scene& s) { give(s.output.picture_field, FluidField::pressure); },
                "scene.toml:7:9: output.picture_field", "'pressure' is not among output.fields"}),
     name_of);
+
+TEST(Warnings, of_nothing_that_moves_know_every_drive) {
+    Scene scene = pipe();
+    scene.flow.acceleration[0] = Expression();
+    const Expression one("1", "1");
+    Scene thrown = scene, pressed = scene, belt = scene;
+    thrown.flow.initial_velocity.value[1] = one;
+    pressed.flow.initial_pressure = one;
+    belt.parts[1].surface_velocity.value[0] = one;
+    for (const Scene& driven : {thrown, pressed, belt}) EXPECT_THAT(texts(driven), IsEmpty());
+    belt.parts[1].enabled = false;
+    EXPECT_THAT(texts(belt), Contains(HasSubstr("nothing will move")));
+}
 
 TEST(Warnings, of_missing_contact_count_bodies) {
     Scene scene = pipe();

@@ -1,0 +1,95 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// A spring node's inertia is its body's, whatever volume it fills for the liquid.
+#include <gtest/gtest.h>
+
+#include "small_scenes.hpp"
+#include "solver/setup.hpp"
+
+namespace dmp {
+namespace {
+
+using testing_solver::add_flags;
+using testing_solver::add_rod;
+using testing_solver::endless_water;
+using testing_solver::field_of;
+using testing_solver::group_of;
+using testing_solver::KeptFrames;
+using testing_solver::SceneAndParticles;
+
+/// Water that is pushed along x, with a rod in the place of two of its particles.
+SceneAndParticles water_with_a_rod(double node_mass) {
+    SceneAndParticles made = endless_water("1");
+    add_flags(made);
+    ParticleSet& set = made.particles;
+    const Vec place = set.position[27];
+    const auto take_out = [&](std::size_t i) {
+        const auto at = static_cast<std::ptrdiff_t>(i);
+        const auto erase = [at](auto& values) { values.erase(values.begin() + at); };
+        erase(set.position);
+        erase(set.volume);
+        erase(set.mass);
+        erase(set.part);
+        erase(set.body);
+        erase(set.fixed);
+        erase(set.seated);
+        erase(set.wall_normal);
+        erase(set.wall_distance);
+    };
+    take_out(35);  // above it
+    take_out(27);
+    add_rod(made, place, 0);
+    for (std::size_t i = set.size() - 2; i < set.size(); ++i) set.mass[i] = node_mass;
+    made.scene.contact.range = 0.0;
+    return made;
+}
+
+/// The frame at the end of the first step of 0.1 ms.
+Frame after_one_step(const SceneAndParticles& made) {
+    Scene scene = made.scene;
+    scene.run.duration = 1e-4;
+    scene.output.every = scene.output.measure_every = 1e-4;
+    KeptFrames kept;
+    RunOptions options;
+    options.sink = &kept;
+    const RunSummary summary = Simulation(scene, made.particles, 1).run(options);
+    EXPECT_EQ(summary.steps, 1);
+    return kept.frames.back();
+}
+
+TEST(InertialMass, of_spring_nodes_does_not_enter_the_liquids_sums) {
+    const SceneAndParticles light = water_with_a_rod(10), heavy = water_with_a_rod(90);
+    for (const SceneAndParticles* made : {&light, &heavy}) {
+        const ParticleStore store(made->particles, rest_densities(made->scene, made->particles));
+        const ParticleGroup& nodes = store.of(ParticleKind::springs);
+        ASSERT_EQ(nodes.owned(), 2U);
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_EQ(nodes.data(Field::volume)[i], 0.01);
+            EXPECT_EQ(nodes.data(Field::mass)[i], 1000 * 0.01) << "of the liquid that it displaces";
+        }
+    }
+    const Frame of_light = after_one_step(light), of_heavy = after_one_step(heavy);
+    EXPECT_EQ(field_of(*group_of(of_light, "fluid"), "velocity")->values,
+              field_of(*group_of(of_heavy, "fluid"), "velocity")->values);
+}
+
+TEST(InertialMass, of_spring_nodes_resists_the_liquids_push) {
+    // By viscosity after some steps; the rod as a whole keeps the momentum that it is given.
+    const auto momentum_and_speed = [](double node_mass) {
+        SceneAndParticles made = water_with_a_rod(node_mass);
+        made.scene.parts[0].viscosity = 100.0;
+        made.scene.run.duration = made.scene.output.every = 0.01;
+        KeptFrames kept;
+        RunOptions options;
+        options.sink = &kept;
+        const RunSummary summary = Simulation(made.scene, made.particles, 1).run(options);
+        EXPECT_LT(summary.momentum_residual, 1e-12);
+        EXPECT_NEAR(summary.end.mass, 62 * 10 + 2 * node_mass, 1e-9);
+        return field_of(*group_of(kept.frames.back(), "solid"), "velocity")->values[0];
+    };
+    const double light = momentum_and_speed(10), heavy = momentum_and_speed(90);
+    EXPECT_GT(light, 0);
+    EXPECT_NEAR(light / heavy, 9, 0.5);
+}
+
+}  // namespace
+}  // namespace dmp
