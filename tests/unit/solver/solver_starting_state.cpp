@@ -52,7 +52,7 @@ TEST(StartingState, HoldsAtEachParticle) {
     const SceneAndParticles made = water_with("0.5 * x", "0.25 - y", "1000 * x + 10 * y");
     const Frame frame = first_frame(made);
     const FrameGroup& fluid = *group_of(frame, "fluid");
-    const TaitEquation state = equations_of_state(made.scene, made.particles).front();
+    const LiquidState state = equations_of_state(made.scene, made.particles).front();
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double x = fluid.position[3 * k], y = fluid.position[3 * k + 1], pressure = 1000 * x + 10 * y;
         EXPECT_NEAR(field_of(fluid, "velocity")->values[3 * k], 0.5 * x, 1e-6);
