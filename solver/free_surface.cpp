@@ -10,6 +10,24 @@ namespace dmp {
 
 namespace {
 
+/// Adds the mirror images of points that lie within reach of a plane of symmetry, axis by axis.
+template <int D>
+void add_mirror_images(const ParticleSet& set, double reach, Coordinates& points, std::vector<double>& volume) {
+    for (int axis = 0; axis < D; ++axis)
+        for (const int side : {0, 1}) {
+            if (!set.mirrored[axis][side]) continue;
+            const double plane = side == 0 ? set.box.low[axis] : set.box.high[axis];
+            for (std::size_t i = 0, count = volume.size(); i < count; ++i) {
+                if (std::abs(points[axis][i] - plane) > reach) continue;
+                for (int other = 0; other < D; ++other) {
+                    const double place = points[other][i];
+                    points[other].push_back(other == axis ? 2 * plane - place : place);
+                }
+                volume.push_back(volume[i]);
+            }
+        }
+}
+
 template <int D>
 bool any_on_surface(const ParticleSet& set, int threads) {
     const double support = 3 * set.spacing;
@@ -25,6 +43,7 @@ bool any_on_surface(const ParticleSet& set, int threads) {
         for (int axis = 0; axis < D; ++axis) points[axis].push_back(points[axis][image.source] + image.shift[axis]);
         volume.push_back(set.volume[image.source]);
     }
+    add_mirror_images<D>(set, support, points, volume);
     const CellGrid grid(points, volume.size(), D, support);
     const auto count = static_cast<std::ptrdiff_t>(set.size());
     bool found = false;

@@ -17,10 +17,10 @@ template <class T, int D>
 struct SolidPoint {
     Vector<T, D> position, velocity;
     T volume, density, pressure;
-    Vector<T, D> normal;        ///< rigid walls: from the surface into the fluid; else 0
-    T depth;                    ///< rigid walls: distance behind the surface; else 0 [m]
-    T slip;                     ///< rigid walls: 1 where the fluid slips; else 0
-    Vector<T, D> acceleration;  ///< of rigid walls that move; else 0 [m/s^2]
+    Vector<T, D> normal;                               ///< rigid walls: from the surface into the fluid; else 0
+    T depth;                                           ///< rigid walls: distance behind the surface; else 0 [m]
+    T slip = T(0.0);                                   ///< rigid walls: 1 where the fluid slips; else 0
+    Vector<T, D> acceleration = Vector<T, D>::zero();  ///< of rigid walls that move; else 0 [m/s^2]
 };
 
 /// Two particles that meet: i is the one acted upon.

@@ -196,7 +196,8 @@ class Sweeps final : public PairSweeps {
                 if (settings_.walls == WallModel::plain) {
                     run_with(PlainSolid<D>{});
                 } else {
-                    run_with(ExtrapolatedSolid<D>{Vector<double, D>::zero(), 0.5 * settings_.spacing});
+                    with_flag(settings_.slip_walls || settings_.moving_walls,
+                              [&](auto motion) { run_with(extrapolated<decltype(motion)::value>({})); });
                 }
             }
         });

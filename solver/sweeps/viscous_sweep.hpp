@@ -177,7 +177,7 @@ class ViscousSweep {
     double wall_motion_;
     int threads_;
     FluidReader<L, D> fluid_;
-    SolidReader<L, D, Solid::needs_state, Solid::needs_surface> rigid_;
+    SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
     SolidReader<L, D, Solid::needs_state, false> springs_;
     std::array<const double*, D> fluid_velocity_, springs_velocity_;
 };

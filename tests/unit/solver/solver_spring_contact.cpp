@@ -19,16 +19,16 @@ namespace {
 constexpr double strength = 1e-2;
 SpringContact contact_within(double range) { return {{strength}, range}; }
 
-std::vector<double> flat(const Vectors& forces) {
-    std::vector<double> values;
-    for (const V2& force : forces) values.insert(values.end(), {force[0], force[1]});
+std::vector<Vec> in_space(const Vectors& forces) {
+    std::vector<Vec> values;
+    for (const V2& force : forces) values.emplace_back(force[0], force[1], 0);
     return values;
 }
 
 TEST(SelfContact, a_body_at_rest_feels_nothing_even_where_neighbours_are_within_its_range) {
     const ParticleSet set = ladder({12, 0.5, false});
     PlaneBody body(set, part_with(0), 0, contact_within(1.3));
-    body.advance(std::vector<double>(2 * set.size()), 0.5, 1);
+    body.advance(std::vector<Vec>(set.size(), Vec::Zero()), 0.5, 1);
     for (const V2& velocity : body.velocities()) EXPECT_LT(std::sqrt(dot(velocity, velocity)), 1e-14);
 }
 
@@ -68,7 +68,7 @@ double overlap_of_folded_leaflet(const SpringContact& contact) {
     PlaneBody body(set, part_with(0.05, 0.01), 0, contact);
     Vectors load(set.size());
     for (std::size_t n = 0; n < set.size(); ++n) load[n] = {{(set.position[n][0] < 0.5 * cells ? 1 : -1) * 1e-3, 4e-4}};
-    for (int step = 0; step < 4000; ++step) body.advance(flat(load), 0.5, 0);
+    for (int step = 0; step < 4000; ++step) body.advance(in_space(load), 0.5, 0);
     double overlap = -std::numeric_limits<double>::infinity();
     for (int column = 0; column < 12; ++column)
         overlap = std::max(overlap, body.positions()[2 * column][0] - 0.5 * cells);
