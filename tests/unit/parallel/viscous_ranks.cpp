@@ -45,7 +45,9 @@ TEST(ImplicitViscosity, is_the_same_bits_on_any_number_of_ranks) {
     const SceneAndParticles made = mucus_and_rod();
     const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, Ranks::world());
     EXPECT_EQ(shared.ranks, Ranks::world().size());
-    if (Ranks::world().is_first()) EXPECT_EQ(shared.state_hash, alone.state_hash);
+    if (Ranks::world().is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
     EXPECT_EQ(shared.steps, alone.steps);
     EXPECT_GT(shared.steps, 5);
     EXPECT_EQ(shared.viscous_solves.iterations, alone.viscous_solves.iterations);
