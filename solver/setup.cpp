@@ -139,8 +139,7 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
     PairSettings settings = pair_settings(scene, resources);
     for (int axis = 0; axis < set.dimension; ++axis) {
         const Expression& g = scene.flow.acceleration[axis];
-        if (!set.periodic[axis] && (g.depends_on_time() || g.depends_on_place() || g(0) != 0))
-            settings.stratified = true;
+        if (!set.periodic[axis] && !set.is_mirrored(axis) && !g.is_zero()) settings.stratified = true;
     }
     if (!settings.stratified) settings.stratified = has_free_surface(set, settings.threads);
     return settings;

@@ -45,6 +45,12 @@ void without(Scene& scene, PartKind kind) {
     std::erase_if(scene.parts, [&](const Part& each) { return *each.kind == kind; });
 }
 
+/// Solids alone, with a contact that needs no liquid.
+void without_fluid(Scene& scene) {
+    without(scene, PartKind::fluid);
+    scene.contact.strength = 1e-6;
+}
+
 std::vector<std::string> texts(const Scene& scene, std::size_t bodies = 1) {
     std::vector<std::string> all;
     for (const Warning& warning : warnings_of(scene, bodies)) all.push_back(warning.text());
@@ -91,23 +97,25 @@ INSTANTIATE_TEST_SUITE_P(
                    give(s.contact.strength, 1.0);
                },
                "scene.toml:7:9: contact.strength", "has no effect: contact.range is 0"},
+        Oddity{"contact_that_follows_no_fluid", [](Scene& s) { without(s, PartKind::fluid); }, "contact.strength",
+               "is \"auto\", which follows the fluid, and there is none"},
         Oddity{"no_contact", [](Scene& s) { give(s.contact.range, 0.0); }, "scene.toml:7:9: contact.range",
                "spring bodies and walls that touch will pass through each other"},
         Oddity{"shifting_of_nothing",
                [](Scene& s) {
-                   without(s, PartKind::fluid);
+                   without_fluid(s);
                    give(s.accuracy.shifting, 4.0);
                },
                "scene.toml:7:9: accuracy.shifting", "has no effect: no part is a fluid"},
         Oddity{"diffusion_of_nothing",
                [](Scene& s) {
-                   without(s, PartKind::fluid);
+                   without_fluid(s);
                    give(s.accuracy.density_diffusion, 0.1);
                },
                "scene.toml:7:9: accuracy.density_diffusion", "has no effect: no part is a fluid"},
         Oddity{"kernel_of_nothing",
                [](Scene& s) {
-                   without(s, PartKind::fluid);
+                   without_fluid(s);
                    give(s.accuracy.kernel, KernelKind::lucy);
                },
                "scene.toml:7:9: accuracy.kernel", "has no effect: no part is a fluid"},
