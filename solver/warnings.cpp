@@ -76,6 +76,12 @@ class Warnings {
 
     void about_fluid_models() {
         const auto& accuracy = scene_.accuracy;
+        if (fluid_ && *accuracy.support < 2.9)
+            add("accuracy.support", accuracy.support.place,
+                "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
+                "not "
+                "cure it (docs/accuracy.md)",
+                "take 3 or more");
         if (fluid_) return;
         const std::string reason = "no part is a fluid";
         if (*accuracy.density_diffusion > 0)

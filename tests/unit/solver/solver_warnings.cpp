@@ -119,6 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
                    give(s.accuracy.kernel, KernelKind::lucy);
                },
                "scene.toml:7:9: accuracy.kernel", "has no effect: no part is a fluid"},
+        Oddity{"a_support_below_the_cliff", [](Scene& s) { give(s.accuracy.support, 2.5); },
+               "scene.toml:7:9: accuracy.support", "is below 2.9 spacings"},
         Oddity{"walls_of_nothing",
                [](Scene& s) {
                    without(s, PartKind::rigid);
