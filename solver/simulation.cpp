@@ -51,8 +51,8 @@ struct Simulation::State {
         : sound(choose_sound_speed(s, set)),
           scene(with_sound_speed(std::move(s), sound)),
           ranks(resources.ranks),
-          particles(starting_particles(scene, checked(set), equations_of_state(scene, set), ranks)),
-          settings(pair_settings(scene, set, resources)),
+          settings(pair_settings(scene, checked(set), resources)),
+          particles(starting_particles(scene, set, equations_of_state(scene, set), ranks)),
           fluid(scene, set, particles, settings, equations_of_state(scene, set), ranks),
           scales(step_scales(scene, set, settings, fluid.sweeps().viscous_limit())),
           residence_times(scene, particles),
@@ -89,8 +89,8 @@ struct Simulation::State {
     Scene scene;
     Ranks ranks;
     std::map<std::string, std::size_t> count;  ///< particles of all ranks by kind
+    PairSettings settings;                     // before the particles: the search for a free surface takes memory
     ParticleStore particles;
-    PairSettings settings;
     FluidStep fluid;
     StepScales scales;
     ResidenceTimes residence_times;
