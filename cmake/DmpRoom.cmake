@@ -68,6 +68,8 @@ function(dmp_mpi_test name)
   foreach(ranks ${TEST_RANKS})
     set(test ${name}.${ranks}_ranks)
     add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:test_${name}>)
-    set_tests_properties(${test} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${TEST_TIMEOUT} ENVIRONMENT "${environment}")
+    # One at a time: two of Open MPI's runs that make their common folder at the same moment fail.
+    set_tests_properties(${test} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${TEST_TIMEOUT} RESOURCE_LOCK mpirun
+                                            ENVIRONMENT "${environment}")
   endforeach()
 endfunction()
