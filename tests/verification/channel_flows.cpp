@@ -100,11 +100,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"40 across, Re 0.0125", "poiseuille", "0.025 mm", slow, 0.005},
                     Setting{"20 across, Re 100, shifting 1", "poiseuille", "0.05 mm", fast, 0.01, gentle},
                     Setting{"40 across, Re 100, shifting 1", "poiseuille", "0.025 mm", fast, 0.005, gentle}));
-INSTANTIATE_TEST_SUITE_P(Couette, ChannelFlow,
-                         testing::Values(Setting{"20 across, Re 0.0125", "couette", "0.05 mm", slow, 0.01},
-                                         Setting{"40 across, Re 0.0125", "couette", "0.025 mm", slow, 0.005},
-                                         Setting{"20 across, Re 100", "couette", "0.05 mm", fast, 0.01},
-                                         Setting{"40 across, Re 100", "couette", "0.025 mm", fast, 0.005}));
+INSTANTIATE_TEST_SUITE_P(
+    Couette, ChannelFlow,
+    testing::Values(Setting{"20 across, Re 0.0125", "couette", "0.05 mm", slow, 0.01},
+                    Setting{"40 across, Re 0.0125", "couette", "0.025 mm", slow, 0.005},
+                    Setting{"20 across, Re 100, shifting 1", "couette", "0.05 mm", fast, 0.01, gentle},
+                    Setting{"40 across, Re 100, shifting 1", "couette", "0.025 mm", fast, 0.005, gentle}));
 
 }  // namespace
 }  // namespace dmp
