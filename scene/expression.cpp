@@ -74,8 +74,6 @@ double Expression::operator()(double t, double x, double y, double z) const {
 
 bool Expression::depends_on_time() const { return parser_ && parser_->uses_time; }
 
-bool Expression::depends_on_place() const {
-    return parser_ && parser_->uses_place;
-}
+bool Expression::depends_on_place() const { return parser_ && parser_->uses_place; }
 
 }  // namespace dmp

@@ -264,7 +264,7 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
                                 : because(scene.flow.initial_pressure, "flow.initial_pressure")});
     }
     for (const Expression& axis : scene.flow.acceleration)
-        if (axis.depends_on_time() || axis.depends_on_place() || axis(0) != 0) {
+        if (!axis.is_zero()) {
             models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
         }
     if (!scene.parts_of(PartKind::rigid).empty())

@@ -11,13 +11,9 @@ namespace dmp {
 
 namespace {
 
-bool says_something(const Expression& formula) {
-    return formula.depends_on_time() || formula.depends_on_place() || formula(0) != 0;
-}
-
 bool has_velocity(const Scene& scene) {
     const auto& axes = *scene.flow.initial_velocity;
-    return std::any_of(axes.begin(), axes.end(), says_something);
+    return !std::all_of(axes.begin(), axes.end(), [](const Expression& axis) { return axis.is_zero(); });
 }
 
 [[noreturn]] void refuse(const Place& place, const std::string& key, double value, const char* unit, const Vec& at,
@@ -57,9 +53,7 @@ Vec velocity_at(const Scene& scene, const LiquidState& state, const Vec& at, int
 
 }  // namespace
 
-bool has_starting_state(const Scene& scene) {
-    return has_velocity(scene) || says_something(scene.flow.initial_pressure);
-}
+bool has_starting_state(const Scene& scene) { return has_velocity(scene) || !scene.flow.initial_pressure->is_zero(); }
 
 ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                                  const Ranks& ranks) {
@@ -67,7 +61,7 @@ ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, con
     for (const LiquidState& state : states) rest_density.push_back(state.rest_density);
     ParticleStore particles(set, rest_density, ranks);
     ParticleGroup& fluid = particles.fluid();
-    const bool moves = has_velocity(scene), is_pressed = says_something(scene.flow.initial_pressure);
+    const bool moves = has_velocity(scene), is_pressed = !scene.flow.initial_pressure->is_zero();
     for (std::size_t i = 0; (moves || is_pressed) && i < fluid.owned(); ++i) {
         const LiquidState& state = states[fluid.tags()[i].part];
         const Vec& at = set.position[static_cast<std::size_t>(fluid.tags()[i].id)];
@@ -82,7 +76,7 @@ ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, con
 void fill_starting_density(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                            ParticleStore& particles) {
     ParticleGroup& fluid = particles.fluid();
-    if (!says_something(scene.flow.initial_pressure) || !fluid.has(Field::density)) return;
+    if (scene.flow.initial_pressure->is_zero() || !fluid.has(Field::density)) return;
     for (std::size_t i = 0; i < fluid.owned(); ++i)
         fluid.data(Field::density)[i] =
             density_at(scene, states[fluid.tags()[i].part], set.position[static_cast<std::size_t>(fluid.tags()[i].id)]);

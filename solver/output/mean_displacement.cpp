@@ -15,9 +15,10 @@ void MeanDisplacement::add(const SpringBodies& springs, double time, double dt) 
     if (moment_.empty() || counted <= 0) return;
     duration_ += counted;
     for (std::size_t b = 0; b < moment_.size(); ++b)
-        for (std::size_t node = 0; node < moment_[b].size(); ++node)
-            for (int axis = 0; axis < 3; ++axis)
-                moment_[b][node][axis] += counted * springs.bodies()[b]->displacement(node)[axis];
+        for (std::size_t node = 0; node < moment_[b].size(); ++node) {
+            const Vec displacement = springs.bodies()[b]->displacement(node);
+            for (int axis = 0; axis < 3; ++axis) moment_[b][node][axis] += counted * displacement[axis];
+        }
 }
 
 Vec MeanDisplacement::of(const SpringBodies& springs, std::size_t body, std::size_t node) const {

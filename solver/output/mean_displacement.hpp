@@ -22,8 +22,8 @@ class MeanDisplacement {
     void archive(Archive& file);
 
   private:
-    double from_;                           ///< [s]
-    double duration_ = 0;                   ///< so far [s]
+    double from_;                                         ///< [s]
+    double duration_ = 0;                                 ///< so far [s]
     std::vector<std::vector<Vector<double, 3>>> moment_;  ///< SUM u dt by body and node [m s]; empty: not wanted
 };
 

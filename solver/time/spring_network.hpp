@@ -152,7 +152,7 @@ class SpringNetwork final : public SpringBody {
     Vectors position_at_rest_;             ///< as drawn
     Vectors expected_;                     ///< mean velocities of the next step, where they are known
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
-    double in_fluid_step_ = 0;  ///< that the latter was made for [s]
+    double in_fluid_step_ = 0;                      ///< that the latter was made for [s]
     std::unique_ptr<SelfContact<D>> self_contact_;  ///< none where contact is off
 };
 

@@ -94,8 +94,7 @@ void ViscousNodes::hand_over() const {
 
 void ViscousNodes::add_squares(ExactSum& sum) const {
     for_each_body([&](const SpringBody& body, std::size_t first) {
-        for (std::size_t n = 0; n < body.ids().size(); ++n)
-            sum.add(body.mass(n) * velocity_[first + n].squaredNorm());
+        for (std::size_t n = 0; n < body.ids().size(); ++n) sum.add(body.mass(n) * velocity_[first + n].squaredNorm());
     });
 }
 
