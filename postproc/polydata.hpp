@@ -7,8 +7,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "solver/run_label.hpp"
 #include "solver/frame.hpp"
+#include "solver/run_label.hpp"
 
 namespace dmp {
 

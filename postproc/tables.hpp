@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/run_label.hpp"
 #include "solver/frame.hpp"
+#include "solver/run_label.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp {
