@@ -159,28 +159,59 @@ PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, cons
     PassExtremes extremes = particles.dimension() == 3 ? drift_and_shift<3>(particles, dt, shift)
                                                        : drift_and_shift<2>(particles, dt, shift);
     for (ParticleGroup& group : particles.groups())
-        if (group.has(Field::density_rate)) update_density(group, dt);
+        if (group.has(Field::density_rate) && group.kind() != ParticleKind::fluid) update_density(group, dt);
+    ParticleGroup& fluid = particles.fluid();
+    double* density = fluid.data(Field::density);
+    if (fluid.has(Field::density_rate)) {
+        const double* rate = fluid.data(Field::density_rate);
+        look_at_densities(
+            fluid, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; }, extremes);
+    } else {
+        look_at_densities(
+            fluid, [=](std::ptrdiff_t i) { return density[i]; }, extremes);
+    }
     return extremes;
+}
+
+/// Takes note of the extremes of density_of(i), which may bring the density up to date.
+template <class DensityOf>
+void FluidPasses::look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of,
+                                    PassExtremes& extremes) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    const auto tags = fluid.tags();
+    double low = infinity, high = -infinity;
+    const auto pass = [&](const auto& rest_density) {
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : high) reduction(min : low)
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            const double relative = density_of(i) / rest_density(i);
+            low = std::min(low, relative);
+            high = std::max(high, relative);
+        }
+    };
+    if (one_state_ && count > 0)
+        pass([one = state_of_part_.front().rest_density](std::ptrdiff_t) { return one; });
+    else
+        pass([&](std::ptrdiff_t i) { return state_of_part_[tags[i].part].rest_density; });
+    extremes.density_low = low;
+    extremes.density_high = high;
 }
 
 PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    const double* density = fluid.data(Field::density);
     std::array<const double*, 3> v{};
     for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
-    const auto tags = fluid.tags();
-    double fastest = 0, low = infinity, high = -infinity;
-#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest, high) reduction(min : low)
+    double fastest = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         double square = 0;
         for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
         fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
-        const LiquidState& state = one_state_ ? state_of_part_.front() : state_of_part_[tags[i].part];
-        const double relative = density[i] / state.rest_density;
-        low = std::min(low, relative);
-        high = std::max(high, relative);
     }
-    return {root(fastest), 0, low, high};
+    PassExtremes extremes;
+    extremes.largest_speed = root(fastest);
+    look_at_densities(
+        fluid, [density = fluid.data(Field::density)](std::ptrdiff_t i) { return density[i]; }, extremes);
+    return extremes;
 }
 
 }  // namespace dmp
