@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace dmp {
 
@@ -24,6 +26,32 @@ std::array<double*, D> axes(ParticleGroup& group, Field field) {
     std::array<double*, D> arrays{};
     for (int axis = 0; axis < D; ++axis) arrays[axis] = group.data(field, axis);
     return arrays;
+}
+
+/// The least and the largest of value(i), i in [0, count). Side by side in lanes, so that the compiler may use vectors:
+/// it may not change the order of comparisons, in which a NaN matters, by itself.
+template <class Value>
+std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const Value& value) {
+    constexpr std::ptrdiff_t lanes = 8, block = 64 * lanes;
+    double low = infinity, high = -infinity;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : high) reduction(min : low)
+    for (std::ptrdiff_t begin = 0; begin < count; begin += block) {
+        const std::ptrdiff_t end = std::min(begin + block, count), end_of_lanes = begin + (end - begin) / lanes * lanes;
+        std::array<double, lanes> lows, highs;
+        lows.fill(infinity);
+        highs.fill(-infinity);
+        const auto look = [&](std::ptrdiff_t i, std::ptrdiff_t lane) {
+            const double x = value(i);
+            lows[lane] = x < lows[lane] ? x : lows[lane];
+            highs[lane] = x > highs[lane] ? x : highs[lane];
+        };
+        for (std::ptrdiff_t i = begin; i < end_of_lanes; i += lanes)
+            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) look(i + lane, lane);
+        for (std::ptrdiff_t i = end_of_lanes; i < end; ++i) look(i, 0);
+        for (const double x : lows) low = std::min(low, x);
+        for (const double x : highs) high = std::max(high, x);
+    }
+    return {low, high};
 }
 
 /// Of a largest square that is infinite where a number was none.
@@ -178,22 +206,20 @@ template <class DensityOf>
 void FluidPasses::look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of,
                                     PassExtremes& extremes) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    const auto tags = fluid.tags();
-    double low = infinity, high = -infinity;
-    const auto pass = [&](const auto& rest_density) {
-#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : high) reduction(min : low)
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            const double relative = density_of(i) / rest_density(i);
-            low = std::min(low, relative);
-            high = std::max(high, relative);
-        }
-    };
-    if (one_state_ && count > 0)
-        pass([one = state_of_part_.front().rest_density](std::ptrdiff_t) { return one; });
-    else
-        pass([&](std::ptrdiff_t i) { return state_of_part_[tags[i].part].rest_density; });
-    extremes.density_low = low;
-    extremes.density_high = high;
+    if (count == 0) {
+        extremes.density_low = infinity;
+        extremes.density_high = -infinity;
+    } else if (one_state_) {
+        const double rest_density = state_of_part_.front().rest_density;
+        const auto [low, high] = low_and_high(count, threads_, density_of);
+        extremes.density_low = low / rest_density;
+        extremes.density_high = high / rest_density;
+    } else {
+        const auto relative = [&, tags = fluid.tags()](std::ptrdiff_t i) {
+            return density_of(i) / state_of_part_[tags[i].part].rest_density;
+        };
+        std::tie(extremes.density_low, extremes.density_high) = low_and_high(count, threads_, relative);
+    }
 }
 
 PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
