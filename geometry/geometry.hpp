@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/vec.hpp"
+#include "geometry/triangle_surface.hpp"
 
 namespace dmp {
 
@@ -55,19 +56,38 @@ struct CurveSet {
     [[nodiscard]] Projection nearest(const Vec& point) const;
 };
 
-/// A drawing in SI units: named areas, curves and points (gmsh's physical groups).
+/// A named volume of a 3-D drawing. Its surface is closed, and its triangles face outward.
+struct Solid {
+    std::string name;
+    TriangleSurface surface;
+
+    [[nodiscard]] double volume() const;  ///< [m^3]
+};
+
+/// A named set of surfaces in space: walls, inlets, thin bodies.
+struct SurfaceSet {
+    std::string name;
+    TriangleSurface surface;
+};
+
+/// A drawing in SI units: named areas, curves and points (gmsh's physical groups) of the plane, or named volumes and
+/// surfaces in space.
 struct Geometry {
     std::string file;
     int dimension = 2;
     Box box;
-    std::vector<Region> regions;
-    std::vector<CurveSet> curves;
+    std::vector<Region> regions;       ///< 2-D only
+    std::vector<CurveSet> curves;      ///< 2-D only
+    std::vector<Solid> solids;         ///< 3-D only
+    std::vector<SurfaceSet> surfaces;  ///< 3-D only
     std::map<std::string, std::vector<Vec>> points;
     std::vector<std::string> warnings;  ///< what gmsh warned of while it read the drawing
 
     [[nodiscard]] const Region* region(const std::string& name) const;
     [[nodiscard]] const CurveSet* curve_set(const std::string& name) const;
-    /// Names of all regions, curve sets and point sets, each once, sorted.
+    [[nodiscard]] const Solid* solid(const std::string& name) const;
+    [[nodiscard]] const SurfaceSet* surface_set(const std::string& name) const;
+    /// Names of all regions, curve sets, solids, surface sets and point sets, each once, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
 };
 
@@ -80,10 +100,11 @@ struct DrawingOptions {
     Place place;                                    ///< where the scene names the file, for errors
 };
 
-/// Reads a 2-D gmsh drawing in the plane z = 0: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then
-/// taken as they are. Named physical surfaces become regions, named physical curves curve sets, named physical points
-/// points; coordinates are scaled to metres. The ends of curves are the drawing's points, bit for bit; straight lines
-/// stay two points.
+/// Reads a gmsh drawing: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then taken as they are.
+/// One without volumes lies in the plane z = 0: named physical surfaces become regions, named physical curves curve
+/// sets, named physical points points. In one with volumes, named physical volumes become solids and named physical
+/// surfaces surface sets, of triangles that follow the drawn surfaces to within the chord error about. Coordinates are
+/// scaled to metres. The ends of curves are the drawing's points, bit for bit; straight lines stay two points.
 ///
 /// Parameters set the constants that the script offers with a Name:
 ///
@@ -97,8 +118,8 @@ struct DrawingOptions {
 ///
 /// Throws InputError: a file that cannot be read or has a format we do not read; gmsh's own errors with their line; a
 /// parameter that the drawing does not offer (with the nearest name) or fixes itself; a drawing without named groups,
-/// in three dimensions or outside z = 0; groups without a name; curves without length; regions that are empty, open or
-/// cross themselves.
+/// or without volumes and outside z = 0; groups without a name; curves without length; regions that are empty, open or
+/// cross themselves; solids that are not closed.
 Geometry read_drawing(const DrawingOptions& options);
 
 }  // namespace dmp

@@ -10,22 +10,24 @@
 #include "geometry/chains.hpp"
 #include "geometry/drawing_file.hpp"
 #include "geometry/drawn_curves.hpp"
+#include "geometry/drawn_surfaces.hpp"
 #include "geometry/geometry.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/number_text.hpp"
+#include "geometry/orient_surface.hpp"
 
 namespace dmp {
 
 namespace {
 
-/// A named physical group of gmsh: the numbers of its points, curves or surfaces.
+/// A named physical group of gmsh: the numbers of its points, curves, surfaces or volumes.
 struct Group {
     std::string name;
     std::vector<int> tags;
 };
 
 const char* kind_of_group(int dimension) {
-    constexpr const char* kinds[] = {"Physical Point", "Physical Curve", "Physical Surface"};
+    constexpr const char* kinds[] = {"Physical Point", "Physical Curve", "Physical Surface", "Physical Volume"};
     return kinds[dimension];
 }
 
@@ -47,6 +49,10 @@ std::vector<Group> groups_of(int dimension, const std::string& file) {
         groups.push_back(std::move(group));
     }
     return groups;
+}
+
+std::string text_in_space(const Vec& point) {
+    return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m, " + number_text(point.z()) + " m)";
 }
 
 std::string text_of(const Vec& point) { return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m)"; }
@@ -102,22 +108,65 @@ void flatten(Geometry& geometry) {
         throw InputError({.file = geometry.file},
                          "the drawing leaves the plane z = 0: it reaches z = " +
                              number_text(box.high.z() == height ? height : -height) + " m",
-                         "dmp reads drawings in the x-y plane only, for now.");
+                         "Draw it in the x-y plane, or give it volumes.");
     }
     for_each_point(geometry, [](Vec& point) { point.z() = 0; });
     box.low.z() = box.high.z() = 0;
     geometry.box = box;
 }
 
-Geometry read_open_drawing(const DrawingOptions& options) {
+Solid solid_of(const Group& group, const DrawnSurfaces& drawn, const std::string& file) {
+    Solid solid{.name = group.name, .surface = drawn.boundary(group.tags)};
+    const Orientation found = orient_outward(solid.surface);
+    if (solid.surface.triangles.empty() || !found.closed()) {
+        std::string problem = "solid '" + group.name + "' is not closed: ";
+        if (found.first_open)
+            problem += std::to_string(found.open_edges) + " edges of its surface have one side only, the first from " +
+                       text_in_space((*found.first_open)[0]) + " to " + text_in_space((*found.first_open)[1]);
+        else
+            problem +=
+                std::to_string(found.many_fold + found.contradicted) + " edges of its surface have no clear sides";
+        throw InputError({.file = file}, problem, "Check the drawing, or the parameters it was given.");
+    }
+    return solid;
+}
+
+Geometry read_in_space(const DrawingOptions& options) {
     Geometry geometry;
     geometry.file = options.file;
+    geometry.dimension = 3;
+    const auto volumes = groups_of(3, options.file), surfaces = groups_of(2, options.file);
+    const auto points = groups_of(0, options.file);
+    if (volumes.empty())
+        throw InputError(
+            {.file = options.file}, "the drawing has volumes, but none with a name",
+            "Name its parts, as in Physical Volume(\"blood\") = {1}; and Physical Surface(\"wall\") = {2};.");
+    const DrawnSurfaces drawn(options);
+    for (const auto& group : volumes) geometry.solids.push_back(solid_of(group, drawn, options.file));
+    for (const auto& group : surfaces)
+        geometry.surfaces.push_back({.name = group.name, .surface = drawn.surfaces(group.tags)});
+    for (const auto& group : points)
+        for (const int tag : group.tags) geometry.points[group.name].push_back(drawn.point(tag));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    geometry.box = {.low = Vec::Constant(infinity), .high = Vec::Constant(-infinity)};
+    const auto widen = [&](const TriangleSurface& surface) {
+        for (const Vec& corner : surface.corners) {
+            geometry.box.low = geometry.box.low.cwiseMin(corner);
+            geometry.box.high = geometry.box.high.cwiseMax(corner);
+        }
+    };
+    for (const Solid& solid : geometry.solids) widen(solid.surface);
+    for (const SurfaceSet& set : geometry.surfaces) widen(set.surface);
+    geometry.warnings = GmshSession::logged("Warning");
+    return geometry;
+}
+
+Geometry read_open_drawing(const DrawingOptions& options) {
     gmsh::vectorpair volumes;
     gmsh::model::getEntities(volumes, 3);
-    if (!volumes.empty()) {
-        throw InputError({.file = options.file}, "the drawing has volumes",
-                         "dmp reads drawings in the x-y plane only, for now.");
-    }
+    if (!volumes.empty()) return read_in_space(options);
+    Geometry geometry;
+    geometry.file = options.file;
     DrawnCurves curves(options);
     for (const auto& group : groups_of(2, options.file)) {
         geometry.regions.push_back(region_of(group, curves, options.file));

@@ -9,6 +9,7 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/relax.hpp"
+#include "mesher/space_builder.hpp"
 
 namespace dmp {
 
@@ -16,7 +17,7 @@ namespace {
 
 void check_periods(const Scene& scene, const Box& box) {
     const double needed = (scene.accuracy.support + 1) * scene.particles.spacing;
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < scene.dimension; ++axis) {
         if (!scene.flow.periodic[axis] || box.extent()[axis] >= needed) continue;
         std::ostringstream problem;
         problem << "the period along "
@@ -27,13 +28,36 @@ void check_periods(const Scene& scene, const Box& box) {
     }
 }
 
+void check_dimension(const Geometry& geometry, const Scene& scene) {
+    if (geometry.dimension == scene.dimension) return;
+    const bool in_space = geometry.dimension == 3;
+    throw InputError(scene.dimension.given() ? scene.dimension.place : scene.geometry.file.place,
+                     std::string("the drawing ") + (in_space ? "has volumes" : "lies in the plane") +
+                         ", and the scene has " + std::to_string(*scene.dimension) + " dimensions (" + geometry.file +
+                         ")",
+                     "write dimension = " + std::to_string(geometry.dimension) + ", or name another drawing");
+}
+
+MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
+    if (*scene.particles.disorder > 0)
+        throw InputError(scene.particles.disorder.place,
+                         "particles.disorder: lattices in space cannot be disturbed yet", "leave it out");
+    check_periods(scene, fluid_box_in_space(geometry, scene));
+    SpaceBuilder builder(geometry, scene);
+    builder.check_boundary();
+    for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
+    for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
+    MeshResult result = builder.finish();
+    measure_quality(result, scene);
+    return result;
+}
+
 }  // namespace
 
 MeshResult mesh(const Geometry& geometry, const Scene& scene) {
-    if (scene.dimension != 2)
-        throw InputError(scene.dimension.place, "dimension: found 3, and dmp makes particles from plane drawings only",
-                         "3-D is not there yet: write dimension = 2");
+    check_dimension(geometry, scene);
     check_names(geometry, scene);
+    if (scene.dimension == 3) return mesh_in_space(geometry, scene);
     const Box box = fluid_box(geometry, scene);
     check_periods(scene, box);
     check_boundary(geometry, scene, box);

@@ -23,7 +23,8 @@ std::string point_text(const Vec& p) {
 
 /// What the drawing has under this name, in words; empty when nothing.
 std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
-    if (geometry.region(name) != nullptr) return "a surface";
+    if (geometry.solid(name) != nullptr) return "a volume";
+    if (geometry.region(name) != nullptr || geometry.surface_set(name) != nullptr) return "a surface";
     if (geometry.curve_set(name) != nullptr) return "a curve";
     return geometry.points.contains(name) ? "a point" : "";
 }
@@ -73,6 +74,25 @@ void check_sides_match(const Region& region, const Part& part, int axis, const B
     }
 }
 
+void need_in_plane(const Geometry& geometry, const Part& part) {
+    if (part.kind.value == PartKind::fluid) {
+        if (geometry.region(part.name) == nullptr) missing(geometry, part.name, "a surface for a fluid");
+    } else if (geometry.curve_set(part.name) == nullptr) {
+        missing(geometry, part.name, "a curve");
+    }
+}
+
+void need_in_space(const Geometry& geometry, const Part& part) {
+    if (part.kind.value == PartKind::springs)
+        throw InputError(part.kind.place, "part '" + part.name.value + "': springs are drawn in the plane only",
+                         "bodies of springs in space are not there yet: leave the part out (enabled = false)");
+    if (part.kind.value == PartKind::fluid) {
+        if (geometry.solid(part.name) == nullptr) missing(geometry, part.name, "a volume for a fluid");
+    } else if (geometry.solid(part.name) == nullptr && geometry.surface_set(part.name) == nullptr) {
+        missing(geometry, part.name, "a surface or a volume");
+    }
+}
+
 }  // namespace
 
 void check_names(const Geometry& geometry, const Scene& scene) {
@@ -81,11 +101,10 @@ void check_names(const Geometry& geometry, const Scene& scene) {
         used.insert(part.name);
         if (!part.anchor->empty()) used.insert(part.anchor);
         if (!part.enabled) continue;
-        if (part.kind.value == PartKind::fluid) {
-            if (geometry.region(part.name) == nullptr) missing(geometry, part.name, "a surface for a fluid");
-        } else if (geometry.curve_set(part.name) == nullptr) {
-            missing(geometry, part.name, "a curve");
-        }
+        if (geometry.dimension == 3)
+            need_in_space(geometry, part);
+        else
+            need_in_plane(geometry, part);
         if (!part.anchor->empty() && !geometry.points.contains(part.anchor)) missing(geometry, part.anchor, "a point");
     }
     for (const std::string& name : geometry.names()) {

@@ -46,8 +46,7 @@ Box fluid_box(const Geometry& geometry, const Scene& scene) {
 std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene) {
     std::array<std::array<bool, 2>, 3> mirrored{};
     for (const BoxSide side : *scene.flow.symmetry)
-        mirrored[side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1]
-                [side == BoxSide::x_low || side == BoxSide::y_low ? 0 : 1] = true;
+        mirrored.at(static_cast<std::size_t>(axis_of(side))).at(is_high(side) ? 1 : 0) = true;
     return mirrored;
 }
 

@@ -65,18 +65,19 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, c
     return sums;
 }
 
+template <int D>
 std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, double support) {
     switch (*scene.accuracy.kernel) {
         case KernelKind::wendland_c4:
-            return sums_by_part(set, scene, WendlandC4<2>(support), support);
+            return sums_by_part(set, scene, WendlandC4<D>(support), support);
         case KernelKind::lucy:
-            return sums_by_part(set, scene, Lucy<2>(support), support);
+            return sums_by_part(set, scene, Lucy<D>(support), support);
         case KernelKind::cubic_spline:
-            return sums_by_part(set, scene, CubicSpline<2>(support), support);
+            return sums_by_part(set, scene, CubicSpline<D>(support), support);
         case KernelKind::quintic_spline:
-            return sums_by_part(set, scene, QuinticSpline<2>(support), support);
+            return sums_by_part(set, scene, QuinticSpline<D>(support), support);
         default:
-            return sums_by_part(set, scene, WendlandC2<2>(support), support);
+            return sums_by_part(set, scene, WendlandC2<D>(support), support);
     }
 }
 
@@ -85,7 +86,7 @@ std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, d
 void measure_quality(MeshResult& result, const Scene& scene) {
     const ParticleSet& set = result.particles;
     const double support = scene.accuracy.support * scene.particles.spacing;
-    const auto sums = sums_by_part(set, scene, support);
+    const auto sums = set.dimension == 3 ? sums_by_part<3>(set, scene, support) : sums_by_part<2>(set, scene, support);
     for (const MeshReport::SpringLine& springs : result.report.springs) {
         MeshReport::PartLine line;
         line.name = springs.part;

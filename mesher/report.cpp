@@ -9,11 +9,10 @@ std::string MeshReport::text() const {
     std::string text = fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13}  {:>16}\n", "part", "kind", "particles",
                                    "drawn / filled", "nearest [dx]", "kernel sum");
     for (const PartLine& part : parts) {
-        const bool is_area = part.unit == "m^2";
-        const double scale = is_area ? 1e6 : 1e3;
-        const std::string size = part.target > 0 ? fmt::format("{:.2f} / {:.2f} {}", scale * part.target,
-                                                               scale * part.reached, is_area ? "mm^2" : "mm")
-                                                 : "-";
+        const double scale = part.unit == "m^3" ? 1e9 : part.unit == "m^2" ? 1e6 : 1e3;
+        const std::string size =
+            part.target > 0 ? fmt::format("{:.4g} / {:.4g} m{}", scale * part.target, scale * part.reached, part.unit)
+                            : "-";
         const std::string sum = part.kernel_sum_mean > 0
                                     ? fmt::format("{:.4f} +- {:.4f}", part.kernel_sum_mean, part.kernel_sum_spread)
                                     : "-";

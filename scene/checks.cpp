@@ -99,6 +99,12 @@ void need_terms_that_go_together(const Scene& scene) {
         "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
 }
 
+void need_arrangement_in_plane(const Scene& scene) {
+    if (scene.dimension == 3 || *scene.particles.arrangement != Arrangement::fcc) return;
+    throw InputError(scene.particles.arrangement.place, "particles.arrangement: \"fcc\" is a lattice in space",
+                     "write \"square\" or \"hexagonal\", or dimension = 3");
+}
+
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
@@ -190,7 +196,11 @@ void check_symmetry(const Scene& scene) {
                          "accuracy.gradient_correction does not know planes of symmetry (flow.symmetry)",
                          "leave out one of them");
     for (const BoxSide side : *scene.flow.symmetry) {
-        const int axis = side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1;
+        const int axis = axis_of(side);
+        if (axis == 2 && scene.dimension == 2)
+            throw InputError(scene.flow.symmetry.place,
+                             "flow.symmetry: a scene in the plane has no side '" + word(side) + "'",
+                             "give sides across x and y only, or write dimension = 3");
         if (*scene.flow.periodic[axis])
             throw InputError(first_known(scene, {&scene.flow.symmetry.place, &scene.flow.periodic[axis].place}),
                              "flow.symmetry: '" + word(side) + "' lies across an axis that is periodic",
@@ -292,6 +302,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_what_implicit_viscosity_solves(scene);
     need_terms_that_go_together(scene);
     need_axis_in_space(scene);
+    need_arrangement_in_plane(scene);
     need_thick_walls(scene);
     need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
     need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);

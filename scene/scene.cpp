@@ -24,7 +24,8 @@ const Words<PartKind>& words_of() {
 
 template <>
 const Words<Arrangement>& words_of() {
-    static const Words<Arrangement> words = {{Arrangement::square, "square"}, {Arrangement::hexagonal, "hexagonal"}};
+    static const Words<Arrangement> words = {
+        {Arrangement::square, "square"}, {Arrangement::hexagonal, "hexagonal"}, {Arrangement::fcc, "fcc"}};
     return words;
 }
 
@@ -40,8 +41,9 @@ const Words<KernelKind>& words_of() {
 
 template <>
 const Words<BoxSide>& words_of() {
-    static const Words<BoxSide> words = {
-        {BoxSide::x_low, "x_low"}, {BoxSide::x_high, "x_high"}, {BoxSide::y_low, "y_low"}, {BoxSide::y_high, "y_high"}};
+    static const Words<BoxSide> words = {{BoxSide::x_low, "x_low"}, {BoxSide::x_high, "x_high"},
+                                         {BoxSide::y_low, "y_low"}, {BoxSide::y_high, "y_high"},
+                                         {BoxSide::z_low, "z_low"}, {BoxSide::z_high, "z_high"}};
     return words;
 }
 

@@ -32,10 +32,14 @@ struct Value {
 /// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
 enum class Quality { draft, standard, fine };
 enum class PartKind { fluid, rigid, springs };
-enum class Arrangement { square, hexagonal };
+/// In space: cubic, hexagonal close-packed, face-centred cubic.
+enum class Arrangement { square, hexagonal, fcc };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 /// A side of the box around the fluid.
-enum class BoxSide { x_low, x_high, y_low, y_high };
+enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };
+/// The axis that a side of the box lies across, and which of the two it is.
+[[nodiscard]] inline int axis_of(BoxSide side) { return static_cast<int>(side) / 2; }
+[[nodiscard]] inline bool is_high(BoxSide side) { return static_cast<int>(side) % 2 != 0; }
 enum class WallModel { extrapolated, plain };
 enum class EquationOfState { tait, linear };
 enum class DensityModel { continuity, summation };

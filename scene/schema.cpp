@@ -47,7 +47,8 @@ std::vector<Key<Particles>> particles_keys() {
         {"spacing", &Particles::spacing, quantity("0.1 mm", positive), required,
          "Distance between neighbouring particles."},
         {"arrangement", &Particles::arrangement, word_of<Arrangement>(), "square",
-         "Lattice on which the fluid starts."},
+         "Lattice on which the fluid starts; in space \"square\" is cubic, \"hexagonal\" is close-packed, and there is "
+         "face-centred cubic, \"fcc\"."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
          "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
         {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements."},
