@@ -181,13 +181,13 @@ TEST_F(DrawingErrors, Groups) {
 }
 
 TEST_F(DrawingErrors, ThreeDimensions) {
-    EXPECT_EQ(
-        error_of_text("SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nPhysical Volume(\"v\") = {1};\n"),
-        "d.geo: the drawing has volumes\n  dmp reads drawings in the x-y plane only, for now.");
+    EXPECT_EQ(error_of_text("SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"),
+              "d.geo: the drawing has volumes, but none with a name\n"
+              "  Name its parts, as in Physical Volume(\"blood\") = {1}; and Physical Surface(\"wall\") = {2};.");
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, -0.5};\nLine(1) = {1, 2};\n"
                             "Physical Curve(\"line\") = {1};\n"),
               "d.geo: the drawing leaves the plane z = 0: it reaches z = -0.5 m\n"
-              "  dmp reads drawings in the x-y plane only, for now.");
+              "  Draw it in the x-y plane, or give it volumes.");
 }
 
 TEST_F(DrawingErrors, RegionsThatAreNone) {
