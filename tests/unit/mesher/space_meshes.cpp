@@ -1,0 +1,151 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings in space.
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "meshed_text.hpp"
+
+namespace dmp {
+namespace {
+
+using testing_mesh::fault_of;
+using testing_mesh::mesh_texts;
+using testing_mesh::Texts;
+
+/// A duct of 2 m x 1 m x 1 m along x between walls, periodic along x.
+const Texts duct{R"(schema = 1
+dimension = 3
+[geometry]
+file = "channel.geo"
+[particles]
+spacing = "0.125 m"
+[[part]]
+name = "water"
+kind = "fluid"
+density = "1000 kg/m^3"
+viscosity = "1 mPa*s"
+[[part]]
+name = "wall"
+kind = "rigid"
+[flow]
+periodic = ["x"]
+largest_speed = "1 m/s"
+[run]
+duration = "1 s"
+[output]
+every = "1 s"
+)",
+                 R"(SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 2, 1, 1};
+Physical Volume("water") = {1};
+Physical Surface("wall") = {3, 4, 5, 6};
+)"};
+
+/// A ball in the middle of a box whose sides are all periodic; drawn over the fluid, not cut out of it.
+const Texts ball{duct.scene, R"(SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 2, 1, 1};
+Sphere(2) = {1, 0.5, 0.5, 0.4};
+Physical Volume("water") = {1};
+Physical Volume("wall") = {2};
+)"};
+
+TEST(SpaceMeshes, a_duct_is_filled_and_walled) {
+    const auto meshed = mesh_texts(duct);
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(set.dimension, 3);
+    EXPECT_EQ(set.count(ParticleKind::fluid), 16U * 8 * 8);
+    EXPECT_EQ(set.count(ParticleKind::rigid), 16U * (14 * 14 - 8 * 8));
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        EXPECT_EQ(set.volume[i], std::pow(0.125, 3));
+        EXPECT_EQ(set.mass[i], 1000 * std::pow(0.125, 3));
+        if (set.kind(i) == ParticleKind::fluid) continue;
+        EXPECT_EQ(set.fixed[i], 1);
+        EXPECT_NEAR(set.wall_normal[i].norm(), 1, 1e-14);
+        const Vec on_surface = set.position[i] + set.wall_distance[i] * set.wall_normal[i];
+        EXPECT_NEAR(std::max(std::abs(on_surface.y() - 0.5), std::abs(on_surface.z() - 0.5)), 0.5, 1e-12);
+        EXPECT_GT(set.wall_distance[i], 0.06);
+    }
+    EXPECT_EQ(set.box.extent().x(), 2);
+    const auto& water = meshed.report.parts.front();
+    EXPECT_EQ(water.unit, "m^3");
+    EXPECT_NEAR(water.target, 2, 1e-12);
+    EXPECT_NEAR(water.reached, 2, 1e-12);
+    EXPECT_NEAR(water.nearest, 1, 1e-12);
+    // The walls complete the kernel of all fluid.
+    EXPECT_NEAR(water.kernel_sum_mean, 1, 0.003);
+    EXPECT_LT(water.kernel_sum_spread, 1e-12);
+}
+
+TEST(SpaceMeshes, a_body_that_overlaps_the_fluid_takes_its_room) {
+    const auto meshed = mesh_texts(ball.with("periodic = [\"x\"]", "periodic = [\"x\", \"y\", \"z\"]")
+                                       .with("spacing = \"0.125 m\"", "spacing = \"0.05 m\""));
+    const ParticleSet& set = meshed.particles;
+    const double volume = 4.0 / 3 * std::numbers::pi * std::pow(0.4, 3);
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * std::pow(0.05, 3), 2 - volume, 0.01);
+    std::size_t shell = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const Vec from_centre = set.position[i] - Vec(1, 0.5, 0.5);
+        if (set.kind(i) == ParticleKind::fluid) {
+            EXPECT_GT(from_centre.norm(), 0.4 - 1e-3);
+            continue;
+        }
+        ++shell;
+        EXPECT_LT(from_centre.norm(), 0.4);
+        EXPECT_NEAR(set.wall_distance[i], 0.4 - from_centre.norm(), 2e-3);
+        EXPECT_LT(set.wall_distance[i], 3 * 0.05);
+        EXPECT_GT(set.wall_normal[i].dot(from_centre.normalized()), 0.98);
+    }
+    const double hollow = 4.0 / 3 * std::numbers::pi * std::pow(0.25, 3);
+    EXPECT_NEAR(static_cast<double>(shell) * std::pow(0.05, 3), volume - hollow, 0.01);
+}
+
+TEST(SpaceMeshes, arrangements_have_equally_many_particles) {
+    const auto count = [](const char* arrangement) {
+        const auto meshed = mesh_texts(duct.with(
+            "spacing = \"0.125 m\"", std::string("spacing = \"0.05 m\"\narrangement = \"") + arrangement + "\""));
+        return static_cast<double>(meshed.particles.count(ParticleKind::fluid)) * meshed.particles.volume[0];
+    };
+    EXPECT_NEAR(count("square"), 2, 1e-9);
+    EXPECT_NEAR(count("fcc"), 2, 0.1);
+    EXPECT_NEAR(count("hexagonal"), 2, 0.1);
+}
+
+TEST(SpaceMeshes, what_is_open_is_named) {
+    EXPECT_EQ(fault_of(duct), "no error");
+    EXPECT_EQ(
+        fault_of(duct.with("{3, 4, 5, 6}", "{3, 4, 5}")),
+        "scene.toml:8:8: the boundary of 'water' is open over 2e+06 mm^2, near (1333.33, 666.667, 1000) mm: no "
+        "rigid part and no periodic side closes it\n  name this surface in the drawing as part of a rigid part, or "
+        "make the axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
+    EXPECT_THAT(fault_of(duct.with("periodic = [\"x\"]\n", "")), testing::HasSubstr("is open over 2e+06 mm^2"));
+    EXPECT_EQ(fault_of(duct.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"z_high\"]")
+                           .with("{3, 4, 5, 6}", "{3, 4, 5}")),
+              "no error");
+}
+
+TEST(SpaceMeshes, wrong_dimensions_and_kinds) {
+    EXPECT_EQ(
+        fault_of(duct.with("dimension = 3", "dimension = 2")),
+        "scene.toml:2:13: the drawing has volumes, and the scene has 2 dimensions (channel.geo)\n  write dimension "
+        "= 3, or name another drawing");
+    EXPECT_EQ(fault_of(testing_mesh::channel.with("schema = 1", "schema = 1\ndimension = 3")),
+              "scene.toml:2:13: the drawing lies in the plane, and the scene has 3 dimensions (channel.geo)\n  write "
+              "dimension = 2, or name another drawing");
+    EXPECT_EQ(fault_of(duct.with("name = \"water\"", "name = \"wall\"")
+                           .with("name = \"wall\"\nkind = \"rigid\"", "name = \"water\"\nkind = \"rigid\"")),
+              "scene.toml:8:8: 'wall' is a surface in the drawing, but a volume for a fluid is needed here "
+              "(channel.geo)\n  it names 'wall' and 'water'");
+    EXPECT_THAT(fault_of(duct.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\ndisorder = 0.1")),
+                testing::HasSubstr("particles.disorder: lattices in space cannot be disturbed yet"));
+    EXPECT_THAT(
+        fault_of(testing_mesh::channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\"")),
+        testing::HasSubstr("\"fcc\" is a lattice in space"));
+    EXPECT_THAT(
+        fault_of(testing_mesh::channel.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"z_low\"]")),
+        testing::HasSubstr("a scene in the plane has no side 'z_low'"));
+}
+
+}  // namespace
+}  // namespace dmp
