@@ -69,12 +69,12 @@ struct ContactLaw {
         const T pressing = where_less(damped, least, least, damped);
         const T gripping = Tangential::gripping(pressing + normal.grip);
 
-        const ShearContact<T> shear{normal.touch, before, pair.tangential_stiffness * normal.touch,
+        const ShearContact<T> shear{normal.touch, T(pair.tangential_stiffness),
                                     pair.tangential_dashpot * root + pair.tangential_rate * mass_touch,
                                     pair.friction * gripping};
         const Shear<T> sheared = Tangential::law(contact, shear, vector_of(history, 0), dt);
         ContactForce<T> force{pressing, sheared.force, Vector<T, 3>::zero()};
-        if (dt > 0) keep(history, 0, sheared.stretch, normal.touch);
+        if (dt > 0) keep(history, 0, sheared.kept, normal.touch);
 
         if constexpr (model.rolling != RollingFriction::none) {
             using Law = std::conditional_t<model.rolling == RollingFriction::spring, RollingSpring, ConstantRolling>;
