@@ -29,8 +29,8 @@ struct ContactModel {
 /// All that acts in one contact, and what it remembers.
 template <ContactModel model>
 struct ContactLaw {
-    /// The history ends with the contact's radius at the last step where a law asks for it.
-    static constexpr bool keeps_touch = model.history == TangentialHistory::rescaled || model.adhesion == Adhesion::jkr;
+    /// Where a law asks whether surfaces have touched, the history ends with the contact's radius at the last step.
+    static constexpr bool keeps_touch = model.adhesion == Adhesion::jkr;
     static constexpr int history_vectors = model.rolling == RollingFriction::spring ? 2 : 1;
     static constexpr int history_values = 3 * history_vectors + (keeps_touch ? 1 : 0);
 
@@ -62,9 +62,8 @@ struct ContactLaw {
         const NormalContact<T> normal = normal_contact(contact, pair, before);
 
         const T root = sqrt(contact.mass * normal.touch), mass_touch = contact.mass * normal.touch;
-        const T damped =
-            normal.force -
-            dashpot(pair.normal_dashpot, pair.normal_rate, root, mass_touch, contact.mass, dt) * contact.parting;
+        const T dashpot = pair.normal_dashpot * root + pair.normal_rate * mass_touch;
+        const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.parting;
         const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
         const T pressing = where_less(damped, least, least, damped);
         const T gripping = Tangential::gripping(pressing + normal.grip);
@@ -100,15 +99,6 @@ struct ContactLaw {
         if constexpr (model.adhesion == Adhesion::bradley)
             normal.grip = where_less(T(0.0), contact.overlap, BradleyAdhesion::pull_off(contact.radius, pair), T(0.0));
         return normal;
-    }
-
-    /// A rate from coefficients may be of any size and is taken at the end of the step, but for comparison.
-    template <class T, class D>
-    static T dashpot(const D& coefficient, const D& rate, const T& root, const T& mass_touch, const T& mass,
-                     double dt) {
-        const T strong = rate * mass_touch;
-        if constexpr (model.history == TangentialHistory::plain) return coefficient * root + strong;
-        return coefficient * root + strong / (T(1.0) + T(dt) * strong / mass);
     }
 
     template <class T>

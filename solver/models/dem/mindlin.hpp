@@ -29,10 +29,18 @@ struct ShearContact {
 /// While the contact grows or shrinks, xi is rescaled so that the spring's energy k_t a xi^2 / 2 stays: xi ~ a^(-1/2).
 /// Changes of the normal force alone then give and take no energy, in either direction, and leave no trace once they
 /// are undone (docs/contact.md compares the rules in use). What is remembered is xi sqrt(a) [m^(3/2)].
-/// The dashpot is taken at the end of the step, c / (1 + c dt / m_t) with m_t = 2/7 m* (solid spheres: a tangential
-/// force also turns them), so that it stops the slip at most, however strong it is. While the surfaces slide, the
-/// spring holds what friction can hold, not more.
+/// While the surfaces slide, the spring holds what friction can hold, not more.
 struct RescaledHistory {
+    /// A dashpot that acts on what moves with this mass [kg], in steps of dt: c / max(1 + x/4, x), x = c dt / m.
+    /// It sees the velocity of half a step ago, which makes it too strong by the part x/4 as far as energy goes; and it
+    /// stops a motion at most, however strong it is.
+    template <class T>
+    static T in_steps(const T& dashpot, const T& mass, double dt) {
+        const T step = T(dt) * dashpot / mass;
+        const T delayed = T(1.0) + 0.25 * step;
+        return dashpot / where_less(delayed, step, step, delayed);
+    }
+
     template <class T>
     static Shear<T> law(const Contact<T>& contact, const ShearContact<T>& shear, const Vector<T, 3>& kept_before,
                         double dt) {
@@ -44,7 +52,8 @@ struct RescaledHistory {
         const T held = per_kept * sqrt(dot(moved, moved));
         const Vector<T, 3> kept = where_less(shear.largest, held, shear.largest / (held + tiny), one) * moved;
 
-        const T dashpot = shear.dashpot / (one + (3.5 * dt) * shear.dashpot / contact.mass);
+        // 2/7 m*: a tangential force also turns solid spheres.
+        const T dashpot = in_steps(shear.dashpot, (2.0 / 7) * contact.mass, dt);
         const Vector<T, 3> force = -per_kept * kept - dashpot * contact.slip;
         const T size = sqrt(dot(force, force));
         return {where_less(shear.largest, size, shear.largest / (size + tiny), one) * force, kept};
@@ -97,6 +106,10 @@ struct PlainHistory {
         return {felt * force, share * (stretch + lag * contact.slip) - lag * contact.slip};
     }
 
+    template <class T>
+    static T in_steps(const T& dashpot, const T&, double) {
+        return dashpot;
+    }
     template <class T>
     static T lever(const T& radius, const T&, const T&) {
         return radius;
