@@ -72,6 +72,11 @@ struct RescaledHistory {
         return where_less(T(0.0), normal_force, normal_force, T(0.0));
     }
 
+    /// What the spring stores [J].
+    static double energy(const Vector<double, 3>& kept, double /*touch*/, double modulus) {
+        return 0.5 * modulus * dot(kept, kept);
+    }
+
   private:
     /// A vector that was across the last normal, across this one: its part across it, as long as it was (to the fourth
     /// power of the angle in between).
@@ -113,6 +118,9 @@ struct PlainHistory {
     template <class T>
     static T lever(const T& radius, const T&, const T&) {
         return radius;
+    }
+    static double energy(const Vector<double, 3>& stretch, double touch, double modulus) {
+        return 0.5 * modulus * touch * dot(stretch, stretch);
     }
     /// As there, friction also rests on a dashpot that pulls.
     template <class T>
