@@ -83,6 +83,8 @@ struct ContactLaw {
             force.rolling = rolled.torque;
             if (history_vectors == 2 && dt > 0) keep(history, 1, rolled.angle, normal.touch);
         }
+        // Friction rests on Hertz' force alone: the two bodies press on each other with what adhesion and loads add up
+        // to.
         if constexpr (model.adhesion == Adhesion::bradley) force.normal += BradleyAdhesion::law(contact, pair);
         if constexpr (keeps_touch)
             if (dt > 0) history[history_values - 1] = normal.touch;
@@ -95,10 +97,7 @@ struct ContactLaw {
     template <class T, class Constants>
     static NormalContact<T> normal_contact(const Contact<T>& contact, const Constants& pair, const T& before) {
         if constexpr (model.adhesion == Adhesion::jkr) return JkrContact::law(contact, pair, before);
-        NormalContact<T> normal = HertzContact::law(contact, pair);
-        if constexpr (model.adhesion == Adhesion::bradley)
-            normal.grip = where_less(T(0.0), contact.overlap, BradleyAdhesion::pull_off(contact.radius, pair), T(0.0));
-        return normal;
+        return HertzContact::law(contact, pair);
     }
 
     template <class T>
