@@ -22,7 +22,7 @@ const ContactMaterial drug{2.15e9, 0.3}, carrier{63e9, 0.24};
 
 ContactConstants<> drug_on_carrier(double range = 1) {
     ContactSettings settings;
-    settings.adhesion_energy = pull_off / (2 * std::numbers::pi * radius);
+    settings.adhesion_energy = BradleyAdhesion::adhesion_energy(pull_off, radius);
     settings.adhesion_distance = z0;
     settings.adhesion_range = range;
     return contact_constants(drug, carrier, settings);
