@@ -53,6 +53,10 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     fluid_mass_ = mass.value();
     if (settings.implicit_viscosity)
         viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
+    if (!scene.species.empty()) {
+        species_.emplace(scene, set, particles, settings, rest_density_, ranks);
+        if (species_->conducts_in_solids()) neighbours_.list_within_solids();
+    }
 }
 
 void FluidStep::advance(double t, double dt) {
@@ -71,9 +75,15 @@ void FluidStep::advance(double t, double dt) {
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
     walls_.show_velocities(particles_);
-    sweep("density", {Field::velocity}, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
+    FieldList at_rates{Field::velocity};
+    if (species_) {
+        timer_.timed("species", [&] { species_->show(particles_, t + dt / 2); });
+        at_rates.push_back(Field::concentration);
+    }
+    sweep("density", at_rates, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
     });
+    if (species_) advance_species(dt);
     timer_.timed("drift", [&] { drift_to_end(dt); });
 }
 
@@ -116,6 +126,10 @@ void FluidStep::advance_springs(double dt) {
         impulses_.of_fixed[axis] += given.of_anchors[axis];
         impulses_.of_drag[axis] += given.of_drag[axis];
     }
+}
+
+void FluidStep::advance_species(double dt) {
+    timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt); });
 }
 
 void FluidStep::update_pressure() {
@@ -218,6 +232,7 @@ void FluidStep::archive(Archive& file) {
     springs_.archive(file);
     if (viscosity_) viscosity_->archive(file);
     walls_.archive(file);
+    if (species_) species_->archive(file);
     if (file.loading()) neighbours_.forget();
 }
 
