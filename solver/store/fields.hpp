@@ -94,7 +94,7 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"concentration", "1", false, false, "diffusion of"},
     {"species_diffusivity", "m^2/s", false, true, "diffusion of"},
     {"species_wall", "1", false, true, "diffusion of"},
-    {"species_change", "1", false, false, "implicit diffusion"},
+    {"species_change", "1", false, false, "diffusion of"},
     {"species_residual", "1", false, false, "implicit diffusion"},
     {"species_direction", "1", false, false, "implicit diffusion"},
     {"species_diagonal", "m^3/s", false, false, "implicit diffusion"},

@@ -73,6 +73,8 @@ struct SpeciesSums {
     double time = 1;                                 ///< during which amounts are taken [s]
     double largest_term = 0;                         ///< of one pair; sums stay exact up to 128 times that
     bool with_rigid = false, with_springs = false;   ///< some of these particles take part
+    double shift_per_sum = 0;                        ///< displacement for a unit of Field::shift [m^2]; 0: none
+    double longest_shift = 0;                        ///< [m]
     double diffusivity = -1;                         ///< of all fluid particles [m^2/s]; negative: by particle
 };
 

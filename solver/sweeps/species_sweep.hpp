@@ -126,11 +126,33 @@ class SpeciesSweep {
             for (const std::int32_t index : others) sum += conductance(i, read<other>(reader, index));
             return sum;
         }
+        if constexpr (own == ParticleKind::fluid && other == own) {
+            if (sums_.shift_per_sum != 0) return with_shift(near, i, others, reader);
+        }
         for (const std::int32_t index : others) {
             const auto j = read<other>(reader, index);
             const auto separation = i.position - j.position;
             const L slope = kernel_.slope(sqrt(dot(separation, separation)));
             sum += order_free_(slope * (sums_.time * taken<own, other>(i, j)));
+        }
+        return sum;
+    }
+
+    /// Among fluid particles that are about to be shifted.
+    template <class I>
+    [[nodiscard]] L with_shift(const Neighbourhood& near, const I& i, std::span<const std::int32_t> others,
+                               const SpeciesReader<L, D, ParticleKind::fluid>& reader) const {
+        Vector<L, D> shift = L(sums_.shift_per_sum) *
+                             load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster);
+        constexpr double smallest = 1e-300;
+        const L length = sqrt(dot(shift, shift) + smallest);
+        shift = min(L(1.0), sums_.longest_shift / length) * shift;
+        L sum = 0.0;
+        for (const std::int32_t index : others) {
+            const auto j = read<ParticleKind::fluid>(reader, index);
+            const auto separation = i.position - j.position;
+            const L slope = kernel_.slope(sqrt(dot(separation, separation)));
+            sum += order_free_(slope * diffusion_.law_with_shift(i, j, sums_.time, shift));
         }
         return sum;
     }

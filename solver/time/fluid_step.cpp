@@ -83,7 +83,8 @@ void FluidStep::advance(double t, double dt) {
     sweep("density", at_rates, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
     });
-    if (species_) advance_species(dt);
+    if (species_)
+        timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt)); });
     timer_.timed("drift", [&] { drift_to_end(dt); });
 }
 
@@ -126,10 +127,6 @@ void FluidStep::advance_springs(double dt) {
         impulses_.of_fixed[axis] += given.of_anchors[axis];
         impulses_.of_drag[axis] += given.of_drag[axis];
     }
-}
-
-void FluidStep::advance_species(double dt) {
-    timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt); });
 }
 
 void FluidStep::update_pressure() {
@@ -213,11 +210,14 @@ void FluidStep::drift_to_middle(double dt) {
     neighbours_.moved(std::max(dt / 2 * largest_speed_, walls_.move_to_middle(particles_)));
 }
 
+ShiftStep FluidStep::shift_step(double dt) const {
+    if (settings_.shifting == 0 && !settings_.transport_velocity) return {};
+    return {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+}
+
 void FluidStep::drift_to_end(double dt) {
-    ShiftStep shift;
     const bool transports = settings_.transport_velocity;
-    if (settings_.shifting > 0 || transports)
-        shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+    const ShiftStep shift = shift_step(dt);
     const double shifted = ranks_.largest(passes_.drift_to_end(particles_, dt / 2, shift).longest_shift);
     if (transports) passes_.note_transport(particles_.fluid(), dt, shift);
     const double bodies_moved = springs_.show_positions(particles_), walls_moved = walls_.move_to_end(particles_);

@@ -80,7 +80,7 @@ class FluidStep {
     void find_densities();
     void find_corrections();
     void advance_springs(double dt);
-    void advance_species(double dt);
+    [[nodiscard]] ShiftStep shift_step(double dt) const;
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);

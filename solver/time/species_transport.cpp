@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "solver/parallel/sums_over.hpp"
+#include "solver/sweeps/order_free.hpp"
 #include "solver/time/species_system.hpp"
 
 namespace dmp {
@@ -82,6 +83,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
         at_start_.push_back(held_by_particles(particles, static_cast<std::size_t>(carried.number)));
     }
     largest_volume_ = ranks_.largest(largest_volume_);
+    excess_.assign(species_.size(), 0);
 }
 
 void SpeciesTransport::declare(const Scene& scene, ParticleStore& particles) {
@@ -99,6 +101,7 @@ void SpeciesTransport::declare(const Scene& scene, ParticleStore& particles) {
         const bool solids = any(&CarriedSpecies::with_rigid) || any(&CarriedSpecies::with_springs);
         if (!is_fluid || solids || !alike) group.declare(Field::species_diffusivity, count);
         if (is_rigid) group.declare(Field::species_wall, count);
+        if (*scene.accuracy.shifting > 0 || *scene.accuracy.transport_velocity) group.declare({Field::species_change});
         if (*scene.accuracy.species_stepping == SpeciesStepping::implicitly)
             group.declare({Field::species_change, Field::species_residual, Field::species_direction,
                            Field::species_diagonal});
@@ -198,7 +201,8 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
     }
 }
 
-void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt) {
+void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
+                                const ShiftStep& shift) {
     for (const CarriedSpecies& species : species_) {
         SpeciesSums sums;
         sums.species = sums.array_of_values = sums.array_of_result = species.number;
@@ -210,8 +214,51 @@ void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours,
         sums.diffusivity = species.diffusivity;
         // What acts in the end is the flux of the solution, which keeps the amount whatever the tolerance.
         if (implicit_) solve(species, particles, neighbours, sweeps, sums);
+        if (shift.per_sum != 0) {
+            sums.adds = false;
+            sums.result = Field::species_change;
+            sums.array_of_result = 0;
+            sums.shift_per_sum = shift.per_sum;
+            sums.longest_shift = shift.longest;
+        }
         sweeps.species(particles, {neighbours.list(), neighbours.within_solids()}, sums);
+        if (shift.per_sum != 0) hand_over(species, particles);
     }
+}
+
+/// Adds to the amounts what particles have taken, less the excess.
+void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& particles) {
+    const OrderFree whole(species.largest_amount / 16);
+    ParticleGroup& fluid = particles.fluid();
+    double* amount = fluid.data(Field::species_amount, species.number);
+    double* change = fluid.data(Field::species_change);
+    auto [excess, turnover] = sums_over<2>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+        // The slope of a steep front may ask for more than there is.
+        change[i] = std::max(change[i], -amount[i]);
+        sum[0].add(change[i]);
+        sum[1].add(std::abs(change[i]));
+    });
+    for (ParticleGroup& group : particles.groups()) {
+        if (group.kind() == ParticleKind::fluid || !group.has(Field::species_change)) continue;
+        for (std::size_t i = 0; i < group.owned(); ++i) {
+            const double taken = group.data(Field::species_change)[i];
+            group.data(Field::species_amount, species.number)[i] += taken;
+            excess.add(taken);
+        }
+    }
+    ranks_.sum(excess);
+    ranks_.sum(turnover);
+    double& waiting = excess_[static_cast<std::size_t>(species.number)];
+    excess.add(waiting);
+    const double share = turnover.value() > 0 ? excess.value() / turnover.value() : 0;
+    auto [given_back] = sums_over<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+        const double back = whole(std::min(share * std::abs(change[i]), amount[i] + change[i]));
+        amount[i] += change[i] - back;
+        sum[0].add(-back);
+    });
+    ranks_.sum(given_back);
+    excess.add(given_back);
+    waiting = excess.value();
 }
 
 void SpeciesTransport::solve(const CarriedSpecies& species, ParticleStore& particles, Neighbours& neighbours,
@@ -278,6 +325,7 @@ std::vector<SpeciesBalance> SpeciesTransport::balances(const ParticleStore& part
 
 void SpeciesTransport::archive(Archive& file) {
     file("species/at_start", at_start_);
+    file("species/excess", excess_);
     file("species/solves", solves_.solves);
     file("species/iterations", solves_.iterations);
     file("species/most_iterations", solves_.most_iterations);

@@ -11,6 +11,7 @@
 #include "solver/simulation.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/fluid_passes.hpp"
 
 namespace dmp {
 
@@ -40,6 +41,11 @@ struct CarriedSpecies {
 /// holds an amount w; its concentration is w over the volume V that its mass has at rest, so that a liquid's
 /// compression by a per cent does not show in it. Amounts are whole multiples of one quantum, and so are those that
 /// particles hand to each other: the amount in all particles stays the same to the last bit.
+/// Shifting moves particles relative to the fluid. What is dissolved does not go along: a particle takes the
+/// concentration of where it comes to. Amounts would change by that, in all, as any quadrature's with its points; the
+/// excess is taken from the particles in proportion to what they have taken up or given in the step, so that nothing
+/// changes where concentrations are even (as semi-Lagrangian schemes do: Bermejo & Conde 2002). What rounding leaves of
+/// it, half a quantum a particle at most, waits for the next step.
 /// Walls whose surface is held at a concentration, or gives off a flux, keep the account of what they have taken (less
 /// what they gave) as their own amount. Walls are closed otherwise; solids with a diffusivity take part like the fluid,
 /// and conduct within themselves.
@@ -54,8 +60,10 @@ class SpeciesTransport {
     [[nodiscard]] bool conducts_in_solids() const { return conducts_in_solids_; }
     /// Concentrations of owned particles from their amounts; of walls those at time t.
     void show(ParticleStore& particles, double t) const;
-    /// Diffusion during dt, from the concentrations shown; copies have them too.
-    void advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt);
+    /// Diffusion during dt, from the concentrations shown, of which copies know; and, where particles are about to be
+    /// shifted, what stays behind of them.
+    void advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
+                 const ShiftStep& shift);
 
     [[nodiscard]] std::size_t count() const { return species_.size(); }
     /// Volume at rest of an owned particle [m^3].
@@ -74,6 +82,7 @@ class SpeciesTransport {
 
   private:
     void declare(const Scene& scene, ParticleStore& particles);
+    void hand_over(const CarriedSpecies& species, ParticleStore& particles);
     void fill(const Species& species, const ParticleSet& set, const std::vector<const Part*>& parts,
               ParticleStore& particles, CarriedSpecies& carried);
     void fill_walls(const Scene& scene, const Species& species, const ParticleSet& set, ParticleStore& particles,
@@ -92,6 +101,7 @@ class SpeciesTransport {
     double tolerance_;
     double largest_volume_ = 0;     ///< of a particle, with room for its being stretched [m^3]
     std::vector<double> at_start_;  ///< amounts by species
+    std::vector<double> excess_;    ///< by species: what shifting has made and was too little to be given back
     ViscousSolves solves_;
 };
 

@@ -49,6 +49,17 @@ struct SpeciesDiffusion {
         return conductance(i, j) * (i.concentration - j.concentration) + given(i, j);
     }
 
+    /// What i takes from j, over the kernel's slope, while `time` passes and shifting moves i by `shift` relative to the
+    /// fluid, which stays where it is and with it what is dissolved: c(x + d) = c + d . grad c + (d . grad)^2 c / 2, the
+    /// gradient as SUM_j V_j (c_j - c_i) grad_i W_ij (Xu, Stansby & Laurence 2009 for velocities), the second order as
+    /// diffusion by d^2 / 2, with which an explicit step stays stable (Lax & Wendroff 1960).
+    /// Not antisymmetric: what it makes or takes in all has to be given back (SpeciesTransport).
+    template <class I, class J, class Time, class Shift>
+    [[nodiscard]] auto law_with_shift(const I& i, const J& j, const Time& time, const Shift& shift) const {
+        const auto spreading = dot(shift, shift) - dot(shift, i.position - j.position);
+        return (time * conductance(i, j) + (i.volume * j.volume) * spreading) * (i.concentration - j.concentration);
+    }
+
   private:
     template <class P>
     static constexpr bool is_wall = requires(const P& p) { p.held; };
