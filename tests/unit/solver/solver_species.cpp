@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/solver/dissolved.hpp"
+#include "tests/unit/solver/mirrored_water.hpp"
 
 namespace dmp {
 namespace {
@@ -252,6 +253,100 @@ TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     for (const float value : testing_solver::field_of(*group_of(frames.frames.back(), "fluid"), "concentration")->values)
         EXPECT_NEAR(value, 0.7F, 1e-7);
     EXPECT_EQ(run.species[0].end, run.species[0].start);
+}
+
+TEST(Species, go_on_from_a_checkpoint_to_the_same_bits) {
+    for (const SpeciesStepping stepping : {SpeciesStepping::explicitly, SpeciesStepping::implicitly}) {
+        const auto folder = std::filesystem::path(testing::TempDir()) / "dmp_species";
+        std::filesystem::remove_all(folder);
+        testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
+        made.scene.accuracy.species_stepping = stepping;
+        KeptFrames kept;
+        const RunSummary whole = run_of(made, &kept);
+        const RunSummary parts = testing_solver::run_in_two_parts(made, folder);
+        std::filesystem::remove_all(folder);
+        EXPECT_EQ(parts.state_hash, whole.state_hash);
+        EXPECT_EQ(parts.species[0].end, whole.species[0].end);
+        EXPECT_EQ(parts.species[0].start, whole.species[0].start);
+        ASSERT_EQ(parts.measures.rows.size(), whole.measures.rows.size());
+        for (std::size_t row = 1; row < whole.measures.rows.size(); ++row)
+            EXPECT_EQ(parts.measures.rows[row], whole.measures.rows[row]);
+        for (const SpeciesBalance& species : whole.species) EXPECT_LT(std::abs(species.residual()), 1e-14) << species.name;
+        EXPECT_GT(std::abs(whole.species[0].from_walls), 1e-4);
+    }
+}
+
+TEST(Species, cost_nothing_where_there_are_none) {
+    testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
+    const Plan with = Simulation(made.scene, made.particles, 1).plan();
+    made.scene.species.clear();
+    made.scene.measures.clear();
+    made.scene.output.fields = {FluidField::velocity};
+    const Plan without = Simulation(made.scene, made.particles, 1).plan();
+    const auto has_any = [](const Plan& plan) {
+        return std::ranges::any_of(plan.fields, [](const std::string& field) {
+            return field.find("species") != std::string::npos || field.find("concentration") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(has_any(with));
+    EXPECT_FALSE(has_any(without));
+    EXPECT_GT(with.bytes_per_particle, without.bytes_per_particle);
+    const auto diffusion = std::ranges::find(with.models, "diffusion of 'drug'", &ModelUse::model);
+    ASSERT_NE(diffusion, with.models.end());
+    EXPECT_FALSE(diffusion->fields.empty());
+    EXPECT_TRUE(std::ranges::any_of(with.limits, [](const StepLimit& limit) { return limit.model == "species"; }));
+    EXPECT_FALSE(std::ranges::any_of(without.limits, [](const StepLimit& limit) { return limit.model == "species"; }));
+}
+
+TEST(Species, are_mirrored_at_planes_of_symmetry) {
+    WalledWater half = testing_solver::vortex(true), whole = testing_solver::vortex(false);
+    for (WalledWater* made : {&half, &whole}) {
+        made->scene.species = {species_of("dye", 0.05, "cos(pi * x) * cos(2 * pi * y) + 2")};
+        made->scene.output.fields = {FluidField::concentration};
+    }
+    KeptFrames of_half, of_whole;
+    const RunSummary run = run_of(half, &of_half);
+    (void)run_of(whole, &of_whole);
+    EXPECT_LT(std::abs(run.species[0].residual()), 1e-14);
+    const FrameGroup &quarter = *testing_solver::group_of(of_half.frames.back(), "fluid"),
+                     &all = *testing_solver::group_of(of_whole.frames.back(), "fluid");
+    const auto &found = testing_solver::field_of(quarter, "concentration")->values,
+               &expected = testing_solver::field_of(all, "concentration")->values;
+    for (std::size_t k = 0; k < quarter.size(); ++k) {
+        double nearest = 1, value = 0;
+        for (std::size_t j = 0; j < all.size(); ++j) {
+            const double distance = std::hypot(all.position[3 * j] - quarter.position[3 * k],
+                                               all.position[3 * j + 1] - quarter.position[3 * k + 1]);
+            if (distance < nearest) nearest = distance, value = expected[j];
+        }
+        EXPECT_NEAR(found[k], value, 1e-4) << "at " << quarter.position[3 * k] << ", " << quarter.position[3 * k + 1];
+    }
+}
+
+/// Sheared between a wall and a lid at Re = 20, long enough for rows to break up; a marker that does not diffuse and whose
+/// concentration grows straight across the flow.
+TEST(Shifting, leaves_behind_what_is_dissolved) {
+    constexpr int rows = 16;
+    constexpr double height = rows * dx;
+    WalledWater made(16, rows, {"floor", "lid"}, [](int, int row) { return row < 0 ? 1 : 2; });
+    made.make_periodic(0);
+    Scene& scene = made.scene;
+    scene.parts[0].viscosity = 1000 * height / 20;
+    scene.parts[2].surface_velocity = std::array<Expression, 3>{Expression("1", "1"), Expression(), Expression()};
+    scene.flow.initial_velocity = std::array<Expression, 3>{Expression("y / 1.6", ""), Expression(), Expression()};
+    scene.species = {species_of("marker", 0, "y / 1.6")};
+    scene.output.fields = {FluidField::concentration};
+    scene.run.duration = 20.0;
+    KeptFrames frames;
+    const RunSummary run = run_of(made, &frames);
+    const FrameGroup& fluid = *testing_solver::group_of(frames.frames.back(), "fluid");
+    const auto& found = testing_solver::field_of(fluid, "concentration")->values;
+    double square = 0;
+    for (std::size_t k = 0; k < fluid.size(); ++k)
+        square += std::pow(found[k] - fluid.position[3 * k + 1] / height, 2) / static_cast<double>(fluid.size());
+    // In spacings: how far from its place a particle shows the marker.
+    EXPECT_LT(std::sqrt(square) * rows, 0.5);
+    EXPECT_LT(std::abs(run.species[0].residual()), 1e-14);
 }
 
 }  // namespace
