@@ -89,6 +89,11 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                         origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
                                         *accuracy.viscosity_tolerance,
                                         origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
+    for (const Species& species : scene.species)
+        list.add("species " + *species.name,
+                 fmt::format("in {}, diffusion stepped {}ly ({})", species.concentration_unit(),
+                             word(*accuracy.species_stepping),
+                             origin_text(accuracy.species_stepping, "accuracy.species_stepping")));
     list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
                                         origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,

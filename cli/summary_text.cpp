@@ -73,6 +73,15 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
         list.add("viscosity",
                  fmt::format("{:.3g} iterations a step on average, {} at most",
                              summary.viscous_solves.mean_iterations(), summary.viscous_solves.most_iterations));
+    for (const SpeciesBalance& species : summary.species)
+        list.add(species.name, fmt::format("{:.6g} {} at the start, {:.6g} from walls, {:.6g} at the end; {:.2g} of it is "
+                                           "unaccounted for",
+                                           species.start, species.unit, species.from_walls, species.end,
+                                           species.residual()));
+    if (summary.species_solves.solves > 0)
+        list.add("diffusion",
+                 fmt::format("{:.3g} iterations a solve on average, {} at most",
+                             summary.species_solves.mean_iterations(), summary.species_solves.most_iterations));
     const double mass_change = summary.start.mass > 0 ? summary.end.mass / summary.start.mass - 1 : 0;
     list.add("mass", fmt::format("{} kg moving, changed by {:.2g} of it", fmt::format("{:.6g}", summary.end.mass),
                                  mass_change));

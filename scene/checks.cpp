@@ -6,6 +6,7 @@
 
 #include "base/nearest_name.hpp"
 #include "scene/quantity.hpp"
+#include "scene/species_checks.hpp"
 
 namespace dmp {
 
@@ -256,7 +257,7 @@ void need_regions(const Scene& scene, const TomlNode& document) {
 
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
-        need_plane_point(*point);
+        if (scene.dimension == 2) need_plane_point(*point);
     }
     if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
         throw InputError(measure.to.place,
@@ -285,6 +286,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
 
 void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
+    refuse_equal_names(scene.species, "species");
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
@@ -300,6 +302,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     check_walls(scene);
     check_symmetry(scene);
     need_regions(scene, document);
+    check_species(scene);
     for (const auto& region : scene.regions) check_region(scene, region);
     for (const Part& part : scene.parts)
         if (*part.kind == PartKind::springs) need_one_stiffness(part);

@@ -185,6 +185,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
                  *scene.quality);  // the quality itself comes before what depends on it
     }
     scene.parts = read_items(document, "part", schema().part, *scene.quality);
+    scene.species = read_items(document, "species", schema().species, *scene.quality);
     scene.regions = read_items(document, "region", schema().region, *scene.quality);
     scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
     check_scene(scene, document);

@@ -36,6 +36,7 @@ std::string resolved_scene(const Scene& scene) {
         write_key(text, scene, key);
     }
     write_items(text, scene.parts, "part", schema().part);
+    write_items(text, scene.species, "species", schema().species);
     write_items(text, scene.regions, "region", schema().region);
     write_items(text, scene.measures, "measure", schema().measure);
     return text;

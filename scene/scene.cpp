@@ -94,13 +94,39 @@ const Words<ViscosityStepping>& words_of() {
 }
 
 template <>
+const Words<SpeciesStepping>& words_of() {
+    static const Words<SpeciesStepping> words = {{SpeciesStepping::explicitly, "explicit"},
+                                                 {SpeciesStepping::implicitly, "implicit"}};
+    return words;
+}
+
+template <>
+const Words<SpeciesUnit>& words_of() {
+    static const Words<SpeciesUnit> words = {
+        {SpeciesUnit::mass, "kg/m^3"}, {SpeciesUnit::moles, "mol/m^3"}, {SpeciesUnit::none, "1"}};
+    return words;
+}
+
+template <>
+const Words<Axis>& words_of() {
+    static const Words<Axis> words = {{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
+    return words;
+}
+
+template <>
 const Words<MeasureKind>& words_of() {
     static const Words<MeasureKind> words = {{MeasureKind::flux, "flux"},
                                              {MeasureKind::gap, "gap"},
                                              {MeasureKind::largest_speed, "largest_speed"},
                                              {MeasureKind::density, "density"},
                                              {MeasureKind::kinetic_energy, "kinetic_energy"},
-                                             {MeasureKind::probe, "probe"}};
+                                             {MeasureKind::probe, "probe"},
+                                             {MeasureKind::amount, "amount"},
+                                             {MeasureKind::mean_concentration, "mean_concentration"},
+                                             {MeasureKind::profile, "profile"},
+                                             {MeasureKind::spread, "spread"},
+                                             {MeasureKind::wall_flux, "wall_flux"},
+                                             {MeasureKind::peclet, "peclet"}};
     return words;
 }
 
@@ -110,7 +136,8 @@ const Words<FluidField>& words_of() {
         {FluidField::velocity, "velocity"},   {FluidField::pressure, "pressure"},
         {FluidField::density, "density"},     {FluidField::shear_stress, "shear_stress"},
         {FluidField::stress, "stress"},       {FluidField::von_mises, "von_mises"},
-        {FluidField::vorticity, "vorticity"}, {FluidField::residence_time, "residence_time"}};
+        {FluidField::vorticity, "vorticity"}, {FluidField::residence_time, "residence_time"},
+        {FluidField::concentration, "concentration"}};
     return words;
 }
 
@@ -149,6 +176,9 @@ std::string word(ViscousLaw law) { return find_word(law); }
 std::string word(ViscosityMean mean) { return find_word(mean); }
 std::string word(SpringStepping stepping) { return find_word(stepping); }
 std::string word(ViscosityStepping stepping) { return find_word(stepping); }
+std::string word(SpeciesStepping stepping) { return find_word(stepping); }
+std::string word(SpeciesUnit unit) { return find_word(unit); }
+std::string word(Axis axis) { return find_word(axis); }
 std::string word(FluidField field) { return find_word(field); }
 std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }
@@ -157,6 +187,25 @@ std::string word(MeasureKind kind) { return find_word(kind); }
 bool Part::slides() const { return !std::ranges::all_of(surface_velocity.value, &Expression::is_zero); }
 
 bool Part::moves() const { return !spin->is_zero() || !std::ranges::all_of(velocity.value, &Expression::is_zero); }
+
+std::string Species::amount_unit() const {
+    return *unit == SpeciesUnit::mass ? "kg" : *unit == SpeciesUnit::moles ? "mol" : "m^3";
+}
+
+std::string Species::concentration_unit() const { return word(*unit); }
+
+const Value<double>* Species::diffusivity_in(const Part& part) const {
+    // One diffusivity for all is that of all liquids; solids conduct where they are named.
+    if (*part.kind != PartKind::fluid && !diffusivity.parts.contains(*part.name)) return nullptr;
+    return diffusivity.of(*part.name);
+}
+
+std::size_t Scene::species_of(const Measure& measure) const {
+    if (measure.species->empty() && species.size() == 1) return 0;
+    for (std::size_t s = 0; s < species.size(); ++s)
+        if (*species[s].name == *measure.species) return s;
+    throw std::out_of_range("no species '" + *measure.species + "'");
+}
 
 std::vector<const Part*> Scene::parts_of(PartKind kind) const {
     std::vector<const Part*> found;

@@ -43,8 +43,35 @@ enum class ViscousLaw { morris, monaghan, monaghan_approaching };
 enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
-enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
-enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
+enum class SpeciesStepping { explicitly, implicitly };
+/// What the amount of a species is counted in, per volume: mass, moles, or nothing (a marker).
+enum class SpeciesUnit { mass, moles, none };
+enum class MeasureKind {
+    flux,
+    gap,
+    largest_speed,
+    density,
+    kinetic_energy,
+    probe,
+    amount,
+    mean_concentration,
+    profile,
+    spread,
+    wall_flux,
+    peclet
+};
+enum class FluidField {
+    velocity,
+    pressure,
+    density,
+    shear_stress,
+    stress,
+    von_mises,
+    vorticity,
+    residence_time,
+    concentration
+};
+enum class Axis { x, y, z };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
 /// [[part]]: one named region, curve or group of the drawing and what it is made of.
@@ -85,6 +112,38 @@ struct Part {
     Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
 };
 
+/// One value for all parts, or values by the names of parts.
+template <class T>
+struct ByPart {
+    std::optional<Value<T>> all;
+    std::map<std::string, Value<T>> parts;
+
+    [[nodiscard]] bool empty() const { return !all && parts.empty(); }
+    /// Null where the part has none.
+    [[nodiscard]] const Value<T>* of(const std::string& part) const {
+        const auto found = parts.find(part);
+        return found != parts.end() ? &found->second : all ? &*all : nullptr;
+    }
+};
+
+/// [[species]]: something dissolved that diffuses, and goes along with the fluid. Concentrations are per volume of the
+/// liquid at rest, in the species' unit.
+struct Species {
+    Value<std::string> name;
+    Value<SpeciesUnit> unit = SpeciesUnit::mass;
+    ByPart<double> diffusivity;             ///< of the fluids, or by part, solids that conduct included [m^2/s]
+    ByPart<Expression> concentration;       ///< at the start, as functions of x, y, z
+    ByPart<Expression> wall_concentration;  ///< at the surface of rigid parts, as functions of t, x, y, z
+    ByPart<Expression> wall_flux;           ///< out of rigid parts into the fluid, per area, as functions of t, x, y, z
+
+    /// "kg", "mol" or "m^3": of an amount.
+    [[nodiscard]] std::string amount_unit() const;
+    /// "kg/m^3", "mol/m^3" or "1"
+    [[nodiscard]] std::string concentration_unit() const;
+    /// Of a part, null where it does not carry the species.
+    [[nodiscard]] const Value<double>* diffusivity_in(const Part& part) const;
+};
+
 /// [[measure]]: one number followed over time.
 struct Measure {
     Value<std::string> name;
@@ -93,7 +152,13 @@ struct Measure {
     Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
-    Value<std::string> part;                         ///< gap: smallest distance between the pieces of this springs part
+    Value<std::string> part;  ///< gap: between the pieces of this springs part; wall_flux: into this rigid part
+    Value<std::string> species;          ///< of measures of a species; empty: the only one
+    Value<Axis> axis = Axis::x;          ///< profile, spread: along which
+    Value<int> bins = 20;                ///< profile: how many
+    Value<double> about = 0.0;           ///< spread: where the variance is taken about, if given; else the mean [m]
+    Value<double> length = 0.0;          ///< peclet, wall_flux: of the Peclet and Sherwood numbers [m]; 0: not given
+    Value<double> area = 0.0;            ///< wall_flux: of the wall, for the Sherwood number [m^2]
 };
 
 /// [[region]]: a box along the axes, whose residence time is followed.
@@ -164,6 +229,8 @@ struct Scene {
         Value<double> viscosity_tolerance = 1e-6;  ///< of implicit viscosity: the velocities' relative error [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
         Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
+        Value<SpeciesStepping> species_stepping = SpeciesStepping::explicitly;
+        Value<double> species_tolerance = 1e-8;  ///< of implicit diffusion: the concentrations' relative error [-]
     } accuracy;
 
     struct {
@@ -183,9 +250,12 @@ struct Scene {
         Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 
+    std::vector<Species> species;
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
+    /// The number of the species that a measure is of; throws std::out_of_range where there is none.
+    [[nodiscard]] std::size_t species_of(const Measure& measure) const;
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// Whether frames or a probe need this field.
@@ -205,6 +275,9 @@ std::string word(ViscousLaw law);
 std::string word(ViscosityMean mean);
 std::string word(SpringStepping stepping);
 std::string word(ViscosityStepping stepping);
+std::string word(SpeciesStepping stepping);
+std::string word(SpeciesUnit unit);
+std::string word(Axis axis);
 std::string word(FluidField field);
 std::string word(SolidField field);
 std::string word(KernelKind kernel);

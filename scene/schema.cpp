@@ -171,6 +171,10 @@ std::vector<Key<Accuracy>> accuracy_keys() {
          "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},
         {"spring_step_factor", &Accuracy::spring_step_factor, number(fraction), "0.5",
          "Explicit spring step as a fraction of the largest stable one."},
+        {"species_stepping", &Accuracy::species_stepping, word_of<SpeciesStepping>(), "explicit",
+         "Diffusion of species by concentrations as they were, which limits the step, or as they will be, solved for in each step."},
+        {"species_tolerance", &Accuracy::species_tolerance, number(between(1e-14, 0.01)), "1e-8",
+         "Implicit diffusion: when a solve ends, as the concentrations' error by its residual over the concentrations."},
     };
 }
 
@@ -198,6 +202,24 @@ std::vector<Key<Output>> output_keys() {
     };
 }
 
+std::vector<Key<Species>> species_keys() {
+    const auto concentrations = [](const Species& species) { return by_part(concentration_formula(species.unit)); };
+    const auto fluxes = [](const Species& species) { return by_part(flux_formula(species.unit)); };
+    const std::string concentration = by_part(concentration_formula(SpeciesUnit::mass)).description;
+    return {
+        {"name", &Species::name, name(), required, "What the species is called."},
+        {"unit", &Species::unit, word_of<SpeciesUnit>(), "kg/m^3", "Unit of its concentrations."},
+        {"diffusivity", &Species::diffusivity, by_part(quantity("1e-9 m^2/s", not_negative)), required,
+         "Diffusivity in all fluids, or by part; solids in the table conduct, others are closed to the species."},
+        {"concentration", {}, &Species::concentration, concentrations, concentration, not_given,
+         "Concentration at the start, as a formula of x, y, or by part; where none is given it is 0."},
+        {"wall_concentration", {}, &Species::wall_concentration, concentrations, concentration, not_given,
+         "Concentration that the surfaces of rigid parts are held at, by formulas of t, x, y; other walls let nothing through."},
+        {"wall_flux", {}, &Species::wall_flux, fluxes, by_part(flux_formula(SpeciesUnit::mass)).description, not_given,
+         "What comes out of rigid parts into the fluid, per area and time, by formulas of t, x, y."},
+    };
+}
+
 std::vector<Key<ResidenceRegion>> region_keys() {
     return {
         {"name", &ResidenceRegion::name, name(), required, "What the region is called; residence_time is of fluid in it."},
@@ -207,18 +229,34 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 }
 
 std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, flux = {"flux"}, gap = {"gap"}, probe = {"probe"};
+    const Kinds all, flux = {"flux"}, gap = {"gap"}, probe = {"probe"}, wall_flux = {"wall_flux"};
+    const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
+    const Kinds of_species = {"amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet"};
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
-         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, or "
-         "a probe's field."},
+         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, "
+         "a probe's field, or of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number."},
         {"from", flux, &Measure::from, point(), required, "Where the line starts."},
         {"to", flux, &Measure::to, point(), required, "Where the line ends."},
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
         {"field", probe, &Measure::field, word_of<FluidField>(), "velocity", "What the probe reads."},
         {"part", gap, &Measure::part, name(), required,
          "The springs part whose pieces' smallest distance is followed."},
+        {"species", of_species, &Measure::species, name(), not_given, "Which species; not needed where there is one."},
+        {"from", boxes, &Measure::from, point(), not_given, "One corner of a box along the axes; without it all the fluid counts."},
+        {"to", boxes, &Measure::to, point(), not_given, "The opposite corner."},
+        {"axis", along, &Measure::axis, word_of<Axis>(), required, "Along which axis."},
+        {"bins", {"profile"}, &Measure::bins, integer(Range{1, 1000, false, {}}), "20",
+         "Equal parts of the box along the axis, each with a column for its mean."},
+        {"about", {"spread"}, &Measure::about, quantity("1 mm"), not_given,
+         "Place that the variance is taken about; without it the mean place."},
+        {"part", wall_flux, &Measure::part, name(), required, "The rigid part whose uptake is followed."},
+        {"length", {"peclet"}, &Measure::length, quantity("1 mm", positive), required,
+         "L of the Peclet number U L / D, U the fluid's largest speed."},
+        {"length", wall_flux, &Measure::length, quantity("1 mm", positive), not_given,
+         "L of a column with the Sherwood number J L / (area D dc), dc the fluid's mean concentration less the wall's."},
+        {"area", wall_flux, &Measure::area, quantity("1 mm^2", positive), not_given, "The wall's, for the Sherwood number; 1 m deep in 2-D."},
     };
 }
 // clang-format on
@@ -255,6 +293,7 @@ Schema whole_schema() {
     add_section(schema.scene, "run", &Scene::run, run_keys());
     add_section(schema.scene, "output", &Scene::output, output_keys());
     schema.part = each_item("part", part_keys());
+    schema.species = each_item("species", species_keys());
     schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
     return schema;
@@ -268,7 +307,7 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"part", "region", "measure"};
+    static const std::vector<std::string> names{"part", "species", "region", "measure"};
     return names;
 }
 
@@ -282,6 +321,7 @@ std::vector<KeyFacts> Schema::facts() const {
         }
         facts.push_back(key.facts);
     }
+    for (const auto& key : species) facts.push_back(key.facts);
     for (const auto& key : region) facts.push_back(key.facts);
     for (const auto& key : measure) facts.push_back(key.facts);
     return facts;

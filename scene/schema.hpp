@@ -67,8 +67,14 @@ void assign(T& member, T value, const Place& /*a plain member keeps no place*/) 
 
 template <class T>
 bool is_nothing(const T& value) {
-    if constexpr (std::is_arithmetic_v<T> || std::same_as<T, std::string>) return value == T{};
-    return false;
+    if constexpr (std::is_arithmetic_v<T> || std::same_as<T, std::string>)
+        return value == T{};
+    else if constexpr (requires { value.parts; })
+        return value.empty();
+    else if constexpr (std::same_as<T, Expression>)
+        return value.is_zero();
+    else
+        return false;
 }
 
 }  // namespace detail
@@ -117,6 +123,7 @@ struct Key {
 struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Part>> part;
+    std::vector<Key<Species>> species;
     std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
 

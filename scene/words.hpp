@@ -40,6 +40,12 @@ const Words<SpringStepping>& words_of();
 template <>
 const Words<ViscosityStepping>& words_of();
 template <>
+const Words<SpeciesStepping>& words_of();
+template <>
+const Words<SpeciesUnit>& words_of();
+template <>
+const Words<Axis>& words_of();
+template <>
 const Words<MeasureKind>& words_of();
 template <>
 const Words<FluidField>& words_of();

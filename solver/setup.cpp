@@ -203,6 +203,11 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.implicit_viscosity = settings.implicit_viscosity;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
+    scales.implicit_species = *scene.accuracy.species_stepping == SpeciesStepping::implicitly;
+    for (const Species& species : scene.species)
+        for (const Part& part : scene.parts)
+            if (const Value<double>* diffusivity = species.diffusivity_in(part); diffusivity != nullptr && *part.enabled)
+                scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
         const double lightest = *std::min_element(set.mass.begin(), set.mass.end());
         const double range = scene.contact.range * scene.particles.spacing;
@@ -295,6 +300,13 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
         }
         if (part->drag > 0) models.push_back({"lab-frame drag", "F = -k_v v", because(part->drag, "drag")});
     }
+    for (const Species& species : scene.species)
+        models.push_back({"diffusion of '" + *species.name + "'",
+                          "Cleary & Monaghan 1999, harmonic mean where diffusivities meet",
+                          "species at " + species.name.place.text()});
+    if (!scene.species.empty() && *scene.accuracy.species_stepping == SpeciesStepping::implicitly)
+        models.push_back({"implicit diffusion", "backward Euler, conjugate gradients",
+                          because(scene.accuracy.species_stepping, "accuracy.species_stepping")});
     const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();
     if (scene.contact.range > 0 && has_solids)
         models.push_back(

@@ -64,6 +64,7 @@ struct Simulation::State {
         for (std::size_t i = 0; i < set.size(); ++i) ++count[word(static_cast<PartKind>(set.kind(i)))];
         fill_store(scene, set, particles);
         fluid.take_speed();
+        scales.diffusion_limit = fluid.sweeps().diffusion_limit();
         at_start = conserved();
     }
 
@@ -237,6 +238,10 @@ Plan Simulation::plan() const {
         plan.limits.push_back(viscous_step_limit(s.scales));
         plan.limits.back().formula += "; not binding, stepped implicitly";
     }
+    if (s.scales.implicit_species && s.scales.diffusivity > 0) {
+        plan.limits.push_back(species_step_limit(s.scales));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
     for (const auto& limit : s.fluid.springs().step_limits())
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
@@ -285,7 +290,8 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
         ++step;
         // The fluid may have gone first; if not, the springs are to blame, or viscosity speaks for itself.
         stop_if_diverged(options.sink, fluid.extremes());
-        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr)
+        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr &&
+            dynamic_cast<const UnsolvedSpecies*>(&error) == nullptr)
             stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
@@ -398,6 +404,10 @@ RunSummary Simulation::State::summary() const {
     summary.state_hash = state_hash(particles, ranks);
     summary.seconds_by_stage = fluid.timer().seconds();
     if (fluid.viscous_solves() != nullptr) summary.viscous_solves = *fluid.viscous_solves();
+    if (const SpeciesTransport* species = fluid.species()) {
+        summary.species = species->balances(particles);
+        summary.species_solves = species->solves();
+    }
     summary.measures = measures.series();
     return summary;
 }

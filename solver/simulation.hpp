@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -68,6 +70,18 @@ struct ViscousSolves {
     }
 };
 
+/// Where a species has come from and gone.
+struct SpeciesBalance {
+    std::string name, unit;    ///< of amounts
+    double start = 0, end = 0;  ///< in all particles that carry it
+    double from_walls = 0;      ///< given off by walls that are held at a concentration or give off a flux
+    /// What is unaccounted for, over the larger of what was there.
+    [[nodiscard]] double residual() const {
+        const double scale = std::max(std::abs(start), std::abs(end));
+        return scale > 0 ? (end - start - from_walls) / scale : 0;
+    }
+};
+
 /// How the ranks shared the work.
 struct RankShares {
     double imbalance = 1;         ///< the busiest rank's load over the mean, at the last list [-]
@@ -101,6 +115,8 @@ struct RunSummary {
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
     ViscousSolves viscous_solves;  ///< none where viscosity is explicit
+    std::vector<SpeciesBalance> species;
+    ViscousSolves species_solves;  ///< none where diffusion is explicit
     long first_step = 0;           ///< that this process made; 0 unless it resumed
     bool interrupted = false;      ///< left before its end
     bool out_of_time = false;      ///< by the wall time's limit

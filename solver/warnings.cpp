@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/output/species_measures.hpp"
+
 namespace dmp {
 
 namespace {
@@ -22,6 +24,7 @@ class Warnings {
         about_fluid_models();
         about_walls();
         about_springs();
+        about_species();
         about_measures();
         about_output();
         return std::move(found_);
@@ -110,6 +113,27 @@ class Warnings {
         if (!springs_ || *accuracy.spring_stepping == SpringStepping::implicit)
             has_no_effect("accuracy.spring_step_factor", accuracy.spring_step_factor,
                           springs_ ? "springs are stepped implicitly" : "no part has springs");
+    }
+
+    void about_species() {
+        const auto& accuracy = scene_.accuracy;
+        if (scene_.species.empty()) {
+            has_no_effect("accuracy.species_stepping", accuracy.species_stepping, "the scene has no [[species]]");
+            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "the scene has no [[species]]");
+        } else if (*accuracy.species_stepping == SpeciesStepping::explicitly) {
+            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "diffusion is stepped explicitly");
+        }
+        const bool measured = std::ranges::any_of(
+            scene_.measures, [](const Measure& measure) { return is_of_species(*measure.kind); });
+        for (const Species& species : scene_.species) {
+            const std::string key = "species." + *species.name;
+            if (!measured && !scene_.asks_for(FluidField::concentration))
+                add(key, species.name.place, "is not shown: 'concentration' is not among output.fields and no measure "
+                    "asks for it", "add it there");
+            if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
+                add(key, species.name.place, "is nowhere: it starts at 0 and no wall gives any of it",
+                    "give a concentration at the start or at a wall");
+        }
     }
 
     void about_measures() {

@@ -56,6 +56,7 @@ void Neighbours::renew(ParticleStore& particles) {
         clusters[kind] = sort_in_space(group, spacing_, threads_);
         halos_[kind].build(group, domain_, reach);
     }
+    if (within_solids_) within_solids_->build(particles, clusters, reach, threads_, Pairs::within_solids);
     list_.build(particles, std::move(clusters), reach, threads_);
     if (ranks_->size() > 1) {
         weights_ = measured_weights(particles);

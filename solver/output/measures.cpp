@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "solver/output/fluid_fields.hpp"
+#include "solver/output/species_measures.hpp"
 
 namespace dmp {
 
@@ -23,6 +24,8 @@ const char* unit_of(FluidField field) {
             return "1/s";
         case FluidField::residence_time:
             return "s";
+        case FluidField::concentration:
+            return "1";
         case FluidField::pressure:
         case FluidField::shear_stress:
         case FluidField::stress:
@@ -53,6 +56,8 @@ std::vector<std::string> column_endings(const Scene& scene, FluidField field, in
             endings.push_back("_" + std::string(tensor_components[c]));
     if (field == FluidField::residence_time && scene.regions.size() > 1)
         for (const ResidenceRegion& region : scene.regions) endings.push_back("_" + *region.name);
+    if (field == FluidField::concentration && scene.species.size() > 1)
+        for (const Species& species : scene.species) endings.push_back("_" + *species.name);
     if (endings.empty()) endings.emplace_back();
     return endings;
 }
@@ -71,6 +76,11 @@ void check_two_bodies(const Measure& measure, const ParticleSet& set) {
                      "leave the measure out, or draw the part as two curves");
 }
 
+/// Units of a probe's columns; of concentrations each species has its own.
+std::string unit_of_column(const Scene& scene, FluidField field, std::size_t column) {
+    return field == FluidField::concentration ? scene.species[column].concentration_unit() : unit_of(field);
+}
+
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (measure.kind.value != MeasureKind::gap) return true;
     const auto parts = scene.parts_of(PartKind::springs);
@@ -82,9 +92,9 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
 
 Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
     : scene_(scene), space_(set), settings_(settings), ranks_(ranks) {
-    const auto column = [&](const std::string& name, const char* unit) {
+    const auto column = [&](const std::string& name, const std::string& unit) {
         series_.names.push_back(name);
-        series_.units.emplace_back(unit);
+        series_.units.push_back(unit);
     };
     for (const Measure& measure : scene.measures) {
         if (!is_about_enabled_parts(scene, measure)) continue;  // the part was left out, and so is what is asked of it
@@ -109,8 +119,12 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
                 column(name, "J");
                 break;
             case MeasureKind::probe:
-                for (const std::string& ending : column_endings(scene, measure.field, set.dimension))
-                    column(name + ending, unit_of(measure.field));
+                for (std::size_t k = 0; const std::string& ending : column_endings(scene, measure.field, set.dimension))
+                    column(name + ending, unit_of_column(scene, measure.field, k++));
+                break;
+            default:
+                for (const auto& [of_species, unit] : SpeciesMeasures(scene, space_, ranks).columns(measure))
+                    column(of_species, unit);
         }
     }
 }
@@ -144,7 +158,12 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
                                      "the probe '" + measure->name.value + "' stands where there is no fluid",
                                      "move its point into the fluid: no particle is within the kernel's support of it");
                 row.insert(row.end(), values.begin(), values.end());
+                break;
             }
+            default:
+                for (const double value : SpeciesMeasures(scene_, space_, ranks_)
+                                              .values(*measure, time, particles, fluid, series_, row.size()))
+                    row.push_back(value);
         }
     }
     series_.time.push_back(time);

@@ -47,6 +47,8 @@ std::uint64_t hash_of(const ParticleGroup& group, const ParticleSpace& space, st
         hash.add(std::bit_cast<std::uint64_t>(space.is_mirrored(axis) && shown != x ? -v : v));
     }
     if (group.has(Field::density)) hash.add(std::bit_cast<std::uint64_t>(group.data(Field::density)[i]));
+    for (int s = 0; group.has(Field::species_amount) && s < group.axes(Field::species_amount); ++s)
+        hash.add(std::bit_cast<std::uint64_t>(group.data(Field::species_amount, s)[i]));
     return hash.stirred();
 }
 

@@ -53,6 +53,10 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     fluid_mass_ = mass.value();
     if (settings.implicit_viscosity)
         viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
+    if (!scene.species.empty()) {
+        species_.emplace(scene, set, particles, settings, rest_density_, ranks);
+        if (species_->conducts_in_solids()) neighbours_.list_within_solids();
+    }
 }
 
 FluidExtremes FluidStep::advance(double t, double dt) {
@@ -71,9 +75,16 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
     walls_.show_velocities(particles_);
-    sweep("density", {Field::velocity}, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
+    FieldList at_rates{Field::velocity};
+    if (species_) {
+        timer_.timed("species", [&] { species_->show(particles_, t + dt / 2); });
+        at_rates.push_back(Field::concentration);
+    }
+    sweep("density", at_rates, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
     });
+    if (species_)
+        timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt)); });
     FluidExtremes extremes;
     timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
     return extremes;
@@ -201,11 +212,14 @@ void FluidStep::drift_to_middle(double dt) {
     neighbours_.moved(std::max(dt / 2 * largest_speed_, walls_.move_to_middle(particles_)));
 }
 
+ShiftStep FluidStep::shift_step(double dt) const {
+    if (settings_.shifting == 0 && !settings_.transport_velocity) return {};
+    return {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+}
+
 FluidExtremes FluidStep::drift_to_end(double dt) {
-    ShiftStep shift;
     const bool transports = settings_.transport_velocity;
-    if (settings_.shifting > 0 || transports)
-        shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+    const ShiftStep shift = shift_step(dt);
     const PassExtremes here = passes_.drift_to_end(particles_, dt / 2, shift);
     std::array<double, 3> largest{here.longest_shift, -here.density_low, here.density_high};
     ranks_.largest(largest);
@@ -224,6 +238,7 @@ void FluidStep::archive(Archive& file) {
     springs_.archive(file);
     if (viscosity_) viscosity_->archive(file);
     walls_.archive(file);
+    if (species_) species_->archive(file);
     if (file.loading()) neighbours_.forget();
 }
 

@@ -11,6 +11,7 @@
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/fluid_passes.hpp"
 #include "solver/time/implicit_viscosity.hpp"
+#include "solver/time/species_transport.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/time/wall_motion.hpp"
@@ -64,6 +65,8 @@ class FluidStep {
     /// Null where viscosity is explicit.
     [[nodiscard]] const ViscousSolves* viscous_solves() const { return viscosity_ ? &viscosity_->solves() : nullptr; }
     [[nodiscard]] const WallMotion& walls() const { return walls_; }
+    /// Null where the scene has no species.
+    [[nodiscard]] const SpeciesTransport* species() const { return species_ ? &*species_ : nullptr; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -77,6 +80,7 @@ class FluidStep {
     void find_densities();
     void find_corrections();
     void advance_springs(double dt);
+    [[nodiscard]] ShiftStep shift_step(double dt) const;
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
@@ -96,6 +100,7 @@ class FluidStep {
     std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;
     WallMotion walls_;
+    std::optional<SpeciesTransport> species_;
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;  ///< the acceleration

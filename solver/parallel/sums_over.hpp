@@ -1,0 +1,32 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "solver/parallel/exact_sum.hpp"
+#include "solver/store/particle_group.hpp"
+
+namespace dmp {
+
+/// Calls visit(i, sums) for the owned particles, and adds up what it adds to `sums` without rounding.
+template <std::size_t Count, class Visit>
+std::array<ExactSum, Count> sums_over(const ParticleGroup& group, int threads, const Visit& visit) {
+    const auto count = static_cast<std::ptrdiff_t>(group.owned());
+    std::array<ExactSum, Count> all;
+#pragma omp parallel num_threads(threads)
+    {
+        std::array<ExactSum, Count> own;
+#pragma omp for schedule(static) nowait
+        for (std::ptrdiff_t i = 0; i < count; ++i) visit(i, own);
+#pragma omp critical(dmp_sums_over)
+        for (std::size_t k = 0; k < Count; ++k) all[k].add(own[k]);
+    }
+    return all;
+}
+
+/// A number that OrderFree can be made for.
+inline double at_least_something(double value) { return std::max(value, 1e-280); }
+
+}  // namespace dmp
