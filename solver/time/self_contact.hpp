@@ -28,8 +28,8 @@ class SelfContact {
   public:
     using Vectors = std::vector<Vector<double, D>>;
 
-    SelfContact(const SpringContact& contact, const Vectors& drawn, double neighbourhood)
-        : contact_(contact), drawn_(drawn), neighbourhood_square_(neighbourhood * neighbourhood) {}
+    SelfContact(const SpringContact& contact, Vectors drawn, double neighbourhood)
+        : contact_(contact), drawn_(std::move(drawn)), neighbourhood_square_(neighbourhood * neighbourhood) {}
 
     /// How near nodes must have been drawn not to repel, for bonds no longer than this: both ends of a bond, and the
     /// corners of a square of bonds.
