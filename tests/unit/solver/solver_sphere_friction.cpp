@@ -41,7 +41,7 @@ struct Ball {
     Sphere& ball() { return few.spheres[0]; }
     void run(double time) {
         few.begin();
-        for (double t = 0; t < time; t += dt) few.step(dt);
+        for (int step = 0; step < time / dt; ++step) few.step(dt);
     }
 };
 
