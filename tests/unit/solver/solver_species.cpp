@@ -107,7 +107,7 @@ TEST(Diffusion, of_a_gaussian_spreads_its_variance) {
     EXPECT_EQ(rows.back()[2], rows.back()[1]);
     EXPECT_EQ(rows.back()[3], rows.front()[3]);
     double highest = 0;
-    for (const float value : testing_solver::field_of(*group_of(frames.frames.back(), "fluid"), "concentration")->values)
+    for (const float value : testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
         highest = std::max<double>(highest, value);
     const double exact_peak = 0.09 / 0.29 * std::exp(-2 * 0.05 * 0.05 / (2 * 0.29));
     EXPECT_NEAR(highest, exact_peak, 0.01 * exact_peak);
@@ -250,7 +250,7 @@ TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     RunOptions options;
     options.sink = &frames;
     const RunSummary run = simulation.run(options);
-    for (const float value : testing_solver::field_of(*group_of(frames.frames.back(), "fluid"), "concentration")->values)
+    for (const float value : testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
         EXPECT_NEAR(value, 0.7F, 1e-7);
     EXPECT_EQ(run.species[0].end, run.species[0].start);
 }

@@ -240,9 +240,9 @@ TEST_P(SpeciesSweepOf, leaves_solids_alone_that_take_no_part) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solver, SpeciesSweepOf,
-                         testing::Combine(testing::Values(2, 3), testing::Bool()), [](const auto& info) {
-                             return (std::get<0>(info.param) == 3 ? std::string("space") : std::string("plane")) +
-                                    (std::get<1>(info.param) ? "_alike" : "");
+                         testing::Combine(testing::Values(2, 3), testing::Bool()), [](const auto& variant) {
+                             return (std::get<0>(variant.param) == 3 ? std::string("space") : std::string("plane")) +
+                                    (std::get<1>(variant.param) ? "_alike" : "");
                          });
 
 }  // namespace
