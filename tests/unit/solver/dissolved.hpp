@@ -62,7 +62,9 @@ inline void make_part(WalledWater& made, const std::string& name, PartKind kind,
 /// A stirred channel with all that species know: a floor that is held, a lid that slides and gives off, a block of solid
 /// and a rod of springs that conduct, unlike liquids, a species that does not diffuse; shifting.
 inline SceneAndParticles stirred_mixture() {
-    WalledWater made(14, 12, {"floor", "lid"}, [](int, int row) { return row < 0 ? 1 : 2; });
+    WalledWater made(14, 12, {"floor", "lid"}, [](int column, int row) {
+        return column < 0 || column >= 14 ? 0 : row < 0 ? 1 : 2;
+    });
     made.make_periodic(0);
     Scene& scene = made.scene;
     made.part(2).surface_velocity = std::array{formula_of("1"), Expression(), Expression()};
