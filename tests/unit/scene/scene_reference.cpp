@@ -82,7 +82,7 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(fault_of("zzz"),
               "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
               "[geometry], [particles], "
-              "[[part]], [flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]");
+              "[[part]], [flow], [contact], [accuracy], [run], [output], [[species]], [[region]], [[measure]]");
 }
 
 TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
