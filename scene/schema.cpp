@@ -218,6 +218,12 @@ std::vector<Key<Output>> output_keys() {
     };
 }
 
+ValueType<double> diffusivity_type() {
+    ValueType<double> type = quantity("1e-9 m^2/s", not_negative);
+    type.description = "a diffusivity such as \"1e-9 m^2/s\", at least 0";
+    return type;
+}
+
 std::vector<Key<Species>> species_keys() {
     const auto concentrations = [](const Species& species) { return by_part(concentration_formula(species.unit)); };
     const auto fluxes = [](const Species& species) { return by_part(flux_formula(species.unit)); };
@@ -225,7 +231,7 @@ std::vector<Key<Species>> species_keys() {
     return {
         {"name", &Species::name, name(), required, "What the species is called."},
         {"unit", &Species::unit, word_of<SpeciesUnit>(), "kg/m^3", "Unit of its concentrations."},
-        {"diffusivity", &Species::diffusivity, by_part(quantity("1e-9 m^2/s", not_negative)), required,
+        {"diffusivity", &Species::diffusivity, by_part(diffusivity_type()), required,
          "Diffusivity in all fluids, or by part; solids in the table conduct, others are closed to the species."},
         {"concentration", {}, &Species::concentration, concentrations, concentration, not_given,
          "Concentration at the start, as a formula of x, y, or by part; where none is given it is 0."},

@@ -54,7 +54,8 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
       ranks_(ranks),
       threads_(settings.threads),
       implicit_(*scene.accuracy.species_stepping == SpeciesStepping::implicitly),
-      tolerance_(scene.accuracy.species_tolerance) {
+      tolerance_(scene.accuracy.species_tolerance),
+      one_density_(std::ranges::all_of(rest_density_, [&](double one) { return one == rest_density_.front(); })) {
     for (const Species& species : given_) {
         CarriedSpecies carried;
         carried.number = static_cast<int>(species_.size());
@@ -79,7 +80,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
         carried.largest_amount = at_least_something(ranks_.largest(carried.largest_amount));
         carried.largest_diffusivity = ranks_.largest(carried.largest_diffusivity);
         // Amounts in whole quanta, as those that are handed over are.
-        const OrderFree whole(carried.largest_amount / 16);
+        const OrderFree whole(carried.largest_amount);
         for (ParticleGroup& group : particles.groups()) {
             if (!group.has(Field::species_amount)) continue;
             double* amount = group.data(Field::species_amount, carried.number);
@@ -186,6 +187,13 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
             double* concentration = group.data(Field::concentration, species.number);
             const double* amount = group.data(Field::species_amount, species.number);
             const auto count = static_cast<std::ptrdiff_t>(group.owned());
+            if (group.kind() == ParticleKind::fluid && one_density_) {
+                const double* mass = group.data(Field::mass);
+                const double density = rest_density_.front();
+#pragma omp parallel for num_threads(threads_) schedule(static)
+                for (std::ptrdiff_t i = 0; i < count; ++i) concentration[i] = amount[i] / (mass[i] / density);
+                continue;
+            }
 #pragma omp parallel for num_threads(threads_) schedule(static)
             for (std::ptrdiff_t i = 0; i < count; ++i)
                 concentration[i] = amount[i] / rest_volume(group, static_cast<std::size_t>(i));
@@ -209,11 +217,13 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
 void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
                                 const ShiftStep& shift) {
     for (const CarriedSpecies& species : species_) {
+        const bool stays = species.largest_diffusivity == 0 && !species.with_rigid && shift.per_sum == 0;
+        if (stays) continue;
         SpeciesSums sums;
         sums.species = sums.array_of_values = sums.array_of_result = species.number;
         sums.adds = true;
         sums.time = dt;
-        sums.largest_term = species.largest_amount / 16;
+        sums.largest_term = species.largest_amount;
         sums.with_rigid = species.with_rigid;
         sums.with_springs = species.with_springs;
         sums.diffusivity = species.diffusivity;
@@ -233,15 +243,15 @@ void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours,
 
 /// Adds to the amounts what particles have taken, less the excess.
 void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& particles) {
-    const OrderFree whole(species.largest_amount / 16);
+    const OrderFree whole(species.largest_amount);
     ParticleGroup& fluid = particles.fluid();
     double* amount = fluid.data(Field::species_amount, species.number);
     double* change = fluid.data(Field::species_change);
-    auto [excess, turnover] = sums_over<2>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+    auto [excess, turnover] = sums_of_multiples<2>(fluid, threads_, [=](std::ptrdiff_t i, auto& sum) {
         // The slope of a steep front may ask for more than there is.
         change[i] = std::max(change[i], -amount[i]);
-        sum[0].add(change[i]);
-        sum[1].add(std::abs(change[i]));
+        sum[0] += change[i];
+        sum[1] += std::abs(change[i]);
     });
     for (ParticleGroup& group : particles.groups()) {
         if (group.kind() == ParticleKind::fluid || !group.has(Field::species_change)) continue;
@@ -256,10 +266,10 @@ void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& p
     double& waiting = excess_[static_cast<std::size_t>(species.number)];
     excess.add(waiting);
     const double share = turnover.value() > 0 ? excess.value() / turnover.value() : 0;
-    auto [given_back] = sums_over<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+    auto [given_back] = sums_of_multiples<1>(fluid, threads_, [=](std::ptrdiff_t i, auto& sum) {
         const double back = whole(std::min(share * std::abs(change[i]), amount[i] + change[i]));
         amount[i] += change[i] - back;
-        sum[0].add(-back);
+        sum[0] -= back;
     });
     ranks_.sum(given_back);
     excess.add(given_back);

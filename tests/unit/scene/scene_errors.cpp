@@ -318,11 +318,12 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a value that is more than 0"},
         Fault{"misspelt_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"presure\"]",
               "scene.toml:35:11: output.fields: found \"presure\", expected one of 'velocity', 'pressure', 'density', "
-              "'shear_stress', 'stress', 'von_mises', 'vorticity' and 'residence_time'\n"
+              "'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and 'concentration'\n"
               "  did you mean \"pressure\"?"},
         Fault{"item_without_brackets", "every = \"20 ms\"", "every = \"20 ms\"\nfields = \"pressure\"",
               "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list out of 'velocity', "
-              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity' and 'residence_time'\n"
+              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and "
+              "'concentration'\n"
               "  put it in brackets: fields = [ ... ]"},
         Fault{"repeated_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"pressure\", \"pressure\"]",
               "scene.toml:35:23: output.fields: \"pressure\" stands twice\n"
@@ -365,7 +366,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:30:2: unknown key 'foo'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
               "[[part]], [[contact_pair]], [box], "
-              "[flow], [contact], [accuracy], [run], [output], [[force]], [[moving_shape]], [[region]], [[measure]]"}}),
+              "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
+              "[[measure]]"}}),
     name_of);
 
 }  // namespace

@@ -62,11 +62,14 @@ inline void make_part(WalledWater& made, const std::string& name, PartKind kind,
 /// A stirred channel with all that species know: a floor that is held, a lid that slides and gives off, a block of solid
 /// and a rod of springs that conduct, unlike liquids, a species that does not diffuse; shifting.
 inline SceneAndParticles stirred_mixture() {
-    WalledWater made(14, 12, {"floor", "lid"}, [](int, int row) { return row < 0 ? 1 : 2; });
+    WalledWater made(14, 12, {"floor", "lid"}, [](int column, int row) {
+        return column < 0 || column >= 14 ? 0 : row < 0 ? 1 : 2;
+    });
     made.make_periodic(0);
     Scene& scene = made.scene;
-    made.part(2).surface_velocity = std::array{formula_of("1"), Expression(), Expression()};
-    scene.flow.acceleration = {formula_of("5 * sin(2 * pi * y / 1.2)"), formula_of("5 * sin(2 * pi * x / 1.4)"), Expression()};
+    made.part(2).surface_velocity = std::array{formula_of("0.5"), Expression(), Expression()};
+    scene.flow.acceleration = {formula_of("0.5 * sin(2 * pi * y / 1.2)"), formula_of("0.5 * sin(2 * pi * x / 1.4)"),
+                               Expression()};
     make_part(made, "block", PartKind::rigid, 0.4, 0.7);
     ParticleSet& set = made.particles;
     for (std::size_t i = 0; i < set.size(); ++i)  // the block does not reach the walls
@@ -103,7 +106,8 @@ inline SceneAndParticles stirred_mixture() {
     scene.measures = {uptake, profile, spread};
     SceneAndParticles mixture{scene, made.particles};
     add_flags(mixture);
-    add_rod(mixture, Vec(1.25, 0.55, 0), 0);
+    add_rod(mixture, Vec(1.2, 0.5, 0), 0);
+    mixture.scene.contact.range = 0.0;
     return mixture;
 }
 
