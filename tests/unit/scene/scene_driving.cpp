@@ -7,7 +7,7 @@ namespace {
 
 using namespace testing_scene;
 
-const std::string driven_scene = good_scene + R"([[force]]
+const std::string driven_scene = good_scene + R"toml([[force]]
 name = "squeeze"
 part = "leaflets"
 force = [0, "-0.008 N * sin(2*pi*t/3 s)"]
@@ -26,7 +26,7 @@ height = "4 mm"
 strength = "2 uN"
 range = "0.2 mm"
 side = "outside"
-)";
+)toml";
 
 std::string driven_with(const std::string& found, const std::string& replacement) {
     std::string text = driven_scene;
