@@ -1,14 +1,13 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/frame_scene.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <limits>
-
-#include <Eigen/Geometry>
 
 #include "base/errors.hpp"
 #include "postproc/axis.hpp"
@@ -41,21 +40,23 @@ Box nothing() {
 
 bool is_empty(const Box& box) { return box.low.x() > box.high.x(); }
 
-/// Grows the box around the group's particles; with a limit, only around those inside it.
-void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr) {
-    if (!group) return;
-    for (std::size_t i = 0; i < group->size(); ++i) {
-        const Vec p = point(group->position, i);
-        if (!is_finite(p) || (limit != nullptr && !contains(*limit, p))) continue;
-        box.low = box.low.cwiseMin(p);
-        box.high = box.high.cwiseMax(p);
-    }
-}
-
 const FrameField* find_field(const FrameGroup& group, const std::string& name) {
     const auto found = std::find_if(group.fields.begin(), group.fields.end(),
                                     [&](const FrameField& field) { return field.name == name; });
     return found == group.fields.end() ? nullptr : &*found;
+}
+
+/// Grows the box around the group's particles, spheres with their radius; with a limit, only around those inside it.
+void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr) {
+    if (!group) return;
+    const FrameField* radius = find_field(*group, "radius");
+    for (std::size_t i = 0; i < group->size(); ++i) {
+        const Vec p = point(group->position, i);
+        if (!is_finite(p) || (limit != nullptr && !contains(*limit, p))) continue;
+        const Vec reach = Vec::Constant(radius != nullptr ? static_cast<double>(radius->values[i]) : 0);
+        box.low = box.low.cwiseMin(p - reach);
+        box.high = box.high.cwiseMax(p + reach);
+    }
 }
 
 /// One number a particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
@@ -143,11 +144,7 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
         throw InputError("'" + folder_.string() + "': no particle of the first frame has a place",
                          "The run diverged at once or the files are broken; run the simulation again.");
     flat_ = area_.extent().z() <= 4 * first.spacing;
-    double reach = std::max(first.spacing, 1e-3 * area_.extent().maxCoeff());
-    if (first.spheres)
-        if (const FrameField* radius = find_field(*first.spheres, "radius"))
-            for (const float r : radius->values) reach = std::max(reach, 1.05 * static_cast<double>(r));
-    const Vec margin = Vec::Constant(reach);
+    const Vec margin = Vec::Constant(std::max(first.spacing, 1e-3 * area_.extent().maxCoeff()));
     area_ = {area_.low - margin, area_.high + margin};
 }
 

@@ -2,9 +2,12 @@
 #include "postproc/particle_view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -14,7 +17,6 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPointGaussianMapper.h>
 #include <vtkPoints.h>
@@ -42,6 +44,24 @@ float disc_distance2 = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);
 if (disc_distance2 > 1.0) { discard; }
 gl_FragDepth = gl_FragCoord.z + 0.02 * disc_distance2;
 )";
+
+/// A sphere's front, seen along parallel rays and lit from the upper left. The radius in pixels is the inverse of how
+/// fast the offset, 1 at the rim, changes.
+std::string sphere_shader(double depth_per_pixel) {
+    std::array<char, 640> text{};
+    std::snprintf(text.data(), text.size(), R"(
+//VTK::Color::Impl
+vec2 sphere_offset = offsetVCVSOutput.xy;
+float sphere_distance2 = dot(sphere_offset, sphere_offset);
+float sphere_pixels = 1.0 / max(length(vec2(dFdx(sphere_offset.x), dFdy(sphere_offset.x))), 1e-6);
+if (sphere_distance2 > 1.0) { discard; }
+float sphere_height = sqrt(1.0 - sphere_distance2);
+gl_FragDepth = gl_FragCoord.z - %.9e * sphere_height * sphere_pixels;
+ambientColor *= 0.4 + 0.6 * max(0.0, dot(vec3(sphere_offset, sphere_height), vec3(-0.35, 0.45, 0.82)));
+)",
+                  depth_per_pixel);
+    return text.data();
+}
 
 /// All at one height, or where they are.
 vtkSmartPointer<vtkPoints> points_at(const std::vector<float>& position, std::optional<float> height) {
@@ -78,7 +98,8 @@ vtkSmartPointer<vtkUnsignedCharArray> colours_of(const ParticleLayer& layer) {
     return colours;
 }
 
-void add_spheres(vtkRenderer* renderer, const ParticleLayer& layer) {
+/// Spheres as discs that bulge: shaded by the way they face, as deep as they are.
+void add_spheres(vtkRenderer* renderer, const ParticleLayer& layer, double depth_per_pixel) {
     vtkNew<vtkFloatArray> radii;
     radii->SetName("radius");
     radii->SetNumberOfTuples(static_cast<vtkIdType>(layer.radii.size()));
@@ -87,16 +108,17 @@ void add_spheres(vtkRenderer* renderer, const ParticleLayer& layer) {
     data->SetPoints(points_at(layer.position, {}));
     data->GetPointData()->SetScalars(colours_of(layer));
     data->GetPointData()->AddArray(radii);
-    vtkNew<vtkOpenGLSphereMapper> mapper;
+    vtkNew<vtkPointGaussianMapper> mapper;
     mapper->SetInputData(data);
-    mapper->SetScaleArray("radius");
     mapper->SetColorModeToDirectScalars();
+    mapper->EmissiveOff();
+    mapper->SetScaleArray("radius");
+    mapper->SetScaleFactor(1);
+    mapper->SetSplatShaderCode(sphere_shader(depth_per_pixel).c_str());
+    mapper->SetTriangleScale(1.0F);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    actor->GetProperty()->SetAmbient(0.25);
-    actor->GetProperty()->SetDiffuse(0.75);
-    actor->GetProperty()->SetSpecular(0.15);
-    actor->GetProperty()->SetSpecularPower(20);
+    set_flat(actor->GetProperty(), colours::white);
     renderer->AddActor(actor);
 }
 
@@ -206,6 +228,8 @@ Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& ar
     const double pixels_per_metre = oversampling * height / area.extent().y();
     const bool in_space = std::ranges::any_of(layers, [](const ParticleLayer& layer) { return !layer.radii.empty(); });
     double bottom = 0, z = 0;
+    if (in_space) std::tie(bottom, z) = depth_of(layers);
+    const double top = in_space ? z : 2 * step * static_cast<double>(layers.size()), depth = top - bottom + 1.5 * step;
     const auto next_height = [&] {
         const double before = std::exchange(z, z + step);
         return in_space ? std::nullopt : std::optional(static_cast<float>(before));
@@ -213,7 +237,7 @@ Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& ar
     for (const ParticleLayer& layer : layers) {
         const auto height_of_discs = next_height();
         if (!layer.radii.empty())
-            add_spheres(renderer, layer);
+            add_spheres(renderer, layer, 1 / (pixels_per_metre * depth));
         else if (!layer.triangles.empty())
             add_triangles(renderer, layer);
         else if (!layer.position.empty())
@@ -221,14 +245,13 @@ Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& ar
         const auto height_of_lines = next_height();
         if (!layer.lines.empty()) add_lines(renderer, layer, height_of_lines, pixels_per_metre);
     }
-    if (in_space) std::tie(bottom, z) = depth_of(layers);
     const Vec centre = (area.low + area.high) / 2;
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(area.extent().y() / 2);
     camera->SetFocalPoint(centre.x(), centre.y(), bottom);
-    camera->SetPosition(centre.x(), centre.y(), z + step);
-    camera->SetClippingRange(step / 2, z - bottom + 2 * step);
+    camera->SetPosition(centre.x(), centre.y(), top + step);
+    camera->SetClippingRange(step / 2, step / 2 + depth);
 
     vtkRenderWindow* window = window_->window;
     window->AddRenderer(renderer);

@@ -24,7 +24,7 @@ struct FrameGroup {
     std::vector<FrameField> fields;
     std::vector<std::int32_t> bond_ends;  ///< two indices into this group a bond
     std::vector<FrameField> bond_fields;
-    std::vector<std::int32_t> triangles;  ///< three indices into this group a triangle: walls of spheres
+    std::vector<std::int32_t> triangles{};  ///< three indices into this group a triangle: walls of spheres
 
     [[nodiscard]] std::size_t size() const { return id.size(); }
     [[nodiscard]] std::size_t bonds() const { return bond_ends.size() / 2; }

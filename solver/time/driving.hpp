@@ -36,6 +36,10 @@ class Driving {
     /// Returns its sum over all ranks' particles [N].
     std::array<double, 3> add_forces(ParticleStore& particles, const Ranks& ranks, double t, int threads);
 
+    /// For particles that are kept elsewhere: their forces by `force`, and the largest acceleration by place among
+    /// them.
+    void take_note(double largest_acceleration) { largest_acceleration_ = largest_acceleration; }
+
     /// Longest step at time t, by the accelerations of then and of the last forces added, and by the shapes' softness,
     /// of particles that see over `length` [m]; infinite where nothing limits it [s].
     [[nodiscard]] double step_limit(double length, double t) const;

@@ -7,7 +7,7 @@ namespace {
 
 using namespace testing_scene;
 
-const std::string driven_scene = good_scene + R"([[force]]
+const std::string driven_scene = good_scene + R"toml([[force]]
 name = "squeeze"
 part = "leaflets"
 force = [0, "-0.008 N * sin(2*pi*t/3 s)"]
@@ -26,7 +26,7 @@ height = "4 mm"
 strength = "2 uN"
 range = "0.2 mm"
 side = "outside"
-)";
+)toml";
 
 std::string driven_with(const std::string& found, const std::string& replacement) {
     std::string text = driven_scene;
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  add 'amount' in [[force]]: one of 'total' and 'per_particle'"},
         Fault{"force_without_unit", "force = [0, \"-0.008 N * sin(2*pi*t/3 s)\"]", "force = [0, -0.008]",
               "scene.toml:49:13: missing unit: force = -0.008, expected a force such as \"1 mN\"\n"
-              "  write force = \"1 mN\", with the unit you mean"},
+              "  write force = \"-0.008 mN\", with the unit you mean"},
         Fault{"force_on_nobody", "part = \"leaflets\"\nforce", "part = \"leaflet\"\nforce",
               "scene.toml:48:8: the scene has no part 'leaflet'\n  did you mean 'leaflets'?"},
         Fault{"force_on_a_wall", "part = \"leaflets\"\nforce", "part = \"wall\"\nforce",
@@ -113,6 +113,16 @@ TEST(WrongDriving, names_that_stand_twice) {
                                            driven_scene.find("[[moving_shape]]") - driven_scene.find("[[force]]"))),
               "scene.toml:66:8: there is already a force called 'squeeze', at scene.toml:47:8\n"
               "  give each force its own name");
+}
+
+TEST(WrongDriving, of_spheres) {
+    const std::string spheres =
+        "schema = 1\ndimension = 3\n[[part]]\nname = \"beads\"\nkind = \"spheres\"\nradius = \"1 mm\"\nmass = \"1 g\"\n"
+        "youngs_modulus = \"1 GPa\"\npoisson_ratio = 0\ncentres = [[0, 0, 0]]\n[run]\nduration = \"1 s\"\n[output]\n"
+        "every = \"1 s\"\n[[force]]\nname = \"push\"\npart = \"beads\"\nforce = [\"1 N\"]\namount = \"total\"\n";
+    EXPECT_EQ(fault_of(spheres),
+              "scene.toml:17:8: part 'beads' is of spheres, which feel body accelerations alone for now\n"
+              "  give [flow] an acceleration");
 }
 
 TEST(WrongDriving, across_a_plane_of_symmetry) {

@@ -63,7 +63,8 @@ TEST(ForceOnPart, acts_while_its_schedule_lasts) {
     EXPECT_LT(summary.momentum_residual, 1e-12);
 }
 
-TEST(ForceOnPart, accelerates_a_free_leaflet_and_leaves_the_water_alone) {
+/// Two rods of two nodes of 10 kg, and nothing else.
+SceneAndParticles two_rods() {
     SceneAndParticles made = endless_water();
     made.particles = ParticleSet{};
     made.particles.spacing = 0.1;
@@ -73,6 +74,11 @@ TEST(ForceOnPart, accelerates_a_free_leaflet_and_leaves_the_water_alone) {
     testing_solver::add_flags(made);
     testing_solver::add_rod(made, Vec(0.4, 0.4, 0), 0);
     testing_solver::add_rod(made, Vec(0.6, 0.4, 0), 1);
+    return made;
+}
+
+TEST(ForceOnPart, accelerates_free_leaflets) {
+    SceneAndParticles made = two_rods();
     made.scene.forces = {force_on("flags", "8", "-4", ForceAmount::total)};  // on 4 nodes of 10 kg
     const RunSummary summary = run(made);
     EXPECT_NEAR(summary.end.momentum[0], 8, 8e-12);
@@ -97,9 +103,7 @@ TEST(ForceOnPart, limits_the_step_by_its_acceleration) {
 }
 
 TEST(MovingShape, gives_its_impulse_to_the_account_of_a_run) {
-    SceneAndParticles made = endless_water();
-    testing_solver::add_flags(made);
-    testing_solver::add_rod(made, Vec(0.42, 0.42, 0), 0);
+    SceneAndParticles made = two_rods();
     MovingShape shape = bead_in_a_parabola().scene.moving_shapes[0];
     shape.parts = std::vector<std::string>{"flags"};
     shape.kind = ShapeKind::circle;
