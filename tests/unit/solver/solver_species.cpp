@@ -282,6 +282,19 @@ TEST(Species, go_on_from_a_checkpoint_to_the_same_bits) {
     }
 }
 
+TEST(Species, refuse_a_start_that_is_no_concentration) {
+    WalledWater made = strip(10);
+    made.scene.species = {species_of("drug", 1, "x - 0.3")};
+    try {
+        (void)Simulation(made.scene, made.particles, 1);
+        FAIL() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where().text(), "scene.toml:7:3");
+        EXPECT_NE(error.problem().find("species 'drug': concentration is -0.25 at x = 0.05"), std::string::npos)
+            << error.problem();
+    }
+}
+
 TEST(Species, cost_nothing_where_there_are_none) {
     testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
     const Plan with = Simulation(made.scene, made.particles, 1).plan();
