@@ -320,7 +320,8 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean \"pressure\"?"},
         Fault{"item_without_brackets", "every = \"20 ms\"", "every = \"20 ms\"\nfields = \"pressure\"",
               "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list out of 'velocity', "
-              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and 'concentration'\n"
+              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and "
+              "'concentration'\n"
               "  put it in brackets: fields = [ ... ]"},
         Fault{"repeated_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"pressure\", \"pressure\"]",
               "scene.toml:35:23: output.fields: \"pressure\" stands twice\n"

@@ -44,7 +44,8 @@ TEST(Species, are_read_with_their_units) {
 }
 
 TEST(Species, may_be_counted_in_moles_or_in_nothing) {
-    std::string text = with_drug("concentration = \"1 mg/ml * x / 1 mm\"", "unit = \"mol/m^3\"\nconcentration = \"3 mM\"");
+    std::string text =
+        with_drug("concentration = \"1 mg/ml * x / 1 mm\"", "unit = \"mol/m^3\"\nconcentration = \"3 mM\"");
     EXPECT_EQ(fault_of(text),
               "scene.toml:40:20: unknown unit 'mM' after 3 in \"3 mM\"\n"
               "  did you mean 'mm'?");
@@ -72,7 +73,8 @@ concentration = 0.25
 }
 
 TEST(Species, can_be_set_from_the_command_line) {
-    const Scene scene = read_text(with_drug(), {"species.drug.diffusivity=3e-9 m^2/s", "accuracy.species_stepping=implicit"});
+    const Scene scene =
+        read_text(with_drug(), {"species.drug.diffusivity=3e-9 m^2/s", "accuracy.species_stepping=implicit"});
     EXPECT_EQ(**scene.species[0].diffusivity_in(scene.parts[0]), 3e-9);
     EXPECT_EQ(*scene.accuracy.species_stepping, SpeciesStepping::implicitly);
 }
@@ -101,10 +103,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"start_in_time", "* x / 1 mm", "* t / 1 s",
               "scene.toml:39:17: species 'drug', concentration depends on t: \"1 mg/ml * t / 1 s\"\n"
               "  write a formula of x, y and z; a start has no time"},
-        Fault{"start_of_another_dimension", "1 mg/ml", "1 mol/l",
-              "scene.toml:39:18: species.drug.concentration: found \"1 mol/l * x / 1 mm\" (mol/m^3), expected a density "
-              "such as \"1 kg/m^3\"\n"
-              "  check the units of its factors: the whole formula must be a density"},
+        Fault{
+            "start_of_another_dimension", "1 mg/ml", "1 mol/l",
+            "scene.toml:39:18: species.drug.concentration: found \"1 mol/l * x / 1 mm\" (mol/m^3), expected a density "
+            "such as \"1 kg/m^3\"\n"
+            "  check the units of its factors: the whole formula must be a density"},
         Fault{"start_in_what_is_closed", "\"1 mg/ml * x / 1 mm\"", "{ wall = \"1 kg/m^3\" }",
               "scene.toml:39:19: species 'drug', concentration: the part 'wall' of kind 'rigid' holds nothing of the "
               "species, as it has no diffusivity\n"
@@ -137,7 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:44:8: measure 'm' has one corner of a box\n"
               "  give both from and to, or neither"},
         Fault{"empty_box", "[[measure]]",
-              "[[measure]]\nname = \"m\"\nkind = \"spread\"\naxis = \"x\"\nfrom = [0, 0]\nto = [0, \"1 mm\"]\n[[measure]]",
+              "[[measure]]\nname = \"m\"\nkind = \"spread\"\naxis = \"x\"\nfrom = [0, 0]\nto = [0, \"1 "
+              "mm\"]\n[[measure]]",
               "scene.toml:46:6: the corners of measure 'm' have the same x: there is nothing between them\n"
               "  give two opposite corners of a box"},
         Fault{"profile_out_of_the_plane", "[[measure]]",

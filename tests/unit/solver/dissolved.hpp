@@ -94,6 +94,7 @@ inline SceneAndParticles stirred_mixture() {
     profile.bins = 5;
     Measure spread = profile;
     spread.name = std::string("spread");
+    spread.species = std::string("drug");
     spread.kind = MeasureKind::spread;
     scene.measures = {uptake, profile, spread};
     SceneAndParticles mixture{scene, made.particles};
