@@ -6,6 +6,7 @@
 #include <functional>
 #include <sstream>
 
+#include "particles/periodic_images.hpp"
 #include "solver/parallel/sums_over.hpp"
 #include "solver/sweeps/order_free.hpp"
 #include "solver/time/species_system.hpp"
@@ -180,6 +181,7 @@ bool SpeciesTransport::is_wall(const ParticleGroup& group, std::size_t i, std::s
 }
 
 void SpeciesTransport::show(ParticleStore& particles, double t) const {
+    const ParticleSpace& space = particles.space();
     for (const CarriedSpecies& species : species_) {
         for (ParticleGroup& group : particles.groups()) {
             if (!group.has(Field::concentration)) continue;
@@ -205,8 +207,11 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
             for (std::size_t i = 0; i < rigid.owned(); ++i) {
                 if (rigid.tags()[i].part != wall.part) continue;
                 std::array<double, 3> x{};
-                for (int axis = 0; by_place && axis < rigid.dimension(); ++axis)
-                    x[axis] = rigid.data(Field::position, axis)[i];
+                for (int axis = 0; by_place && axis < rigid.dimension(); ++axis) {
+                    const double at = rigid.data(Field::position, axis)[i];
+                    // Wherever it was wrapped last.
+                    x[axis] = space.periodic[axis] ? wrapped(at, space.box.low[axis], space.box.high[axis]) : at;
+                }
                 concentration[i] = by_place ? wall.value(t, x[0], x[1], x[2]) : everywhere;
             }
         }
