@@ -175,12 +175,15 @@ const Words<MeasureKind>& words_of() {
 
 template <>
 const Words<FluidField>& words_of() {
-    static const Words<FluidField> words = {
-        {FluidField::velocity, "velocity"},   {FluidField::pressure, "pressure"},
-        {FluidField::density, "density"},     {FluidField::shear_stress, "shear_stress"},
-        {FluidField::stress, "stress"},       {FluidField::von_mises, "von_mises"},
-        {FluidField::vorticity, "vorticity"}, {FluidField::residence_time, "residence_time"},
-        {FluidField::concentration, "concentration"}};
+    static const Words<FluidField> words = {{FluidField::velocity, "velocity"},
+                                            {FluidField::pressure, "pressure"},
+                                            {FluidField::density, "density"},
+                                            {FluidField::shear_stress, "shear_stress"},
+                                            {FluidField::stress, "stress"},
+                                            {FluidField::von_mises, "von_mises"},
+                                            {FluidField::vorticity, "vorticity"},
+                                            {FluidField::residence_time, "residence_time"},
+                                            {FluidField::concentration, "concentration"}};
     return words;
 }
 

@@ -135,11 +135,11 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
     if (!species.wall_concentration.parts.contains(*measure.part)) {
         std::vector<std::string> held;
         for (const auto& [name, value] : species.wall_concentration.parts) held.push_back(name);
-        throw InputError(measure.part.place,
-                         "measure '" + *measure.name + "': '" + *measure.part + "' is no wall that " + named(species) +
-                             " is held at a concentration at",
-                         held.empty() ? "add the part to the species' wall_concentration"
-                                      : "such walls are " + quoted_list(held));
+        throw InputError(
+            measure.part.place,
+            "measure '" + *measure.name + "': '" + *measure.part + "' is no wall that " + named(species) +
+                " is held at a concentration at",
+            held.empty() ? "add the part to the species' wall_concentration" : "such walls are " + quoted_list(held));
     }
     if (measure.length.given() != measure.area.given())
         throw InputError(measure.length.given() ? measure.length.place : measure.area.place,
@@ -150,8 +150,11 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
 void check_species_measure(const Scene& scene, const Measure& measure) {
     using enum MeasureKind;
     if (*measure.kind == probe && *measure.field == FluidField::concentration && scene.species.empty())
-        throw InputError(measure.field.place, "the probe '" + *measure.name + "' reads a concentration, and the scene "
-                         "has no species", "add a [[species]], or read another field");
+        throw InputError(measure.field.place,
+                         "the probe '" + *measure.name +
+                             "' reads a concentration, and the scene "
+                             "has no species",
+                         "add a [[species]], or read another field");
     if (!is_about_species(*measure.kind)) return;
     need_species(scene, measure);
     if (*measure.kind == wall_flux) check_wall_flux(scene, measure);
@@ -168,8 +171,7 @@ void check_output(const Scene& scene) {
         throw InputError(place_in(scene, scene.output.picture_field.place),
                          "output.picture_field = \"concentration\": there are several species, and one array for each",
                          "leave one [[species]], or picture another field");
-    const bool listed =
-        std::ranges::find(scene.output.fields, FluidField::concentration) != scene.output.fields.end();
+    const bool listed = std::ranges::find(scene.output.fields, FluidField::concentration) != scene.output.fields.end();
     if (scene.species.empty() && (pictured || listed))
         throw InputError(place_in(scene, scene.output.picture_field.place),
                          "'concentration' is asked for, and the scene has no species",

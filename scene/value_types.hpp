@@ -132,8 +132,8 @@ ValueType<ByPart<T>> by_part(const ValueType<T>& one) {
                 if (value.all) return one.write(**value.all);
                 std::string table;
                 for (const auto& [part, of_part] : value.parts)
-                    table += (table.empty() ? " " : ", ") + detail::bare_key_or_quoted(part) + " = " +
-                             one.write(*of_part);
+                    table +=
+                        (table.empty() ? " " : ", ") + detail::bare_key_or_quoted(part) + " = " + one.write(*of_part);
                 return "{" + table + (table.empty() ? "}" : " }");
             }};
 }

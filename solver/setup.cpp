@@ -207,7 +207,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.implicit_species = *scene.accuracy.species_stepping == SpeciesStepping::implicitly;
     for (const Species& species : scene.species)
         for (const Part& part : scene.parts)
-            if (const Value<double>* diffusivity = species.diffusivity_in(part); diffusivity != nullptr && *part.enabled)
+            if (const Value<double>* diffusivity = species.diffusivity_in(part);
+                diffusivity != nullptr && *part.enabled)
                 scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
         const double lightest = *std::min_element(set.mass.begin(), set.mass.end());

@@ -72,7 +72,7 @@ struct ViscousSolves {
 
 /// Where a species has come from and gone.
 struct SpeciesBalance {
-    std::string name, unit;    ///< of amounts
+    std::string name, unit;     ///< of amounts
     double start = 0, end = 0;  ///< in all particles that carry it
     double from_walls = 0;      ///< given off by walls that are held at a concentration or give off a flux
     /// What is unaccounted for, over the larger of what was there.

@@ -123,13 +123,15 @@ class Warnings {
         } else if (*accuracy.species_stepping == SpeciesStepping::explicitly) {
             has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "diffusion is stepped explicitly");
         }
-        const bool measured = std::ranges::any_of(
-            scene_.measures, [](const Measure& measure) { return is_of_species(*measure.kind); });
+        const bool measured =
+            std::ranges::any_of(scene_.measures, [](const Measure& measure) { return is_of_species(*measure.kind); });
         for (const Species& species : scene_.species) {
             const std::string key = "species." + *species.name;
             if (!measured && !scene_.asks_for(FluidField::concentration))
-                add(key, species.name.place, "is not shown: 'concentration' is not among output.fields and no measure "
-                    "asks for it", "add it there");
+                add(key, species.name.place,
+                    "is not shown: 'concentration' is not among output.fields and no measure "
+                    "asks for it",
+                    "add it there");
             if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
                 add(key, species.name.place, "is nowhere: it starts at 0 and no wall gives any of it",
                     "give a concentration at the start or at a wall");

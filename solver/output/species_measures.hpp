@@ -17,12 +17,15 @@ bool is_of_species(MeasureKind kind);
 /// Measures of a species. Means are over the fluid's volume at rest, in the measure's box or everywhere.
 ///   amount              in all particles that carry the species
 ///   mean_concentration  SUM w / SUM V
-///   profile             the same in each of `bins` equal parts along the axis, a column each, numbered from the low end;
+///   profile             the same in each of `bins` equal parts along the axis, a column each, numbered from the low
+///   end;
 ///                       no number where there is no fluid
-///   spread              variance of the place along the axis, weighted with the amounts [m^2]; NAME_diffusivity, half of
+///   spread              variance of the place along the axis, weighted with the amounts [m^2]; NAME_diffusivity, half
+///   of
 ///                       its slope by least squares over all rows so far, the effective diffusivity [m^2/s]; and
 ///                       NAME_sherwood, that over the species' own diffusivity in the scene's first fluid
-///   wall_flux           what a wall took since the last row, over the time [1/s]; NAME_total, what it has taken in all;
+///   wall_flux           what a wall took since the last row, over the time [1/s]; NAME_total, what it has taken in
+///   all;
 ///                       with length L and area A, NAME_sherwood = J L / (A D (c - c_w)), c the fluid's mean
 ///                       concentration, c_w the wall's, D as above
 ///   peclet              U L / D, U the fluid's largest speed, D as above

@@ -69,13 +69,13 @@ struct SpeciesSums {
     int array_of_values = 0;
     Field result = Field::species_amount;
     int array_of_result = 0;
-    bool adds = false;                               ///< to what the result field has
-    double time = 1;                                 ///< during which amounts are taken [s]
-    double largest_term = 0;                         ///< of one pair; sums stay exact up to 128 times that
-    bool with_rigid = false, with_springs = false;   ///< some of these particles take part
-    double shift_per_sum = 0;                        ///< displacement for a unit of Field::shift [m^2]; 0: none
-    double longest_shift = 0;                        ///< [m]
-    double diffusivity = -1;                         ///< of all fluid particles [m^2/s]; negative: by particle
+    bool adds = false;                              ///< to what the result field has
+    double time = 1;                                ///< during which amounts are taken [s]
+    double largest_term = 0;                        ///< of one pair; sums stay exact up to 128 times that
+    bool with_rigid = false, with_springs = false;  ///< some of these particles take part
+    double shift_per_sum = 0;                       ///< displacement for a unit of Field::shift [m^2]; 0: none
+    double longest_shift = 0;                       ///< [m]
+    double diffusivity = -1;                        ///< of all fluid particles [m^2/s]; negative: by particle
 };
 
 /// The sweeps over all pairs that one step makes: two, and one more for each that a scene asks for. Each sweep visits

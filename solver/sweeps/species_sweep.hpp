@@ -44,8 +44,8 @@ class SpeciesReader {
         if constexpr (kind == ParticleKind::rigid) {
             using std::max;
             const T wall = load<L>(wall_, at);
-            return SpeciesWallPoint<T, D>{
-                point, load_vector<L, D>(normal_, at), load<L>(depth_, at), max(wall, T(0.0)), max(-wall, T(0.0))};
+            return SpeciesWallPoint<T, D>{point, load_vector<L, D>(normal_, at), load<L>(depth_, at), max(wall, T(0.0)),
+                                          max(-wall, T(0.0))};
         } else {
             return point;
         }
@@ -142,8 +142,8 @@ class SpeciesSweep {
     template <class I>
     [[nodiscard]] L with_shift(const Neighbourhood& near, const I& i, std::span<const std::int32_t> others,
                                const SpeciesReader<L, D, ParticleKind::fluid>& reader) const {
-        Vector<L, D> shift = L(sums_.shift_per_sum) *
-                             load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster);
+        Vector<L, D> shift =
+            L(sums_.shift_per_sum) * load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster);
         constexpr double smallest = 1e-300;
         const L length = sqrt(dot(shift, shift) + smallest);
         shift = min(L(1.0), sums_.longest_shift / length) * shift;

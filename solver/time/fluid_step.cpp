@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particles/periodic_images.hpp"
+
 namespace dmp {
 
 namespace {
@@ -182,6 +184,11 @@ void FluidStep::kick(double t, double dt) {
     add_impulses(dt, g);
 }
 
+double FluidStep::place_in_box(double x, int axis) const {
+    const ParticleSpace& space = particles_.space();
+    return space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : space.mirrored_back(x, axis);
+}
+
 void FluidStep::kick_by_place(double t, double dt) {
     ParticleGroup& fluid = particles_.fluid();
     const double* mass = fluid.data(Field::mass);
@@ -193,8 +200,8 @@ void FluidStep::kick_by_place(double t, double dt) {
             std::array<double, 3> p{};
             // Beyond a plane of symmetry the image is driven.
             const double x = fluid.data(Field::position, axis)[i];
-            for (int a = 0; a < particles_.dimension(); ++a)
-                p[a] = particles_.space().mirrored_back(fluid.data(Field::position, a)[i], a);
+            // Wherever it was wrapped last, a formula has the place in the box.
+            for (int a = 0; a < particles_.dimension(); ++a) p[a] = place_in_box(fluid.data(Field::position, a)[i], a);
             const double sign = particles_.space().is_mirrored(axis) && p[axis] != x ? -1 : 1;
             const double local = sign * acceleration_[axis](t, p[0], p[1], p[2]);
             v[i] += dt * local;

@@ -86,6 +86,8 @@ class FluidStep {
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
+    /// A coordinate as formulas have it: wrapped, mirrored back.
+    [[nodiscard]] double place_in_box(double x, int axis) const;
     void add_viscous_forces(double t, double dt);
     void drive(double t, double dt);
     void drift_to_middle(double dt);

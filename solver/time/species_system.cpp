@@ -74,8 +74,7 @@ void SpeciesSystem::for_each_unknown(const Visit& visit) {
         const auto count = static_cast<std::ptrdiff_t>(group->owned());
 #pragma omp parallel for num_threads(on_.threads) schedule(static)
         for (std::ptrdiff_t i = 0; i < count; ++i)
-            if (is_fluid || a.diffusivity[i] != 0)
-                visit(a, i, on_.rest_volume(*group, static_cast<std::size_t>(i)));
+            if (is_fluid || a.diffusivity[i] != 0) visit(a, i, on_.rest_volume(*group, static_cast<std::size_t>(i)));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <sstream>
 
+#include "particles/periodic_images.hpp"
 #include "solver/parallel/sums_over.hpp"
 #include "solver/sweeps/order_free.hpp"
 #include "solver/time/species_system.hpp"
@@ -31,8 +32,8 @@ double concentration_at(const std::string& of, const Value<Expression>& formula,
     const double value = (*formula)(t, at[0], at[1], at[2]);
     if (value >= 0 && std::isfinite(value)) return value;
     std::ostringstream problem;
-    problem << of << " is " << value << " at x = " << at[0] << ", y = " << at[1] << ", z = " << at[2]
-            << " m, t = " << t << " s; a concentration is a number and not negative";
+    problem << of << " is " << value << " at x = " << at[0] << ", y = " << at[1] << ", z = " << at[2] << " m, t = " << t
+            << " s; a concentration is a number and not negative";
     throw InputError(formula.place, problem.str(), "correct the formula");
 }
 
@@ -40,8 +41,8 @@ double concentration_at(const std::string& of, const Value<Expression>& formula,
 double common_diffusivity(const Scene& scene, const Species& species) {
     const auto fluids = scene.parts_of(PartKind::fluid);
     const double first = **species.diffusivity.of(*fluids.front()->name);
-    const bool alike = std::ranges::all_of(
-        fluids, [&](const Part* part) { return **species.diffusivity.of(*part->name) == first; });
+    const bool alike =
+        std::ranges::all_of(fluids, [&](const Part* part) { return **species.diffusivity.of(*part->name) == first; });
     return alike ? first : -1;
 }
 
@@ -102,15 +103,15 @@ void SpeciesTransport::declare(const Scene& scene, ParticleStore& particles) {
         if (!is_fluid && !any(is_rigid ? &CarriedSpecies::with_rigid : &CarriedSpecies::with_springs)) continue;
         group.declare(Field::species_amount, count);
         group.declare(Field::concentration, count);
-        const bool alike = std::ranges::all_of(
-            species_, [](const CarriedSpecies& one) { return one.diffusivity >= 0; });
+        const bool alike =
+            std::ranges::all_of(species_, [](const CarriedSpecies& one) { return one.diffusivity >= 0; });
         const bool solids = any(&CarriedSpecies::with_rigid) || any(&CarriedSpecies::with_springs);
         if (!is_fluid || solids || !alike) group.declare(Field::species_diffusivity, count);
         if (is_rigid) group.declare(Field::species_wall, count);
         if (*scene.accuracy.shifting > 0 || *scene.accuracy.transport_velocity) group.declare({Field::species_change});
         if (*scene.accuracy.species_stepping == SpeciesStepping::implicitly)
-            group.declare({Field::species_change, Field::species_residual, Field::species_direction,
-                           Field::species_diagonal});
+            group.declare(
+                {Field::species_change, Field::species_residual, Field::species_direction, Field::species_diagonal});
     }
 }
 
@@ -130,8 +131,7 @@ void SpeciesTransport::fill(const Species& species, const ParticleSet& set, cons
                 group.data(Field::species_diffusivity, carried.number)[i] = **diffusivity;
             const Value<Expression>* formula = species.concentration.of(*part.name);
             if (formula == nullptr) continue;
-            const double start =
-                concentration_at(what, *formula, 0, set.position[static_cast<std::size_t>(tag.id)]);
+            const double start = concentration_at(what, *formula, 0, set.position[static_cast<std::size_t>(tag.id)]);
             const double amount = start * rest_volume(group, i);
             group.data(Field::species_amount, carried.number)[i] = amount;
             carried.largest_amount = std::max(carried.largest_amount, amount);
@@ -157,10 +157,10 @@ void SpeciesTransport::fill_walls(const Scene& scene, const Species& species, co
                     const double t = scene.run.duration * k / times;
                     const double volume = rigid.data(Field::volume)[i];
                     const double amount =
-                        held ? concentration_at("species '" + *species.name + "': wall_concentration", *formula, t, at) *
-                                   volume
-                             : std::abs((**formula)(t, at[0], at[1], at[2])) * volume / set.spacing *
-                                   scene.run.duration;
+                        held
+                            ? concentration_at("species '" + *species.name + "': wall_concentration", *formula, t, at) *
+                                  volume
+                            : std::abs((**formula)(t, at[0], at[1], at[2])) * volume / set.spacing * scene.run.duration;
                     carried.largest_amount = std::max(carried.largest_amount, amount);
                 }
             }
@@ -181,6 +181,7 @@ bool SpeciesTransport::is_wall(const ParticleGroup& group, std::size_t i, std::s
 }
 
 void SpeciesTransport::show(ParticleStore& particles, double t) const {
+    const ParticleSpace& space = particles.space();
     for (const CarriedSpecies& species : species_) {
         for (ParticleGroup& group : particles.groups()) {
             if (!group.has(Field::concentration)) continue;
@@ -206,8 +207,11 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
             for (std::size_t i = 0; i < rigid.owned(); ++i) {
                 if (rigid.tags()[i].part != wall.part) continue;
                 std::array<double, 3> x{};
-                for (int axis = 0; by_place && axis < rigid.dimension(); ++axis)
-                    x[axis] = rigid.data(Field::position, axis)[i];
+                for (int axis = 0; by_place && axis < rigid.dimension(); ++axis) {
+                    const double at = rigid.data(Field::position, axis)[i];
+                    // Wherever it was wrapped last.
+                    x[axis] = space.periodic[axis] ? wrapped(at, space.box.low[axis], space.box.high[axis]) : at;
+                }
                 concentration[i] = by_place ? wall.value(t, x[0], x[1], x[2]) : everywhere;
             }
         }
@@ -215,7 +219,7 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
 }
 
 void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
-                                const ShiftStep& shift) {
+                               const ShiftStep& shift) {
     for (const CarriedSpecies& species : species_) {
         const bool stays = species.largest_diffusivity == 0 && !species.with_rigid && shift.per_sum == 0;
         if (stays) continue;

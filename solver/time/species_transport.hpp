@@ -99,7 +99,7 @@ class SpeciesTransport {
     int threads_;
     bool implicit_, conducts_in_solids_ = false;
     double tolerance_;
-    bool one_density_;  ///< of all liquids
+    bool one_density_;              ///< of all liquids
     double largest_volume_ = 0;     ///< of a particle, with room for its being stretched [m^3]
     std::vector<double> at_start_;  ///< amounts by species
     std::vector<double> excess_;    ///< by species: what shifting has made and was too little to be given back

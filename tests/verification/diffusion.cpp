@@ -52,12 +52,11 @@ TEST_P(Diffusion, AcrossAJump) {
     const auto [ratio, t, rms_bound, worst_bound] = GetParam();
     const double felt = air / ratio;
     LastFrame last;
-    const RunSummary run = run_case("verification/diffusion",
-                                    {"accuracy.kernel=lucy",
-                                     "geometry.parameters={ lower = \"120 mm\", upper = \"120 mm\", length = \"8 mm\" }",
-                                     "species.vapour.diffusivity={ air = \"20 mm^2/s\", felt = \"" +
-                                     std::to_string(20 / ratio) + " mm^2/s\" }"},
-                                    t, &last);
+    const RunSummary run = run_case(
+        "verification/diffusion",
+        {"accuracy.kernel=lucy", "geometry.parameters={ lower = \"120 mm\", upper = \"120 mm\", length = \"8 mm\" }",
+         "species.vapour.diffusivity={ air = \"20 mm^2/s\", felt = \"" + std::to_string(20 / ratio) + " mm^2/s\" }"},
+        t, &last);
     const double exact_face = std::sqrt(air) / (std::sqrt(air) + std::sqrt(felt));
     const auto [rms, worst] = errors(last.frame, [&](double height) {
         const double y = height - face;
@@ -72,7 +71,7 @@ TEST_P(Diffusion, AcrossAJump) {
     record.at_most("change of the amount, over the amount", run.species.at(0).residual(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Species, Diffusion, 
+INSTANTIATE_TEST_SUITE_P(Species, Diffusion,
                          testing::Values(Jump{1, 3, 6.2e-5, 2e-4}, Jump{10, 30, 6.2e-4, 3.8e-3},
                                          Jump{100, 3, 0.02, 0.15}));
 
@@ -97,7 +96,8 @@ void expect_slab(const std::string& setting, const std::vector<std::string>& mor
     const RunSummary run = run_case("verification/diffusion", overrides, 20, &late);
     Record record("diffusion", setting, run);
     record.at_most("concentration at D t / h^2 = 0.05, largest error",
-                   errors(early.frame, [=](double y) { return slab(y / height, air / (height * height)); }).second, bound);
+                   errors(early.frame, [=](double y) { return slab(y / height, air / (height * height)); }).second,
+                   bound);
     record.at_most("concentration at D t / h^2 = 1, largest error",
                    errors(late.frame, [=](double y) { return slab(y / height, 20 * air / (height * height)); }).second,
                    bound);

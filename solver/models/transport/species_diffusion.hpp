@@ -49,11 +49,11 @@ struct SpeciesDiffusion {
         return conductance(i, j) * (i.concentration - j.concentration) + given(i, j);
     }
 
-    /// What i takes from j, over the kernel's slope, while `time` passes and shifting moves i by `shift` relative to the
-    /// fluid, which stays where it is and with it what is dissolved: c(x + d) = c + d . grad c + (d . grad)^2 c / 2, the
-    /// gradient as SUM_j V_j (c_j - c_i) grad_i W_ij (Xu, Stansby & Laurence 2009 for velocities), the second order as
-    /// diffusion by d^2 / 2, with which an explicit step stays stable (Lax & Wendroff 1960).
-    /// Not antisymmetric: what it makes or takes in all has to be given back (SpeciesTransport).
+    /// What i takes from j, over the kernel's slope, while `time` passes and shifting moves i by `shift` relative to
+    /// the fluid, which stays where it is and with it what is dissolved: c(x + d) = c + d . grad c + (d . grad)^2 c /
+    /// 2, the gradient as SUM_j V_j (c_j - c_i) grad_i W_ij (Xu, Stansby & Laurence 2009 for velocities), the second
+    /// order as diffusion by d^2 / 2, with which an explicit step stays stable (Lax & Wendroff 1960). Not
+    /// antisymmetric: what it makes or takes in all has to be given back (SpeciesTransport).
     template <class I, class J, class Time, class Shift>
     [[nodiscard]] auto law_with_shift(const I& i, const J& j, const Time& time, const Shift& shift) const {
         const auto spreading = dot(shift, shift) - dot(shift, i.position - j.position);
@@ -62,11 +62,13 @@ struct SpeciesDiffusion {
 
   private:
     template <class P>
-    static constexpr bool is_wall = requires(const P& p) { p.held; };
+    static constexpr bool is_wall = requires(const P& p) {
+        p.held;
+    };
 
     /// A held surface lies between the particle and the wall's: the concentration there is on the straight line through
-    /// the particle's and the surface's, c_j = c_w - (d_j / d_i) (c_i - c_w), d the distances to the surface (as Morris,
-    /// Fox & Zhu 1997, section 2.6, for velocities), so that c_i - c_j = (1 + d_j / d_i) (c_i - c_w).
+    /// the particle's and the surface's, c_j = c_w - (d_j / d_i) (c_i - c_w), d the distances to the surface (as
+    /// Morris, Fox & Zhu 1997, section 2.6, for velocities), so that c_i - c_j = (1 + d_j / d_i) (c_i - c_w).
     template <class I, class J>
     [[nodiscard]] auto surface(const I& i, const J& j) const {
         using T = decltype(i.volume * j.volume);
@@ -90,11 +92,11 @@ struct SpeciesDiffusion {
         using T = decltype(i.volume * j.volume);
         T sum = T(0.0);
         if constexpr (is_wall<J> && !is_wall<I>)
-            sum = sum - j.gives * (2.0 * (i.volume * j.volume) * j.concentration) *
-                            dot(i.position - j.position, j.normal);
+            sum = sum -
+                  j.gives * (2.0 * (i.volume * j.volume) * j.concentration) * dot(i.position - j.position, j.normal);
         if constexpr (is_wall<I> && !is_wall<J>)
-            sum = sum + i.gives * (2.0 * (i.volume * j.volume) * i.concentration) *
-                            dot(j.position - i.position, i.normal);
+            sum = sum +
+                  i.gives * (2.0 * (i.volume * j.volume) * i.concentration) * dot(j.position - i.position, i.normal);
         return sum;
     }
 };

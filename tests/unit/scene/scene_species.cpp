@@ -10,12 +10,12 @@ namespace {
 using namespace testing_scene;
 
 // Begins at line 36 of the scene.
-const std::string drug = R"([[species]]
+const std::string drug = R"toml([[species]]
 name = "drug"
 diffusivity = { blood = "1e-9 m^2/s", leaflets = "1e-10 m^2/s" }
 concentration = "1 mg/ml * x / 1 mm"
 wall_concentration = { wall = "0.5 kg/m^3 * exp(-t / 1 s)" }
-[[measure]])";
+[[measure]])toml";
 
 std::string with_drug(const std::string& found = "drug", const std::string& replacement = "drug") {
     std::string text = drug;
@@ -44,9 +44,10 @@ TEST(Species, are_read_with_their_units) {
 }
 
 TEST(Species, may_be_counted_in_moles_or_in_nothing) {
-    std::string text = with_drug("concentration = \"1 mg/ml * x / 1 mm\"", "unit = \"mol/m^3\"\nconcentration = \"3 mM\"");
+    std::string text =
+        with_drug("concentration = \"1 mg/ml * x / 1 mm\"", "unit = \"mol/m^3\"\nconcentration = \"3 mM\"");
     EXPECT_EQ(fault_of(text),
-              "scene.toml:40:20: unknown unit 'mM' in \"3 mM\"\n"
+              "scene.toml:40:20: unknown unit 'mM' after 3 in \"3 mM\"\n"
               "  did you mean 'mm'?");
     text = scene_with("[[measure]]", R"([[species]]
 name = "oxygen"
@@ -72,7 +73,8 @@ concentration = 0.25
 }
 
 TEST(Species, can_be_set_from_the_command_line) {
-    const Scene scene = read_text(with_drug(), {"species.drug.diffusivity=3e-9 m^2/s", "accuracy.species_stepping=implicit"});
+    const Scene scene =
+        read_text(with_drug(), {"species.drug.diffusivity=3e-9 m^2/s", "accuracy.species_stepping=implicit"});
     EXPECT_EQ(**scene.species[0].diffusivity_in(scene.parts[0]), 3e-9);
     EXPECT_EQ(*scene.accuracy.species_stepping, SpeciesStepping::implicitly);
 }
@@ -101,9 +103,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"start_in_time", "* x / 1 mm", "* t / 1 s",
               "scene.toml:39:17: species 'drug', concentration depends on t: \"1 mg/ml * t / 1 s\"\n"
               "  write a formula of x, y and z; a start has no time"},
-        Fault{"start_of_another_dimension", "1 mg/ml", "1 mol/l",
-              "scene.toml:39:18: found \"1 mol/l * x / 1 mm\" (mol/m^3), expected a density such as \"1 kg/m^3\"\n"
-              "  give a density"},
+        Fault{
+            "start_of_another_dimension", "1 mg/ml", "1 mol/l",
+            "scene.toml:39:18: species.drug.concentration: found \"1 mol/l * x / 1 mm\" (mol/m^3), expected a density "
+            "such as \"1 kg/m^3\"\n"
+            "  check the units of its factors: the whole formula must be a density"},
         Fault{"start_in_what_is_closed", "\"1 mg/ml * x / 1 mm\"", "{ wall = \"1 kg/m^3\" }",
               "scene.toml:39:19: species 'drug', concentration: the part 'wall' of kind 'rigid' holds nothing of the "
               "species, as it has no diffusivity\n"
@@ -136,7 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:44:8: measure 'm' has one corner of a box\n"
               "  give both from and to, or neither"},
         Fault{"empty_box", "[[measure]]",
-              "[[measure]]\nname = \"m\"\nkind = \"spread\"\naxis = \"x\"\nfrom = [0, 0]\nto = [0, \"1 mm\"]\n[[measure]]",
+              "[[measure]]\nname = \"m\"\nkind = \"spread\"\naxis = \"x\"\nfrom = [0, 0]\nto = [0, \"1 "
+              "mm\"]\n[[measure]]",
               "scene.toml:46:6: the corners of measure 'm' have the same x: there is nothing between them\n"
               "  give two opposite corners of a box"},
         Fault{"profile_out_of_the_plane", "[[measure]]",
@@ -178,7 +183,7 @@ TEST(WrongScene, several_species_and_no_word_of_which) {
     const std::string text = scene_with("[[measure]]", two);
     EXPECT_EQ(fault_of(text), "no error");
     EXPECT_EQ(fault_of(text + "\n[[measure]]\nname = \"m\"\nkind = \"amount\"\n"),
-              "scene.toml:57:8: measure 'm' does not say of which species it is\n"
+              "scene.toml:56:8: measure 'm' does not say of which species it is\n"
               "  write species = one of 'drug' and 'dye'");
     EXPECT_EQ(fault_of(text, {"output.fields=['concentration']", "output.picture_field=concentration"}),
               "--set output.picture_field=concentration: output.picture_field = \"concentration\": there are several "

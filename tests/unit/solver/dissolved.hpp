@@ -59,8 +59,8 @@ inline void make_part(WalledWater& made, const std::string& name, PartKind kind,
     }
 }
 
-/// A stirred channel with all that species know: a floor that is held, a lid that slides and gives off, a block of solid
-/// and a rod of springs that conduct, unlike liquids, a species that does not diffuse; shifting.
+/// A stirred channel with all that species know: a floor that is held, a lid that slides and gives off, a wall of solid
+/// across it and a rod of springs that conduct, unlike liquids, a species that does not diffuse; shifting.
 inline SceneAndParticles stirred_mixture() {
     WalledWater made(14, 12, {"floor", "lid"}, [](int column, int row) {
         return column < 0 || column >= 14 ? 0 : row < 0 ? 1 : 2;
@@ -71,14 +71,6 @@ inline SceneAndParticles stirred_mixture() {
     scene.flow.acceleration = {formula_of("0.5 * sin(2 * pi * y / 1.2)"), formula_of("0.5 * sin(2 * pi * x / 1.4)"),
                                Expression()};
     make_part(made, "block", PartKind::rigid, 0.4, 0.7);
-    ParticleSet& set = made.particles;
-    for (std::size_t i = 0; i < set.size(); ++i)  // the block does not reach the walls
-        if (set.part[i] == 3 && (set.position[i][1] < 0.3 || set.position[i][1] > 0.8)) {
-            set.part[i] = 0;
-            set.fixed[i] = 0;
-            set.wall_normal[i] = Vec::Zero();
-            set.wall_distance[i] = 0;
-        }
     make_part(made, "oil", PartKind::fluid, 1.0, 1.4);
     Species drug = species_of("drug", 0, "x");
     drug.diffusivity.all.reset();
@@ -102,6 +94,7 @@ inline SceneAndParticles stirred_mixture() {
     profile.bins = 5;
     Measure spread = profile;
     spread.name = std::string("spread");
+    spread.species = std::string("drug");
     spread.kind = MeasureKind::spread;
     scene.measures = {uptake, profile, spread};
     SceneAndParticles mixture{scene, made.particles};

@@ -104,7 +104,8 @@ TEST(Diffusion, of_a_gaussian_spreads_its_variance) {
     const RunSummary run = run_of(made, &frames);
     const auto& rows = run.measures.rows;
     ASSERT_EQ(rows.size(), 11U);
-    EXPECT_EQ(run.measures.names, (std::vector<std::string>{"spread", "spread_diffusivity", "spread_sherwood", "total"}));
+    EXPECT_EQ(run.measures.names,
+              (std::vector<std::string>{"spread", "spread_diffusivity", "spread_sherwood", "total"}));
     EXPECT_NEAR(rows.front()[0], 0.09, 1e-6);
     // The lattice sum of the Laplacian of y^2 / 2 is 1 within a per cent, as for viscosity.
     EXPECT_NEAR(rows.back()[0], 0.09 + 2 * 0.1, 0.01 * 0.2);
@@ -112,7 +113,8 @@ TEST(Diffusion, of_a_gaussian_spreads_its_variance) {
     EXPECT_EQ(rows.back()[2], rows.back()[1]);
     EXPECT_EQ(rows.back()[3], rows.front()[3]);
     double highest = 0;
-    for (const float value : testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
+    for (const float value :
+         testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
         highest = std::max<double>(highest, value);
     const double exact_peak = 0.09 / 0.29 * std::exp(-2 * 0.05 * 0.05 / (2 * 0.29));
     EXPECT_NEAR(highest, exact_peak, 0.01 * exact_peak);
@@ -141,8 +143,7 @@ TEST(Diffusion, between_plates_that_are_held_follows_the_series) {
         made.scene.run.duration = 4 * t;
         KeptFrames frames;
         const RunSummary run = run_of(made, &frames);
-        const auto [rms, largest] =
-            errors(frames.frames.back(), [t](double x) { return between_plates(x / 2, t); });
+        const auto [rms, largest] = errors(frames.frames.back(), [t](double x) { return between_plates(x / 2, t); });
         EXPECT_LT(rms, 0.005) << t;
         EXPECT_LT(largest, 0.01) << t;
         EXPECT_LT(std::abs(run.species[0].residual()), 1e-15);
@@ -185,8 +186,7 @@ TEST(Diffusion, of_a_flux_out_of_a_wall_gives_what_was_asked_for) {
     // Into a half space: c = 2 J sqrt(t / D) ierfc(x / (2 sqrt(D t))).
     const auto [rms, largest] = errors(frames.frames.back(), [](double x) {
         const double z = x / (2 * std::sqrt(0.5));
-        return 2 * 2.5 * std::sqrt(0.5) *
-               (std::exp(-z * z) / std::sqrt(std::numbers::pi) - z * std::erfc(z));
+        return 2 * 2.5 * std::sqrt(0.5) * (std::exp(-z * z) / std::sqrt(std::numbers::pi) - z * std::erfc(z));
     });
     EXPECT_LT(rms, 0.02);
     EXPECT_LT(largest, 0.05);
@@ -202,9 +202,8 @@ TEST(Diffusion, through_a_solid_that_conducts_is_stationary_in_series) {
     KeptFrames frames;
     const RunSummary run = run_of(made, &frames);
     const double flux = 1 / (1 + 0.6 / 0.5 + 1);
-    const auto [rms, largest] = errors(frames.frames.back(), [&](double x) {
-        return x < 1.3 ? 1 - flux * x : flux * (2.6 - x);
-    });
+    const auto [rms, largest] =
+        errors(frames.frames.back(), [&](double x) { return x < 1.3 ? 1 - flux * x : flux * (2.6 - x); });
     EXPECT_LT(largest, 0.01);
     EXPECT_LT(std::abs(run.species[0].residual()), 1e-15);
 }
@@ -247,8 +246,8 @@ TEST(Diffusion, stepped_implicitly_gives_the_same_and_keeps_every_bit) {
 TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     testing_solver::SceneAndParticles made = testing_solver::endless_water("sin(2*pi*t)");
     made.scene.species = {species_of("drug", 0.1, "0.7")};
-    made.scene.flow.initial_velocity = std::array<Expression, 3>{Expression("sin(2*3.14159265*y/0.8)", ""),
-                                                                Expression("sin(2*3.14159265*x/0.8)", ""), Expression()};
+    made.scene.flow.initial_velocity = std::array<Expression, 3>{
+        Expression("sin(2*3.14159265*y/0.8)", ""), Expression("sin(2*3.14159265*x/0.8)", ""), Expression()};
     made.scene.flow.largest_speed = 2.0;
     made.scene.output.fields = {FluidField::concentration};
     KeptFrames frames;
@@ -256,7 +255,8 @@ TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     RunOptions options;
     options.sink = &frames;
     const RunSummary run = simulation.run(options);
-    for (const float value : testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
+    for (const float value :
+         testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
         EXPECT_NEAR(value, 0.7F, 1e-7);
     EXPECT_EQ(run.species[0].end, run.species[0].start);
 }
@@ -277,8 +277,22 @@ TEST(Species, go_on_from_a_checkpoint_to_the_same_bits) {
         ASSERT_EQ(parts.measures.rows.size(), whole.measures.rows.size());
         for (std::size_t row = 1; row < whole.measures.rows.size(); ++row)
             EXPECT_EQ(parts.measures.rows[row], whole.measures.rows[row]);
-        for (const SpeciesBalance& species : whole.species) EXPECT_LT(std::abs(species.residual()), 1e-14) << species.name;
+        for (const SpeciesBalance& species : whole.species)
+            EXPECT_LT(std::abs(species.residual()), 1e-14) << species.name;
         EXPECT_GT(std::abs(whole.species[0].from_walls), 1e-4);
+    }
+}
+
+TEST(Species, refuse_a_start_that_is_no_concentration) {
+    WalledWater made = strip(10);
+    made.scene.species = {species_of("drug", 1, "x - 0.3")};
+    try {
+        (void)Simulation(made.scene, made.particles, 1);
+        FAIL() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where().text(), "scene.toml:7:3");
+        EXPECT_NE(error.problem().find("species 'drug': concentration is -0.25 at x = 0.05"), std::string::npos)
+            << error.problem();
     }
 }
 

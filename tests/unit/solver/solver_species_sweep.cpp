@@ -106,7 +106,8 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
                 put(Field::concentration, concentration, species);
                 put(Field::species_diffusivity, wall || closed ? 0 : fluid && alike ? 0.8 : diffusivity, species);
                 put(Field::species_wall, !wall ? 0 : id % 3 == 0 ? 1 : -1, species);
-                for (int axis = 0; axis < set.dimension; ++axis) put(Field::wall_normal, set.wall_normal[id][axis], axis);
+                for (int axis = 0; axis < set.dimension; ++axis)
+                    put(Field::wall_normal, set.wall_normal[id][axis], axis);
                 put(Field::wall_distance, set.wall_distance[id], 0);
             }
         }
@@ -276,10 +277,10 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
                 ++shortened;
             }
             const double r = m.separation.norm();
-            const double slope = dimension == 3 ? WendlandC2<3>(settings.support).slope(r)
-                                                : WendlandC2<2>(settings.support).slope(r);
-            const double difference = by_id.value(Field::concentration, m.j, species) -
-                                      by_id.value(Field::concentration, m.i, species);
+            const double slope =
+                dimension == 3 ? WendlandC2<3>(settings.support).slope(r) : WendlandC2<2>(settings.support).slope(r);
+            const double difference =
+                by_id.value(Field::concentration, m.j, species) - by_id.value(Field::concentration, m.i, species);
             // V_i [d . grad c + d^2 / 2 laplacian c]
             expected[m.i] += by_id.value(Field::volume, m.i) * by_id.value(Field::volume, m.j) * slope * difference *
                              (shift.dot(m.separation) - shift.squaredNorm());
@@ -291,8 +292,8 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solver, SpeciesSweepOf,
-                         testing::Combine(testing::Values(2, 3), testing::Bool()), [](const auto& variant) {
+INSTANTIATE_TEST_SUITE_P(Solver, SpeciesSweepOf, testing::Combine(testing::Values(2, 3), testing::Bool()),
+                         [](const auto& variant) {
                              return (std::get<0>(variant.param) == 3 ? std::string("space") : std::string("plane")) +
                                     (std::get<1>(variant.param) ? "_alike" : "");
                          });

@@ -112,7 +112,7 @@ class StoppingSink : public FrameSink {
 /// The same, stopped at its first frame after the start and resumed by another process from its checkpoint.
 template <class Made>
 RunSummary run_in_two_parts(const Made& made, const std::filesystem::path& folder,
-                                   const Ranks& ranks = Ranks::alone()) {
+                            const Ranks& ranks = Ranks::alone()) {
     Resources resources(1);
     resources.ranks = ranks;
     std::atomic<bool> stop{false};
