@@ -81,7 +81,7 @@ struct Simulation::State {
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
     [[nodiscard]] double next_step(double target, double largest_speed) const;
     /// The time at which what drives the scene changes, if that is before the target, else the target.
-    [[nodiscard]] double next_change(double target, double largest_speed) const;
+    [[nodiscard]] double next_change(double target, const FluidExtremes& extremes) const;
     void write_frame(FrameSink* sink);
     /// The same for a state that may hold anything: no neighbours are searched.
     void write_as_it_is(FrameSink* sink);
@@ -154,10 +154,10 @@ double Simulation::State::next_step(double target, double largest_speed) const {
     return (target - time) / std::max(1.0, std::ceil((target - time) / longest * (1 - 1e-12)));
 }
 
-double Simulation::State::next_change(double target, double largest_speed) const {
+double Simulation::State::next_change(double target, const FluidExtremes& extremes) const {
     if (fluid.driving().empty()) return target;
     // Times that are alike but for their last digits are one.
-    const double slack = 1e-6 * ruling_limit(limits_now(largest_speed)).dt;
+    const double slack = 1e-6 * ruling_limit(limits_now(extremes.largest_speed)).dt;
     const double change = fluid.driving().next_change(time + slack);
     return change < target - slack ? change : target;
 }
@@ -294,8 +294,7 @@ long Simulation::resume(const std::filesystem::path& checkpoint) {
 }
 
 void Simulation::State::advance(const RunOptions& options, double until, FluidExtremes& extremes) {
-    const double target =
-        next_change(std::min({until, frame_times.next(), measure_times.next()}), extremes.largest_speed);
+    const double target = next_change(std::min({until, frame_times.next(), measure_times.next()}), extremes);
     const double dt = next_step(target, extremes.largest_speed);
     try {
         fluid.advance(time, dt);
