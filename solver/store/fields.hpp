@@ -36,6 +36,10 @@ enum class Field {
     viscous_residual,
     viscous_direction,
     viscous_diagonal,
+    radius,
+    angular_velocity,
+    contact_force,
+    contact_torque,
     count  // how many there are
 };
 
@@ -81,6 +85,10 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"viscous_residual", "N", true, false, "implicit viscosity"},
     {"viscous_direction", "m/s", true, false, "implicit viscosity"},
     {"viscous_diagonal", "kg/s", true, false, "implicit viscosity"},
+    {"radius", "m", false, true, "spheres"},
+    {"angular_velocity", "rad/s", true, true, "spheres"},
+    {"contact_force", "N", true, true, "spheres"},
+    {"contact_torque", "N*m", true, true, "spheres"},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }
