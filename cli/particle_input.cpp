@@ -66,7 +66,7 @@ std::string difference(const std::vector<std::string>& made_from, const std::vec
     return text;
 }
 
-constexpr std::array kinds{"fluid", "rigid", "springs"};  // by ParticleKind
+constexpr std::array kinds{"fluid", "rigid", "springs", "spheres"};  // by ParticleKind
 
 /// The same for what every particle set says of itself.
 std::string difference(const ParticleSpace& file, const Scene& scene) {
@@ -87,7 +87,7 @@ std::string difference(const ParticleSpace& file, const Scene& scene) {
     for (const auto& part : file.parts)
         made_from.push_back(line(part.name, kinds.at(static_cast<std::size_t>(part.kind))));
     for (const Part& part : scene.parts)
-        if (*part.enabled) now.push_back(line(part.name, word(*part.kind)));
+        if (*part.enabled) now.push_back(line(part.name, part.is_wall_for_spheres() ? kinds[1] : word(*part.kind)));
     return difference(made_from, now);
 }
 

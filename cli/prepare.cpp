@@ -20,8 +20,8 @@ namespace dmp::cli {
 namespace {
 
 std::string particles_text(const ParticleSet& particles) {
-    constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
-    constexpr std::array names{"fluid", "rigid", "springs"};
+    constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs, ParticleKind::spheres};
+    constexpr std::array names{"fluid", "rigid", "springs", "spheres"};
     std::string text;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const std::size_t count = particles.count(kinds.at(k));

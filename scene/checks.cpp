@@ -6,6 +6,8 @@
 
 #include "base/nearest_name.hpp"
 #include "scene/quantity.hpp"
+#include "scene/schema.hpp"
+#include "scene/sphere_checks.hpp"
 
 namespace dmp {
 
@@ -38,11 +40,34 @@ void refuse_equal_names(const std::vector<Item>& items, const std::string& what)
 }
 
 void need_something_to_move(const Scene& scene) {
-    if (!scene.parts_of(PartKind::fluid).empty() || !scene.parts_of(PartKind::springs).empty()) return;
+    for (const PartKind kind : {PartKind::fluid, PartKind::springs, PartKind::spheres})
+        if (!scene.parts_of(kind).empty()) return;
     const Place place = scene.parts.empty() ? Place{scene.file, 0, 0} : scene.parts.front().kind.place;
     throw InputError(first_known(scene, {&place}),
-                     "no enabled part is of kind 'fluid' or 'springs': nothing would move",
-                     "add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+                     "no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move",
+                     "add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
+}
+
+/// What is drawn needs a drawing, and particles of one spacing.
+void need_what_drawn_parts_need(const Scene& scene, const TomlNode& document) {
+    const auto is_drawn = [](const Part& part) {
+        return *part.kind != PartKind::spheres && !part.is_wall_for_spheres();
+    };
+    const auto need = [&](bool given, const char* section, const std::string& key) {
+        if (given) return;
+        const Place* table = place_of(document, section);
+        const auto facts = schema().facts();
+        const auto found = std::ranges::find(facts, key, &KeyFacts::path);
+        throw InputError(first_known(scene, {table}), "missing key: " + key,
+                         "add " + shown_key(key) + ": " + found->type);
+    };
+    if (std::ranges::any_of(scene.parts, is_drawn) || scene.parts.empty()) {
+        need(!scene.geometry.file->empty(), "geometry", "geometry.file");
+        need(*scene.particles.spacing > 0, "particles", "particles.spacing");
+    } else if (scene.geometry.file.given()) {
+        throw InputError(scene.geometry.file.place, "geometry.file: no part of the scene is drawn",
+                         "leave [geometry] out");
+    }
 }
 
 void need_largest_speed(const Scene& scene, const TomlNode& document) {
@@ -288,6 +313,8 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
     need_something_to_move(scene);
+    need_what_drawn_parts_need(scene, document);
+    check_spheres(scene, document);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
     need_terms_that_go_together(scene);

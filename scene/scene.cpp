@@ -17,8 +17,31 @@ const Words<Quality>& words_of() {
 
 template <>
 const Words<PartKind>& words_of() {
-    static const Words<PartKind> words = {
-        {PartKind::fluid, "fluid"}, {PartKind::rigid, "rigid"}, {PartKind::springs, "springs"}};
+    static const Words<PartKind> words = {{PartKind::fluid, "fluid"},     {PartKind::rigid, "rigid"},
+                                          {PartKind::springs, "springs"}, {PartKind::spheres, "spheres"},
+                                          {PartKind::plane, "plane"},     {PartKind::surface, "surface"}};
+    return words;
+}
+
+template <>
+const Words<ContactLawKind>& words_of() {
+    static const Words<ContactLawKind> words = {{ContactLawKind::hertz_mindlin, "hertz_mindlin"},
+                                                {ContactLawKind::hertz_history, "hertz_history"},
+                                                {ContactLawKind::thesis_eq_7_5, "thesis_eq_7_5"},
+                                                {ContactLawKind::none, "none"}};
+    return words;
+}
+
+template <>
+const Words<AdhesionKind>& words_of() {
+    static const Words<AdhesionKind> words = {
+        {AdhesionKind::none, "none"}, {AdhesionKind::bradley, "bradley"}, {AdhesionKind::jkr, "jkr"}};
+    return words;
+}
+
+template <>
+const Words<RollingKind>& words_of() {
+    static const Words<RollingKind> words = {{RollingKind::constant, "constant"}, {RollingKind::spring, "spring"}};
     return words;
 }
 
@@ -140,6 +163,9 @@ std::string find_word(Enumeration value) {
 
 std::string word(Quality quality) { return find_word(quality); }
 std::string word(PartKind kind) { return find_word(kind); }
+std::string word(ContactLawKind law) { return find_word(law); }
+std::string word(AdhesionKind adhesion) { return find_word(adhesion); }
+std::string word(RollingKind rolling) { return find_word(rolling); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(BoxSide side) { return find_word(side); }
 std::string word(WallModel walls) { return find_word(walls); }
@@ -164,6 +190,26 @@ std::vector<const Part*> Scene::parts_of(PartKind kind) const {
         if (*part.kind == kind && *part.enabled) found.push_back(&part);
     }
     return found;
+}
+
+const ContactPair* Scene::contact_between(const std::string& a, const std::string& b) const {
+    const ContactPair* best = nullptr;
+    int best_rank = -1;
+    const auto rank = [&](const std::string& first, const std::string& second) {
+        const auto fits = [](const std::string& named, const std::string& part) {
+            return named == part ? 1 : named == "any" ? 0 : -3;
+        };
+        return fits(first, a) + fits(second, b);
+    };
+    for (const ContactPair& pair : contact_pairs) {
+        const auto& [first, second] = *pair.parts;
+        const int found = std::max(rank(first, second), rank(second, first));
+        if (found >= 0 && found >= best_rank) {
+            best = &pair;
+            best_rank = found;
+        }
+    }
+    return best;
 }
 
 bool Scene::asks_for(FluidField field) const {

@@ -31,7 +31,13 @@ struct Value {
 
 /// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
 enum class Quality { draft, standard, fine };
-enum class PartKind { fluid, rigid, springs };
+/// The first four in the order of ParticleKind; planes and surfaces are walls for spheres, rigid parts without
+/// particles.
+enum class PartKind { fluid, rigid, springs, spheres, plane, surface };
+/// How two spheres, or a sphere and a wall, press on each other.
+enum class ContactLawKind { hertz_mindlin, hertz_history, thesis_eq_7_5, none };
+enum class AdhesionKind { none, bradley, jkr };
+enum class RollingKind { constant, spring };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 /// A side of the box around the fluid.
@@ -83,6 +89,50 @@ struct Part {
     Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
     Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical [-]
     Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
+
+    // spheres (3-D only); density above, youngs_modulus and poisson_ratio too
+    Value<std::vector<double>> radius;  ///< one for all, or one for each of `centres`; empty: from the file [m]
+    Value<double> mass;                 ///< of each sphere; 0: from the density [kg]
+    Value<bool> fixed = false;          ///< never move nor turn
+    Value<std::vector<Vec>> centres;    ///< where they are [m]; or one of the next three
+    Value<std::string> positions;       ///< a table of them (docs/spheres.md), absolute or relative to `directory`
+    Value<std::string> around;          ///< a spheres part of one sphere, on whose surface they sit
+    Value<Vec> fill_from{Vec::Zero()};  ///< one corner of a box that they fill at random [m]
+    Value<Vec> fill_to{Vec::Zero()};    ///< the opposite one [m]
+    Value<int> count = 0;               ///< of spheres around or in the box; 0: from the next two
+    Value<double> coverage = 0.0;  ///< around: part of the sphere's surface that they hide, N r^2 / (4 (R + r)^2) [-]
+    Value<double> volume_fraction = 0.0;  ///< of the box [-]
+    /// At the start, as functions of x, y, z [m/s]; around: not given is that of the sphere they sit on, and its spin.
+    Value<std::array<Expression, 3>> initial_velocity;
+    Value<std::array<Expression, 3>> initial_spin;  ///< angular velocity at the start, as functions of x, y, z [rad/s]
+
+    // plane and surface; velocity above; no youngs_modulus: a wall that does not yield
+    Value<Vec> point{Vec::Zero()};   ///< plane: on it, at the start [m]
+    Value<Vec> normal{Vec::Zero()};  ///< plane: into the side where spheres are, of any length [-]
+    Value<std::string> file;         ///< surface: of triangles (STL), absolute or relative to `directory`
+    Value<double> unit = 1.0;        ///< surface: one unit of the file [m]
+    [[nodiscard]] bool is_wall_for_spheres() const { return *kind == PartKind::plane || *kind == PartKind::surface; }
+};
+
+/// [[contact_pair]]: what happens where spheres of two parts, or of a part and a wall, touch. "any" stands for all
+/// parts.
+struct ContactPair {
+    Value<std::string> name;  ///< may be empty
+    Value<std::array<std::string, 2>> parts;
+    Value<ContactLawKind> law = ContactLawKind::hertz_mindlin;
+    Value<double> restitution = 0.0;         ///< normal coefficient of restitution [-]; 0: not given, see the dampings
+    Value<double> normal_damping = 0.0;      ///< gamma_n, in place of the restitution [1/(m s)]
+    Value<double> tangential_damping = 0.0;  ///< gamma_t [1/(m s)]
+    Value<double> friction;                  ///< Coulomb's coefficient mu [-]; 0: none
+    Value<bool> dashpot_may_pull = true;     ///< whether damping may hold the two together as they part
+    Value<double> rolling_friction = 0.0;    ///< coefficient mu_r of the rolling torque mu_r R_eff F_n [-]
+    Value<RollingKind> rolling_law = RollingKind::constant;
+    Value<double> rolling_damping = 0.3;  ///< of the rolling spring, fraction of critical [-]
+    Value<AdhesionKind> adhesion = AdhesionKind::none;
+    Value<double> work_of_adhesion = 0.0;      ///< W, of both surfaces together [J/m^2]; or
+    Value<double> pull_off_force = 0.0;        ///< F_c [N]
+    Value<double> equilibrium_distance = 0.0;  ///< z0 of Bradley's law [m]
+    Value<double> adhesion_cutoff = 0.0;       ///< gap beyond which Bradley's law is cut off [m]
 };
 
 /// [[measure]]: one number followed over time.
@@ -164,6 +214,8 @@ struct Scene {
         Value<double> viscosity_tolerance = 1e-6;  ///< of implicit viscosity: the velocities' relative error [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
         Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
+        Value<double> steps_per_contact = 20.0;  ///< of spheres: steps in the shortest elastic impact [-]
+        Value<double> contact_step = 0.0;        ///< the spheres' time step [s]; 0 = "auto": from steps_per_contact
     } accuracy;
 
     struct {
@@ -183,11 +235,21 @@ struct Scene {
         Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 
+    /// Of a scene that has spheres and no drawing; given where an axis is periodic.
+    struct {
+        Value<Vec> from{Vec::Zero()};  ///< one corner [m]
+        Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
+    } box;
+
+    std::vector<ContactPair> contact_pairs;
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
+    /// What happens where these two parts touch, in either order: the pair that names both, else one that names one of
+    /// them and "any", else "any" twice; none where the scene does not say. The last pair of equal rank counts.
+    [[nodiscard]] const ContactPair* contact_between(const std::string& a, const std::string& b) const;
     /// Whether frames or a probe need this field.
     [[nodiscard]] bool asks_for(FluidField field) const;
     [[nodiscard]] bool asks_for(SolidField field) const;
@@ -196,6 +258,9 @@ struct Scene {
 /// The word a scene uses for it: "fluid", "wendland_c2", ...
 std::string word(Quality quality);
 std::string word(PartKind kind);
+std::string word(ContactLawKind law);
+std::string word(AdhesionKind adhesion);
+std::string word(RollingKind rolling);
 std::string word(Arrangement arrangement);
 std::string word(BoxSide side);
 std::string word(WallModel walls);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/sphere_keys.hpp"
+
 namespace dmp {
 
 namespace {
@@ -14,6 +16,7 @@ using Contact = decltype(Scene::contact);
 using Accuracy = decltype(Scene::accuracy);
 using Run = decltype(Scene::run);
 using Output = decltype(Scene::output);
+using SceneBox = decltype(Scene::box);
 
 // One key a row. Columns: key, the kinds it is for (parts and measures), member, type with unit and range, default,
 // meaning.
@@ -33,8 +36,8 @@ std::vector<Key<Scene>> top_keys() {
 
 std::vector<Key<Geometry>> geometry_keys() {
     return {
-        {"file", &Geometry::file, text_not_empty(), required,
-         "The drawing, beside the scene file or with its full path."},
+        {"file", &Geometry::file, text_not_empty(), not_given,
+         "The drawing, beside the scene file or with its full path; scenes of spheres and their walls have none."},
         {"unit", &Geometry::unit, quantity("1 mm", positive), "1 m", "Length of one unit of the drawing."},
         {"parameters", {}, &Geometry::parameters, [](const Geometry& geometry) { return parameters(geometry.unit); },
          parameters(1).description, "{}",
@@ -44,22 +47,23 @@ std::vector<Key<Geometry>> geometry_keys() {
 
 std::vector<Key<Particles>> particles_keys() {
     return {
-        {"spacing", &Particles::spacing, quantity("0.1 mm", positive), required,
-         "Distance between neighbouring particles."},
+        {"spacing", &Particles::spacing, quantity("0.1 mm", positive), not_given,
+         "Distance between neighbouring particles; needed for all but spheres."},
         {"arrangement", &Particles::arrangement, word_of<Arrangement>(), "square",
          "Lattice on which the fluid starts."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
          "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
-        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements."},
+        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements, and the places of spheres."},
     };
 }
 
 std::vector<Key<Part>> part_keys() {
     const Kinds all, fluid = {"fluid"}, rigid = {"rigid"}, springs = {"springs"};
     return {
-        {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the drawing."},
+        {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the drawing, if it is drawn."},
         {"kind", all, &Part::kind, word_of<PartKind>(), required,
-         "What the part is made of: a fluid, a rigid wall, or a flexible solid of masses and springs."},
+         "What the part is made of: a fluid, a rigid wall, a flexible solid of masses and springs, spheres that touch, or a "
+         "wall for spheres: a plane or a surface of triangles."},
         {"enabled", all, &Part::enabled, boolean(), "true", "false leaves the part out; its name stays known."},
         {"density", fluid, &Part::density, quantity("1000 kg/m^3", positive), required, "Density at rest."},
         {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
@@ -103,10 +107,18 @@ std::vector<Key<Part>> part_keys() {
     };
 }
 
+std::vector<Key<SceneBox>> box_keys() {
+    return {
+        {"from", &SceneBox::from, point(), not_given,
+         "One corner of the box that repeats itself along flow.periodic, in scenes of spheres, which have no drawing."},
+        {"to", &SceneBox::to, point(), not_given, "The opposite corner."},
+    };
+}
+
 std::vector<Key<Flow>> flow_keys() {
     return {
         {"acceleration", &Flow::acceleration, formulas("0.1 m/s^2"), "[0, 0]",
-         "Body acceleration of the fluid along x and y, as formulas of t, x, y."},
+         "Body acceleration of fluid and spheres along x and y, as formulas of t, x, y."},
         {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
         {"symmetry", &Flow::symmetry, list_of_words<BoxSide>(), "[]",
          "Sides of the box around the fluid on which the whole scene is mirrored."},
@@ -171,6 +183,9 @@ std::vector<Key<Accuracy>> accuracy_keys() {
          "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},
         {"spring_step_factor", &Accuracy::spring_step_factor, number(fraction), "0.5",
          "Explicit spring step as a fraction of the largest stable one."},
+        {"steps_per_contact", &Accuracy::steps_per_contact, number(at_least(5)), ByQuality{"10", "20", "50"},
+         "Spheres: time steps in the shortest elastic impact, where contact_step is \"auto\"."},
+        {"contact_step", &Accuracy::contact_step, quantity_or_auto("1 ns"), "auto", "Spheres: the time step."},
     };
 }
 
@@ -249,12 +264,16 @@ Schema whole_schema() {
     schema.scene = top_keys();
     add_section(schema.scene, "geometry", &Scene::geometry, geometry_keys());
     add_section(schema.scene, "particles", &Scene::particles, particles_keys());
+    add_section(schema.scene, "box", &Scene::box, box_keys());
     add_section(schema.scene, "flow", &Scene::flow, flow_keys());
     add_section(schema.scene, "contact", &Scene::contact, contact_keys());
     add_section(schema.scene, "accuracy", &Scene::accuracy, accuracy_keys());
     add_section(schema.scene, "run", &Scene::run, run_keys());
     add_section(schema.scene, "output", &Scene::output, output_keys());
-    schema.part = each_item("part", part_keys());
+    auto parts = part_keys();
+    for (auto& row : sphere_part_keys()) parts.push_back(std::move(row));
+    schema.part = each_item("part", std::move(parts));
+    schema.contact_pair = each_item("contact_pair", contact_pair_keys());
     schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
     return schema;
@@ -268,7 +287,7 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"part", "region", "measure"};
+    static const std::vector<std::string> names{"part", "contact_pair", "region", "measure"};
     return names;
 }
 
@@ -276,9 +295,10 @@ std::vector<KeyFacts> Schema::facts() const {
     std::vector<KeyFacts> facts;
     const auto section_of = [&](const std::string& path) { return path.substr(0, path.find('.')); };
     for (const auto& key : scene) {
-        if (section_of(key.facts.path) == "flow" && section_of(facts.back().path) == "particles") {
+        if (section_of(key.facts.path) == "box" && section_of(facts.back().path) == "particles") {
             for (const auto& part_key : part)
                 facts.push_back(part_key.facts);  // after [particles], as scenes are written
+            for (const auto& pair_key : contact_pair) facts.push_back(pair_key.facts);
         }
         facts.push_back(key.facts);
     }

@@ -64,6 +64,14 @@ ValueType<std::string> text_not_empty();
 ValueType<std::string> name();
 /// A point of two or three lengths; a bare 0 needs no unit.
 ValueType<Vec> point();
+/// A quantity, or a list of them.
+ValueType<std::vector<double>> quantity_or_list(const std::string& example, const Range& range = any_number);
+/// A list of points.
+ValueType<std::vector<Vec>> points();
+/// Three plain numbers, not all 0.
+ValueType<Vec> direction();
+/// A list of two names.
+ValueType<std::array<std::string, 2>> two_names();
 /// One to three formulas of t, x, y, z; a bare 0 needs no unit.
 ValueType<std::array<Expression, 3>> formulas(const std::string& example);
 /// One formula of t, x, y, z; a bare 0 needs no unit.

@@ -22,6 +22,12 @@ const Words<Quality>& words_of();
 template <>
 const Words<PartKind>& words_of();
 template <>
+const Words<ContactLawKind>& words_of();
+template <>
+const Words<AdhesionKind>& words_of();
+template <>
+const Words<RollingKind>& words_of();
+template <>
 const Words<Arrangement>& words_of();
 template <>
 const Words<KernelKind>& words_of();

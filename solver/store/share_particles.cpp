@@ -24,6 +24,23 @@ void share(std::vector<Vec>& vectors, const Ranks& ranks) {
     for (const auto& v : plain) vectors.push_back(vec(v));
 }
 
+void share_walls(ParticleSpace& space, const Ranks& ranks) {
+    std::vector<int> of_part;
+    std::vector<Vec> points, normals;
+    for (const WallPlane& plane : space.wall_planes) {
+        of_part.push_back(plane.part);
+        points.push_back(plane.point);
+        normals.push_back(plane.normal);
+    }
+    ranks.broadcast(of_part);
+    share(points, ranks);
+    share(normals, ranks);
+    space.wall_planes.clear();
+    for (std::size_t n = 0; n < of_part.size(); ++n) space.wall_planes.push_back({of_part[n], points[n], normals[n]});
+    share(space.wall_corners, ranks);
+    ranks.broadcast(space.wall_triangles);
+}
+
 void share_space(ParticleSpace& space, const Ranks& ranks) {
     std::vector<SmallFacts> facts{
         {space.dimension, space.spacing, three(space.box.low), three(space.box.high), space.periodic, space.mirrored}};
@@ -42,6 +59,7 @@ void share_space(ParticleSpace& space, const Ranks& ranks) {
         space.parts[k].kind = kinds[k];
         ranks.broadcast(space.parts[k].name);
     }
+    share_walls(space, ranks);
 }
 
 }  // namespace
@@ -58,6 +76,9 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.fixed);
     ranks.broadcast(particles.seated);
     ranks.broadcast(particles.wall_distance);
+    ranks.broadcast(particles.radius);
+    share(particles.velocity, ranks);
+    share(particles.angular_velocity, ranks);
     ranks.broadcast(particles.bonds);
     ranks.broadcast(particles.hinges);
     ranks.broadcast(particles.dihedrals);

@@ -62,8 +62,8 @@ TEST(GoodScene, has_no_fault) { EXPECT_EQ(fault_of(good_scene), "no error"); }
 
 TEST(WrongScene, without_anything_that_moves) {
     EXPECT_EQ(fault_of(good_scene, {"part.blood.enabled=false", "part.leaflets.enabled=false"}),
-              "scene.toml:12:8: no enabled part is of kind 'fluid' or 'springs': nothing would move\n"
-              "  add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+              "scene.toml:12:8: no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move\n"
+              "  add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
 }
 
 const std::string sinus = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n[[measure]]";

@@ -134,6 +134,8 @@ viscosity_stepping = "explicit"
 viscosity_tolerance = 1e-06
 spring_stepping = "implicit"
 spring_step_factor = 0.5
+steps_per_contact = 20
+contact_step = "auto"
 
 [run]
 duration = "4 s"
