@@ -123,7 +123,11 @@ const Words<MeasureKind>& words_of() {
                                              {MeasureKind::largest_speed, "largest_speed"},
                                              {MeasureKind::density, "density"},
                                              {MeasureKind::kinetic_energy, "kinetic_energy"},
-                                             {MeasureKind::probe, "probe"}};
+                                             {MeasureKind::probe, "probe"},
+                                             {MeasureKind::velocity, "velocity"},
+                                             {MeasureKind::spin, "spin"},
+                                             {MeasureKind::wall_force, "wall_force"},
+                                             {MeasureKind::detached, "detached"}};
     return words;
 }
 

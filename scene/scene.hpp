@@ -49,7 +49,10 @@ enum class ViscousLaw { morris, monaghan, monaghan_approaching };
 enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
-enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
+enum class MeasureKind {
+    flux, gap, largest_speed, density, kinetic_energy, probe,
+    velocity, spin, wall_force, detached  // of spheres
+};
 enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
@@ -144,6 +147,8 @@ struct Measure {
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
     Value<std::string> part;                         ///< gap: smallest distance between the pieces of this springs part
+                                                     ///< velocity, spin, detached: the spheres
+    Value<Vec> direction{Vec::UnitZ()};              ///< detached: to the upper half
 };
 
 /// [[region]]: a box along the axes, whose residence time is followed.
@@ -221,6 +226,7 @@ struct Scene {
     struct {
         Value<double> duration;  ///< [s]
         Value<int> threads = 0;  ///< 0 = all the machine has
+        Value<double> until_still = 0.0;  ///< spheres: time without any change after which to end [s]; 0: do not
     } run;
 
     struct {

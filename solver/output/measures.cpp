@@ -111,6 +111,9 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
             case MeasureKind::probe:
                 for (const std::string& ending : column_endings(scene, measure.field, set.dimension))
                     column(name + ending, unit_of(measure.field));
+                break;
+            default:
+                break;
         }
     }
 }
@@ -144,25 +147,30 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
                                      "the probe '" + measure->name.value + "' stands where there is no fluid",
                                      "move its point into the fluid: no particle is within the kernel's support of it");
                 row.insert(row.end(), values.begin(), values.end());
+                break;
             }
+            default:  // of spheres (SphereMeasures), which scenes of fluid have none of
+                break;
         }
     }
     series_.time.push_back(time);
     series_.rows.push_back(std::move(row));
 }
 
-void Measures::archive(Archive& file) {
+void Measures::archive(Archive& file) { archive_series(file, series_); }
+
+void archive_series(Archive& file, MeasureSeries& series) {
     std::vector<double> values;
-    for (const auto& row : series_.rows) values.insert(values.end(), row.begin(), row.end());
-    file("measures/time", series_.time);
+    for (const auto& row : series.rows) values.insert(values.end(), row.begin(), row.end());
+    file("measures/time", series.time);
     file("measures/values", values);
     if (!file.loading()) return;
-    const std::size_t columns = series_.names.size();
-    if (values.size() != columns * series_.time.size())
+    const std::size_t columns = series.names.size();
+    if (values.size() != columns * series.time.size())
         throw InputError("the checkpoint's measures are not those of the scene", "start the run anew");
-    series_.rows.clear();
-    for (std::size_t row = 0; row < series_.time.size(); ++row)
-        series_.rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
+    series.rows.clear();
+    for (std::size_t row = 0; row < series.time.size(); ++row)
+        series.rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
                                   values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
 }
 

@@ -7,6 +7,9 @@
 
 namespace dmp {
 
+/// A series of measures on its way into a checkpoint or out of one; its columns are known.
+void archive_series(Archive& file, MeasureSeries& series);
+
 /// Follows the scene's measures over time.
 ///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];
 ///                  particles count with a hat of one support radius across the line, so the sum does not jump
