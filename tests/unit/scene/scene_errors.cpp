@@ -364,7 +364,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"unknown_table", "[run]", "[foo]\n[run]",
               "scene.toml:30:2: unknown key 'foo'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
-              "[[part]], "
+              "[[part]], [[contact_pair]], [box], "
               "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"}}),
     name_of);
 
