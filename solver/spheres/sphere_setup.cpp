@@ -72,7 +72,7 @@ SpherePair pair_of(const Part& a, const Part& b, const ContactPair& asked, Spher
         pair.model.rolling =
             *asked.rolling_law == RollingKind::spring ? RollingFriction::spring : RollingFriction::constant;
     ContactSettings settings;
-    if (*asked.law == ContactLawKind::ariane_2018) settings.stiffness = ContactStiffness::thesis_eq_7_5;
+    if (*asked.law == ContactLawKind::thesis_eq_7_5) settings.stiffness = ContactStiffness::thesis_eq_7_5;
     if (asked.restitution.given()) {
         settings.restitution = asked.restitution;
         settings.damping =
@@ -216,11 +216,11 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
     for (const auto* pairs : {&setup.pairs, &setup.wall_pairs})
         for (const SpherePair& pair : *pairs) {
             const std::string where = "[[contact_pair]] at " + pair.asked->parts.place.text();
-            const bool thesis = *pair.asked->law == ContactLawKind::ariane_2018;
+            const bool thesis = *pair.asked->law == ContactLawKind::thesis_eq_7_5;
             const bool plain = pair.model.history == TangentialHistory::plain;
             models.push_back({"contact of " + pair.parts,
                               std::string("Hertz 1882, Mindlin 1949") +
-                                  (thesis ? ", stiffness of Ariane et al. 2018" : "") +
+                                  (thesis ? ", stiffness as in the thesis (docs/spheres.md)" : "") +
                                   (plain ? "; history as in LAMMPS' gran/hertz/history"
                                          : "; history after Thornton, Cummins & Cleary 2013"),
                               where});
