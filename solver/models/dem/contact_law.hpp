@@ -29,8 +29,8 @@ struct ContactModel {
 /// All that acts in one contact, and what it remembers.
 template <ContactModel model>
 struct ContactLaw {
-    /// The history ends with the contact's radius at the last step where a law asks for it.
-    static constexpr bool keeps_touch = model.history == TangentialHistory::rescaled || model.adhesion == Adhesion::jkr;
+    /// Where a law asks whether surfaces have touched, the history ends with the contact's radius at the last step.
+    static constexpr bool keeps_touch = model.adhesion == Adhesion::jkr;
     static constexpr int history_vectors = model.rolling == RollingFriction::spring ? 2 : 1;
     static constexpr int history_values = 3 * history_vectors + (keeps_touch ? 1 : 0);
 
@@ -62,19 +62,18 @@ struct ContactLaw {
         const NormalContact<T> normal = normal_contact(contact, pair, before);
 
         const T root = sqrt(contact.mass * normal.touch), mass_touch = contact.mass * normal.touch;
-        const T damped =
-            normal.force -
-            dashpot(pair.normal_dashpot, pair.normal_rate, root, mass_touch, contact.mass, dt) * contact.parting;
+        const T dashpot = pair.normal_dashpot * root + pair.normal_rate * mass_touch;
+        const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.parting;
         const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
         const T pressing = where_less(damped, least, least, damped);
         const T gripping = Tangential::gripping(pressing + normal.grip);
 
-        const ShearContact<T> shear{normal.touch, before, pair.tangential_stiffness * normal.touch,
+        const ShearContact<T> shear{normal.touch, T(pair.tangential_stiffness),
                                     pair.tangential_dashpot * root + pair.tangential_rate * mass_touch,
                                     pair.friction * gripping};
         const Shear<T> sheared = Tangential::law(contact, shear, vector_of(history, 0), dt);
         ContactForce<T> force{pressing, sheared.force, Vector<T, 3>::zero()};
-        if (dt > 0) keep(history, 0, sheared.stretch, normal.touch);
+        if (dt > 0) keep(history, 0, sheared.kept, normal.touch);
 
         if constexpr (model.rolling != RollingFriction::none) {
             using Law = std::conditional_t<model.rolling == RollingFriction::spring, RollingSpring, ConstantRolling>;
@@ -84,6 +83,8 @@ struct ContactLaw {
             force.rolling = rolled.torque;
             if (history_vectors == 2 && dt > 0) keep(history, 1, rolled.angle, normal.touch);
         }
+        // Friction rests on Hertz' force alone: the two bodies press on each other with what adhesion and loads add up
+        // to.
         if constexpr (model.adhesion == Adhesion::bradley) force.normal += BradleyAdhesion::law(contact, pair);
         if constexpr (keeps_touch)
             if (dt > 0) history[history_values - 1] = normal.touch;
@@ -96,19 +97,7 @@ struct ContactLaw {
     template <class T, class Constants>
     static NormalContact<T> normal_contact(const Contact<T>& contact, const Constants& pair, const T& before) {
         if constexpr (model.adhesion == Adhesion::jkr) return JkrContact::law(contact, pair, before);
-        NormalContact<T> normal = HertzContact::law(contact, pair);
-        if constexpr (model.adhesion == Adhesion::bradley)
-            normal.grip = where_less(T(0.0), contact.overlap, BradleyAdhesion::pull_off(contact.radius, pair), T(0.0));
-        return normal;
-    }
-
-    /// A rate from coefficients may be of any size and is taken at the end of the step, but for comparison.
-    template <class T, class D>
-    static T dashpot(const D& coefficient, const D& rate, const T& root, const T& mass_touch, const T& mass,
-                     double dt) {
-        const T strong = rate * mass_touch;
-        if constexpr (model.history == TangentialHistory::plain) return coefficient * root + strong;
-        return coefficient * root + strong / (T(1.0) + T(dt) * strong / mass);
+        return HertzContact::law(contact, pair);
     }
 
     template <class T>

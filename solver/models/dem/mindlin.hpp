@@ -7,45 +7,54 @@
 
 namespace dmp {
 
-/// What a contact does across its normal, and the stretch of its spring after it.
+/// What a contact does across its normal, and what it remembers.
 template <class T>
 struct Shear {
-    Vector<T, 3> force, stretch;  ///< on i [N], [m]
+    Vector<T, 3> force;  ///< on i [N]
+    Vector<T, 3> kept;   ///< what is remembered of the spring
 };
 
 /// What the tangential laws are told of the contact besides its slip.
 template <class T>
 struct ShearContact {
-    T touch;      ///< its radius a [m]
-    T before;     ///< the radius at the last step; 0 when it begins [m]
-    T stiffness;  ///< k_t a [N/m]
-    T dashpot;    ///< c_t [N s/m]
-    T largest;    ///< what friction can hold: mu times the normal force [N]
+    T touch;    ///< its radius a [m]
+    T modulus;  ///< k_t [Pa]
+    T dashpot;  ///< c_t [N s/m]
+    T largest;  ///< what friction can hold: mu times the force that presses [N]
 };
 
 /// A tangential spring and dashpot under Coulomb's bound:
 ///   F_t = -k_t a xi - c v,   |F_t| <= mu F_n,   k_t = 8 G*   [N]
-/// with the tangential displacement xi of no slip (Mindlin 1949), a the contact's radius and v the slip.
-/// Where the contact grows, its spring force stays (new surface comes without stress) and xi follows from it; where it
-/// shrinks, xi stays and the force shrinks with it (Walton 1987; Thornton, Cummins & Cleary 2013). No closed path in
-/// overlap and displacement then gives work (Elata & Berryman 1996); plain history does.
-/// The dashpot is taken at the end of the step, c / (1 + c dt / m_t) with m_t = 2/7 m* (solid spheres: a tangential
-/// force also turns them), so that it stops the slip at most, however strong it is. While the surfaces slide, the
-/// spring holds what friction can hold, not more.
+/// with the displacement xi of a contact of radius a that does not slip (Mindlin 1949) and the velocity v.
+/// While the contact grows or shrinks, xi is rescaled so that the spring's energy k_t a xi^2 / 2 stays: xi ~ a^(-1/2).
+/// Changes of the normal force alone then give and take no energy, in either direction, and leave no trace once they
+/// are undone (docs/contact.md compares the rules in use). What is remembered is xi sqrt(a) [m^(3/2)].
+/// While the surfaces slide, the spring holds what friction can hold, not more.
 struct RescaledHistory {
+    /// A dashpot that acts on what moves with this mass [kg], in steps of dt: c / max(1 + x/4, x), x = c dt / m.
+    /// It sees the velocity of half a step ago, which makes it too strong by the part x/4 as far as energy goes; and it
+    /// stops a motion at most, however strong it is.
     template <class T>
-    static Shear<T> law(const Contact<T>& contact, const ShearContact<T>& shear, const Vector<T, 3>& stretch_before,
+    static T in_steps(const T& dashpot, const T& mass, double dt) {
+        const T step = T(dt) * dashpot / mass;
+        const T delayed = T(1.0) + 0.25 * step;
+        return dashpot / where_less(delayed, step, step, delayed);
+    }
+
+    template <class T>
+    static Shear<T> law(const Contact<T>& contact, const ShearContact<T>& shear, const Vector<T, 3>& kept_before,
                         double dt) {
         using std::sqrt;
         const T tiny(1e-300), one(1.0);
-        const T grown = where_less(shear.before, shear.touch, shear.before / (shear.touch + tiny), one);
-        const Vector<T, 3> stretch = grown * turned(stretch_before, contact.normal) + T(dt) * contact.slip;
-        const T dashpot = shear.dashpot / (one + (3.5 * dt) * shear.dashpot / contact.mass);
+        const T root = sqrt(shear.touch);
+        const Vector<T, 3> moved = turned(kept_before, contact.normal) + (T(dt) * root) * contact.slip;
+        const T per_kept = shear.modulus * root;  // k_t a xi = k_t sqrt(a) (xi sqrt(a))
+        const T held = per_kept * sqrt(dot(moved, moved));
+        const Vector<T, 3> kept = where_less(shear.largest, held, shear.largest / (held + tiny), one) * moved;
 
-        const T held = shear.stiffness * sqrt(dot(stretch, stretch));
-        const T share = where_less(shear.largest, held, shear.largest / (held + tiny), one);
-        const Vector<T, 3> kept = share * stretch;
-        const Vector<T, 3> force = -shear.stiffness * kept - dashpot * contact.slip;
+        // 2/7 m*: a tangential force also turns solid spheres.
+        const T dashpot = in_steps(shear.dashpot, (2.0 / 7) * contact.mass, dt);
+        const Vector<T, 3> force = -per_kept * kept - dashpot * contact.slip;
         const T size = sqrt(dot(force, force));
         return {where_less(shear.largest, size, shear.largest / (size + tiny), one) * force, kept};
     }
@@ -61,6 +70,11 @@ struct RescaledHistory {
     template <class T>
     static T gripping(const T& normal_force) {
         return where_less(T(0.0), normal_force, normal_force, T(0.0));
+    }
+
+    /// What the spring stores [J].
+    static double energy(const Vector<double, 3>& kept, double /*touch*/, double modulus) {
+        return 0.5 * modulus * dot(kept, kept);
     }
 
   private:
@@ -84,23 +98,29 @@ struct PlainHistory {
                         double dt) {
         using std::sqrt;
         const T zero(0.0), one(1.0), tiny(1e-300);
+        const T stiffness = shear.modulus * shear.touch;
         Vector<T, 3> stretch = stretch_before + T(dt) * contact.slip;
         const T length = sqrt(dot(stretch, stretch));
         stretch -= dot(stretch, contact.normal) * contact.normal;
-        const Vector<T, 3> force = -shear.stiffness * stretch - shear.dashpot * contact.slip;
+        const Vector<T, 3> force = -stiffness * stretch - shear.dashpot * contact.slip;
         const T size = sqrt(dot(force, force));
         const T share = where_less(shear.largest, size, shear.largest / (size + tiny), one);
-        const T lag =
-            where_less(shear.largest, size,
-                       where_less(zero, shear.stiffness, shear.dashpot / (shear.stiffness + tiny), zero), zero);
-        // Without any displacement LAMMPS leaves out what friction could not hold: the first evaluation of a run.
+        const T lag = where_less(shear.largest, size, shear.dashpot / (stiffness + tiny), zero);
+        // Without any displacement LAMMPS leaves out what friction cannot hold: the first evaluation of a run.
         const T felt = where_less(zero, length, share, where_less(shear.largest, size, zero, one));
         return {felt * force, share * (stretch + lag * contact.slip) - lag * contact.slip};
     }
 
     template <class T>
+    static T in_steps(const T& dashpot, const T&, double) {
+        return dashpot;
+    }
+    template <class T>
     static T lever(const T& radius, const T&, const T&) {
         return radius;
+    }
+    static double energy(const Vector<double, 3>& stretch, double touch, double modulus) {
+        return 0.5 * modulus * touch * dot(stretch, stretch);
     }
     /// As there, friction also rests on a dashpot that pulls.
     template <class T>

@@ -48,7 +48,7 @@ struct ConstantRolling {
 /// Powder Technol. 206, 2011; spring of Iwashita & Oda 1998):
 ///   M = -k_r theta - c_r w,   |k_r theta| <= mu_r R* F_n,   k_r = 9/4 k_n a (mu_r R*)^2   [N m]
 /// theta is the integral of the rolling rate w, c_r = 2 zeta sqrt(k_r I) with I = 7/5 m* R*^2 (a sphere that rolls on a
-/// plane), and 0 once the spring yields.
+/// plane), and 0 once the spring yields. Spring and dashpot together do not exceed mu_r R* F_n either.
 struct RollingSpring {
     template <class T, class Constants>
     static Rolling<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
@@ -64,7 +64,9 @@ struct RollingSpring {
         const Vector<T, 3> kept = where_less(most, size, most / (size + tiny), one) * angle;
         const T inertia = 1.4 * contact.mass * contact.radius * contact.radius;
         const T dashpot = where_less(most, size, zero, 2.0 * pair.rolling_damping * sqrt(stiffness * inertia));
-        return {-stiffness * kept - dashpot * rate, kept};
+        const Vector<T, 3> torque = -stiffness * kept - dashpot * rate;
+        const T total = sqrt(dot(torque, torque));
+        return {where_less(most, total, most / (total + tiny), one) * torque, kept};
     }
 };
 
