@@ -3,12 +3,10 @@
 
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/output/measure_series.hpp"
 #include "solver/time/fluid_step.hpp"
 
 namespace dmp {
-
-/// A series of measures on its way into a checkpoint or out of one; its columns are known.
-void archive_series(Archive& file, MeasureSeries& series);
 
 /// Follows the scene's measures over time.
 ///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];

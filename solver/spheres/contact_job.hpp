@@ -13,8 +13,8 @@
 
 namespace dmp {
 
-/// What the longest law remembers of a contact: two vectors, a radius, and the engine's own last parting velocity.
-inline constexpr std::size_t most_history = 8;
+/// What the longest law remembers of a contact: two vectors and a radius.
+inline constexpr std::size_t most_history = 7;
 /// Contacts are worked on so many at a time at most; lists are padded to it.
 inline constexpr std::size_t contact_block = 8;
 
@@ -26,9 +26,8 @@ struct DeferredLoad {
 
 /// How time enters into contact forces.
 struct ContactTime {
-    double dt = 0;        ///< the step that has led here [s]
-    double half_dt = 0;   ///< how long before now the velocities hold, for the direction of slip [s]; 0: not minded
-    double extrapolate = 0;  ///< dt / (dt before + dt): the velocity of parting is carried on to now; 0: not
+    double dt = 0;       ///< the step that has led here [s]
+    double half_dt = 0;  ///< how long ago velocities were these [s]
 };
 
 /// One run of contacts of one pair of materials, of one thread. Contacts fill blocks; nobody's rows fill the last one.

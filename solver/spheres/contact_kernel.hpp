@@ -11,13 +11,12 @@
 namespace dmp {
 
 /// The loop over contacts: L contacts side by side, each once. Velocities are those of the middle of the step that led
-/// to the present places. So the direction in which two surfaces slide on each other is taken at the middle too (Vyas,
-/// Ottino, Lueptow & Umbanhowar 2025: else a small sphere drifts on a large one), and the velocity of parting, which
-/// sets the dashpot's force now, is carried on from the last two middles to now: both are then of second order in dt.
+/// to the present places; so the directions in which two surfaces slide on each other are taken at the middle too (Vyas,
+/// Ottino, Lueptow & Umbanhowar 2025: else a small sphere drifts on a large one), but where the history is LAMMPS'.
 template <class L, ContactModel model>
 class ContactKernel {
     using Law = ContactLaw<model>;
-    static constexpr std::size_t kept = Law::history_values;  ///< behind them the last velocity of parting
+    static constexpr std::size_t kept = Law::history_values;
 
   public:
     static void run(ContactJob& job) {
@@ -59,12 +58,6 @@ class ContactKernel {
             const V before = separation - L(job.time.half_dt) * relative;
             const V n = (L(1.0) / sqrt(dot(before, before))) * before;
             contact.slip = across(across(relative, n) - cross(around, n), contact.normal);
-            const L last = L::load(job.history[kept] + k), parting = contact.parting;
-            const L touching = where_less(L(0.0), contact.overlap, L(1.0), L(0.0));
-            (touching * parting).store(job.history[kept] + k, L::width);
-            // A new contact has no last one.
-            const L change = where_less(last * last, L(1e-300), L(0.0), parting - last);
-            contact.parting = parting + L(job.time.extrapolate) * change;
         }
         typename Law::template History<L> history;
         for (std::size_t n = 0; n < kept; ++n) history[n] = L::load(job.history[n] + k);

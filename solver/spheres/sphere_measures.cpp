@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "solver/output/measures.hpp"
+#include "solver/output/measure_series.hpp"
 #include "solver/spheres/stillness.hpp"
 
 namespace dmp {

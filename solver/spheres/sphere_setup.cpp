@@ -169,7 +169,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
             setup.reach = std::max(setup.reach, contact_reach(pair.model, pair.constants, pair.largest_radius));
     for (const SpherePair& pair : setup.pairs)
         setup.history_width =
-            std::max(setup.history_width, static_cast<std::size_t>(history_values(pair.model)) + 1);
+            std::max(setup.history_width, static_cast<std::size_t>(history_values(pair.model)));
     check_periods(set, 2 * setup.largest_radius + setup.reach);
     return setup;
 }

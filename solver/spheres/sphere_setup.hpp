@@ -32,7 +32,7 @@ struct SphereSetup {
     std::vector<double> smallest_by_part, lightest_by_part;  ///< by part number; 0: has no spheres [m], [kg]
     double reach = 0;                                      ///< largest gap across which a force acts [m]
     double smallest_radius = 0, largest_radius = 0, mean_radius = 0;
-    std::size_t history_width = 0;  ///< of the longest law, and the last velocity of parting
+    std::size_t history_width = 0;  ///< of the longest law
 };
 
 /// Throws InputError where the scene does not say what happens, or what the engine cannot do.

@@ -83,7 +83,7 @@ void SphereStep::start(bool with_forces, double t) {
         sweep_contacts({});
         largest_force_ = ranks_.largest(largest_force_);
         std::ranges::fill(rows_.loads(), SphereLoad{});
-        find_forces(0, 0);
+        find_forces(0);
     }
 }
 
@@ -99,9 +99,8 @@ void SphereStep::advance(double t, double dt) {
             moved_to_walls_ = 0;
         }
     });
-    find_forces(dt, last_dt_ > 0 ? dt / (last_dt_ + dt) : 0.5);
+    find_forces(dt);
     timer_.timed("kick", [&] { kick(t + dt, 0.5 * dt); });
-    last_dt_ = dt;
 }
 
 /// Velocities and spins of free spheres for `half` by the loads there are.
@@ -192,8 +191,8 @@ double SphereStep::expected_force(double dt) const {
     return largest;
 }
 
-void SphereStep::find_forces(double dt, double extrapolate) {
-    const ContactTime time{dt, 0.5 * dt, extrapolate};
+void SphereStep::find_forces(double dt) {
+    const ContactTime time{dt, 0.5 * dt};
     timer_.timed("contacts", [&] { sweep_contacts(time); });
     std::array<ExactSum, 3> from_outside;
     if (any_fixed_)
@@ -261,7 +260,6 @@ void SphereStep::archive(Archive& file) {
     double force = file.loading() ? 0 : ranks_.largest(largest_force_);
     file("spheres/largest_force", force);
     largest_force_ = force;
-    file("spheres/last_dt", last_dt_);
     file("spheres/wall_force", wall_force_);
     file("spheres/impulse_of_body_forces", impulses_.of_body_forces);
     file("spheres/impulse_of_fixed", impulses_.of_fixed);

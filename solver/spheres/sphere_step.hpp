@@ -5,14 +5,14 @@
 
 #include "solver/resources.hpp"
 #include "solver/spheres/sphere_neighbours.hpp"
-#include "solver/time/fluid_step.hpp"
+#include "solver/time/outside_impulses.hpp"
 #include "solver/time/stage_timer.hpp"
 
 namespace dmp {
 
 /// One step of spheres in contact, velocity Verlet: velocities and spins half a step, places a whole one, contact
-/// forces there, velocities and spins the second half. Contacts see the velocities of the middle of the step, at which
-/// friction's displacement is updated, and carry the velocity of parting on to the end (ContactKernel).
+/// forces there, velocities and spins the second half. Contacts see the velocities of the middle of the step, with which
+/// they also carry on friction's displacement (ContactKernel).
 class SphereStep {
   public:
     /// `space` has whole periods.
@@ -49,7 +49,7 @@ class SphereStep {
     void kick(double t, double dt);
     void kick_by_place(double t, double half);
     void drift(double dt);
-    void find_forces(double dt, double extrapolate);
+    void find_forces(double dt);
     void sweep_contacts(const ContactTime& time);
     [[nodiscard]] double expected_force(double dt) const;
     void add_impulses(double t, double half);
@@ -71,7 +71,6 @@ class SphereStep {
     std::vector<std::vector<DeferredLoad>> deferred_;  ///< by thread
     std::vector<std::size_t> deferred_count_;
     double largest_speed_ = 0, largest_force_ = 0;     ///< of the last step, of all ranks [m/s], [N]
-    double last_dt_ = 0;
     double moved_to_walls_ = 0, wall_skin_ = 0;  ///< since walls were listed; then they are listed anew [m]
     Three wall_force_{};                         ///< of walls and fixed spheres on all ranks' free ones [N]
     OutsideImpulses impulses_;

@@ -17,13 +17,8 @@ WallPush push(const SphereMotion& sphere, const WallTouch& touch, const ContactC
     constexpr auto values = static_cast<std::size_t>(Law::history_values);
     const auto three = [](const Row& row) { return Vector<double, 3>{{row.c[0], row.c[1], row.c[2]}}; };
     const SpherePoint<double> i{three(sphere.velocity), three(sphere.spin), sphere.radius(), sphere.velocity.c[3]};
-    Contact<double> contact =
+    const Contact<double> contact =
         contact_with_wall<Law>(i, touch.normal, touch.distance, touch.wall_velocity, Vector<double, 3>::zero());
-    if (model.history != TangentialHistory::plain) {
-        const double last = kept[values], parting = contact.parting;
-        kept[values] = contact.overlap > 0 ? parting : 0;
-        if (last != 0) contact.parting = parting + time.extrapolate * (parting - last);
-    }
     typename Law::template History<double> history;
     std::copy_n(kept, values, history.begin());
     const ContactForce<double> force = Law::law(contact, pair, history, time.dt);
