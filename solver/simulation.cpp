@@ -203,9 +203,9 @@ void Simulation::State::stop_for_all(FrameSink* sink, const std::optional<Watch:
 
 void Simulation::State::diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do) {
     write_as_it_is(sink);
-    throw DivergenceError(
-        "the simulation diverged at t = " + std::to_string(time_) + " s, step " + std::to_string(step_) + ": " + problem,
-        what_to_do);
+    throw DivergenceError("the simulation diverged at t = " + std::to_string(time_) + " s, step " +
+                              std::to_string(step_) + ": " + problem,
+                          what_to_do);
 }
 
 Simulation::Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources) {

@@ -17,7 +17,7 @@ void archive_series(Archive& file, MeasureSeries& series) {
     series.rows.clear();
     for (std::size_t row = 0; row < series.time.size(); ++row)
         series.rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
-                                  values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
+                                 values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
 }
 
 }  // namespace dmp

@@ -21,8 +21,8 @@ class Columns {
         if constexpr (L::width == 4) {
             return from(transposed(read(row(0)), read(row(1)), read(row(2)), read(row(3))));
         } else if constexpr (L::width == 8) {
-            return from(transposed(both(row(0), row(4)), both(row(1), row(5)), both(row(2), row(6)),
-                                   both(row(3), row(7))));
+            return from(
+                transposed(both(row(0), row(4)), both(row(1), row(5)), both(row(2), row(6)), both(row(3), row(7))));
         } else {
             Four columns;
             for (std::size_t k = 0; k < L::width; ++k)

@@ -20,8 +20,7 @@ ContactSweep sweep_of(std::size_t wanted, std::index_sequence<number...>) {
 
 template <>
 ContactSweep compiled_contact_sweep<VectorUnit::DMP_VECTOR_UNIT>(const ContactModel& model) {
-    return sweep_of<Lanes, VectorUnit::DMP_VECTOR_UNIT>(number_of(model),
-                                                        std::make_index_sequence<contact_models>{});
+    return sweep_of<Lanes, VectorUnit::DMP_VECTOR_UNIT>(number_of(model), std::make_index_sequence<contact_models>{});
 }
 
 }  // namespace dmp

@@ -11,8 +11,9 @@
 namespace dmp {
 
 /// The loop over contacts: L contacts side by side, each once. Velocities are those of the middle of the step that led
-/// to the present places; so the directions in which two surfaces slide on each other are taken at the middle too (Vyas,
-/// Ottino, Lueptow & Umbanhowar 2025: else a small sphere drifts on a large one), but where the history is LAMMPS'.
+/// to the present places; so the directions in which two surfaces slide on each other are taken at the middle too
+/// (Vyas, Ottino, Lueptow & Umbanhowar 2025: else a small sphere drifts on a large one), but where the history is
+/// LAMMPS'.
 template <class L, ContactModel model>
 class ContactKernel {
     using Law = ContactLaw<model>;
@@ -44,7 +45,8 @@ class ContactKernel {
         const double* rows = job.motion->place.c;
         const std::int32_t *low = job.low + k, *high = job.high + k;
         const auto place_i = Cols::load(rows, motion_width, low), place_j = Cols::load(rows, motion_width, high);
-        const auto moving_i = Cols::load(rows + 4, motion_width, low), moving_j = Cols::load(rows + 4, motion_width, high);
+        const auto moving_i = Cols::load(rows + 4, motion_width, low),
+                   moving_j = Cols::load(rows + 4, motion_width, high);
         const auto spin_i = Cols::load(rows + 8, motion_width, low), spin_j = Cols::load(rows + 8, motion_width, high);
         const V separation = three(place_i) - three(place_j);
         const L distance = sqrt(dot(separation, separation));

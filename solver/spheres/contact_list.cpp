@@ -20,9 +20,12 @@ void ContactList::find_pairs(const SphereRows& rows, std::span<const ParticleTag
         bounds_.push_back(static_cast<std::int32_t>(static_cast<std::int64_t>(total) * t / threads_));
     std::vector<std::vector<NearSpheres>> found(static_cast<std::size_t>(threads_));
 #pragma omp parallel for num_threads(threads_) schedule(static, 1)
-    for (int t = 0; t < threads_; ++t) search.append_near(bounds_[t], bounds_[t + 1], found[static_cast<std::size_t>(t)]);
+    for (int t = 0; t < threads_; ++t)
+        search.append_near(bounds_[t], bounds_[t + 1], found[static_cast<std::size_t>(t)]);
 
-    const auto kind_of = [&](const NearSpheres& pair) { return kinds_.of(tags[pair.finder].part, tags[pair.other].part); };
+    const auto kind_of = [&](const NearSpheres& pair) {
+        return kinds_.of(tags[pair.finder].part, tags[pair.other].part);
+    };
     const auto kind_count = static_cast<std::size_t>(kind_count_);
     segments_.assign(static_cast<std::size_t>(threads_) * kind_count, {});
     std::size_t listed = 0, contacts = 0;
@@ -31,8 +34,12 @@ void ContactList::find_pairs(const SphereRows& rows, std::span<const ParticleTag
         for (const NearSpheres& pair : found[t])
             if (const auto kind = kind_of(pair); kind != PairKinds::none) ++of_kind[static_cast<std::size_t>(kind)];
         for (std::size_t kind = 0; kind < kind_count; ++kind) {
-            segments_[t * kind_count + kind] = {static_cast<int>(t), static_cast<std::int16_t>(kind), listed,
-                                                listed + of_kind[kind], contacts, contacts};
+            segments_[t * kind_count + kind] = {static_cast<int>(t),
+                                                static_cast<std::int16_t>(kind),
+                                                listed,
+                                                listed + of_kind[kind],
+                                                contacts,
+                                                contacts};
             listed += of_kind[kind];
             contacts += in_blocks(of_kind[kind]);
         }
@@ -87,8 +94,7 @@ std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows&
         if (dx * dx + dy * dy + dz * dz >= touch * touch) continue;
         low_[next] = i;
         high_[next] = j;
-        const RememberedContact* remembered =
-            memory != nullptr ? memory->find(tags[i].id, tags[j].id) : nullptr;
+        const RememberedContact* remembered = memory != nullptr ? memory->find(tags[i].id, tags[j].id) : nullptr;
         for (std::size_t n = 0; n < history_width_; ++n)
             next_history_[n][next] = before >= 0             ? history_[n][before]
                                      : remembered != nullptr ? remembered->history[n]

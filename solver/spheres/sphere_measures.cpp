@@ -89,7 +89,8 @@ void SphereMeasures::take(double time, const SphereStep& step) {
             case MeasureKind::largest_speed: {
                 double largest = 0;
                 for (const SphereMotion& sphere : step.rows().motion().first(step.rows().owned()))
-                    largest = std::max(largest, Vec(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]).norm());
+                    largest =
+                        std::max(largest, Vec(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]).norm());
                 row.push_back(ranks_.largest(largest));
                 break;
             }
@@ -134,7 +135,8 @@ std::vector<double> SphereMeasures::mean_of(const Measure& measure, const Sphere
 
 std::vector<double> SphereMeasures::detached(const Measure& measure, const SphereStep& step) const {
     Pieces pieces(drawn_.size());
-    for (const auto& [a, b] : touching_ids(step, ranks_)) pieces.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    for (const auto& [a, b] : touching_ids(step, ranks_))
+        pieces.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     const auto is_it = [&](int part) { return space_.parts[static_cast<std::size_t>(part)].name == *measure.part; };
     const auto carrier = static_cast<std::size_t>(std::ranges::find_if(part_of_id_, is_it) - part_of_id_.begin());
     double upper = 0, lower = 0;

@@ -13,7 +13,8 @@ namespace dmp {
 ///   kinetic_energy  of translation and rotation [J]
 ///   velocity, spin  of a part: the mean of its spheres, three columns each [m/s], [rad/s]
 ///   wall_force      of all walls on spheres, three columns [N]
-///   detached        how many spheres hang together with the part of one sphere no more, three columns: of all, of those
+///   detached        how many spheres hang together with the part of one sphere no more, three columns: of all, of
+///   those
 ///                   that were drawn on the half of it that the direction points to (upper), of the others (lower)
 class SphereMeasures {
   public:
@@ -30,7 +31,7 @@ class SphereMeasures {
 
     std::vector<Measure> measures_;
     ParticleSpace space_;
-    std::vector<Vec> drawn_;            ///< places at the start by id
+    std::vector<Vec> drawn_;  ///< places at the start by id
     std::vector<int> part_of_id_;
     const Ranks& ranks_;
     MeasureSeries series_;

@@ -37,7 +37,8 @@ void SphereNeighbours::measure_drift(const SphereRows& rows) {
     std::array<ExactSum, 3> sum;
     for (const SphereMotion& sphere : rows.motion().first(rows.owned()))
         for (std::size_t axis = 0; axis < 3; ++axis) sum[axis].add(sphere.fixed() ? 0 : sphere.velocity.c[axis]);
-    const auto count = static_cast<double>(std::max<std::int64_t>(1, ranks_->sum(static_cast<std::int64_t>(rows.owned()))));
+    const auto count =
+        static_cast<double>(std::max<std::int64_t>(1, ranks_->sum(static_cast<std::int64_t>(rows.owned()))));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         ranks_->sum(sum[axis]);
         drift_[axis] = sum[axis].value() / count;

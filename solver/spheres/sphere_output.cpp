@@ -28,8 +28,9 @@ Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double ti
         radius.values.push_back(static_cast<float>(sphere.radius()));
         for (int axis = 0; axis < 3; ++axis) {
             const double x = sphere.place.c[axis];
-            group.position.push_back(static_cast<float>(
-                space.periodic[static_cast<std::size_t>(axis)] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x));
+            group.position.push_back(static_cast<float>(space.periodic[static_cast<std::size_t>(axis)]
+                                                            ? wrapped(x, space.box.low[axis], space.box.high[axis])
+                                                            : x));
             velocity.values.push_back(static_cast<float>(sphere.velocity.c[axis]));
             spin.values.push_back(static_cast<float>(sphere.spin.c[axis]));
             force.values.push_back(static_cast<float>(step.rows().loads()[i].force.c[axis]));

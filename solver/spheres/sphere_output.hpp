@@ -6,8 +6,8 @@
 
 namespace dmp {
 
-/// What the spheres look like now: one group "spheres" with radius, velocity, angular_velocity and contact_force, in the
-/// order of their ids. All ranks take part; in pieces every rank gets its own spheres, else the first one all.
+/// What the spheres look like now: one group "spheres" with radius, velocity, angular_velocity and contact_force, in
+/// the order of their ids. All ranks take part; in pieces every rank gets its own spheres, else the first one all.
 Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool in_pieces);
 
 }  // namespace dmp

@@ -19,7 +19,8 @@ namespace dmp {
 namespace {
 
 constexpr int steps_between_looks = 50;
-/// Speeds are looked up in steps of this many to an octave, so that the step keeps its length while speeds change little.
+/// Speeds are looked up in steps of this many to an octave, so that the step keeps its length while speeds change
+/// little.
 constexpr double speeds_an_octave = 4;
 
 Resources with_threads(Resources resources) {
@@ -54,8 +55,7 @@ SphereRun::SphereRun(const Scene& scene, const ParticleSet& set, const Resources
 
 std::vector<StepLimit> SphereRun::limits() const {
     const double speed = step_.speed_for_limits();
-    const double rounded =
-        speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
+    const double rounded = speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
     std::vector<StepLimit> all = sphere_step_limits(scene_, setup_, space_, rounded);
     if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
     return all;
@@ -167,13 +167,17 @@ void SphereRun::advance(const RunOptions& options, double until) {
     step_.advance(time_, dt);
     time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
     ++step_count_;
-    if (step_count_ % steps_between_looks == 0) look(options.sink);
+    if (step_count_ % steps_between_looks == 0 || time_ == target) look(options.sink);
     stillness_.look(time_, step_, ranks_);
     write_what_is_due(options.sink);
 }
 
 RunProgress SphereRun::progress(double until) const {
-    return {time_, until, static_cast<long>(step_count_), ruling_limit(limits()).dt, step_.largest_speed(),
+    return {time_,
+            until,
+            static_cast<long>(step_count_),
+            ruling_limit(limits()).dt,
+            step_.largest_speed(),
             static_cast<long>(frames_)};
 }
 
@@ -233,10 +237,9 @@ RunSummary SphereRun::summary() const {
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
     const LargestOverlap overlap = largest_overlap(step_);
-    summary.spheres = SphereSummary{
-        energy_at_start_, energy(),
-        static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(overlap.touching))),
-        ranks_.largest(overlap.ratio), stillness_.since()};
+    summary.spheres = SphereSummary{energy_at_start_, energy(),
+                                    static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(overlap.touching))),
+                                    ranks_.largest(overlap.ratio), stillness_.since()};
     summary.state_hash = state_hash(std::span(&group_, 1), space_, ranks_);
     summary.seconds_by_stage = step_.timer().seconds();
     summary.measures = measures_.series();

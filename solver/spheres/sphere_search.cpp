@@ -92,7 +92,8 @@ void SphereSearch::Grid::for_each_near(const SphereMotion& sphere, double gap, s
             const auto line = static_cast<std::size_t>((cz * cells[1] + cy) * cells[0]);
             const std::int32_t begin = start[line + static_cast<std::size_t>(first[0])],
                                end = start[line + static_cast<std::size_t>(last[0]) + 1];
-            if (scratch.size() < static_cast<std::size_t>(end - begin)) scratch.resize(static_cast<std::size_t>(end - begin));
+            if (scratch.size() < static_cast<std::size_t>(end - begin))
+                scratch.resize(static_cast<std::size_t>(end - begin));
             std::size_t count = 0;
             for (std::int32_t k = begin; k < end; ++k) {
                 const double dx = place[0][k] - x, dy = place[1][k] - y, dz = place[2][k] - z,

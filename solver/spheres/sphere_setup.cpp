@@ -18,7 +18,7 @@ namespace {
 constexpr double rayleigh_part = 0.2, adhesion_part = 0.1;
 
 struct Sizes {
-    double smallest = std::numeric_limits<double>::infinity(), largest = 0;  ///< radii [m]
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;   ///< radii [m]
     double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;  ///< [kg]
     std::size_t count = 0;
 };
@@ -59,8 +59,7 @@ double adhesion_energy(const ContactPair& asked, const SpherePair& pair) {
         throw InputError(asked.pull_off_force.place,
                          "pull_off_force between " + pair.parts + ", whose spheres differ in radius",
                          "give work_of_adhesion, from which each contact's pull-off force follows");
-    return asked.pull_off_force /
-           ((*asked.adhesion == AdhesionKind::jkr ? 1.5 : 2.0) * std::numbers::pi * pair.radius);
+    return asked.pull_off_force / ((*asked.adhesion == AdhesionKind::jkr ? 1.5 : 2.0) * std::numbers::pi * pair.radius);
 }
 
 SpherePair pair_of(const Part& a, const Part& b, const ContactPair& asked, SpherePair pair) {
@@ -75,8 +74,7 @@ SpherePair pair_of(const Part& a, const Part& b, const ContactPair& asked, Spher
     if (*asked.law == ContactLawKind::thesis_eq_7_5) settings.stiffness = ContactStiffness::thesis_eq_7_5;
     if (asked.restitution.given()) {
         settings.restitution = asked.restitution;
-        settings.damping =
-            asked.dashpot_may_pull ? ContactDamping::restitution : ContactDamping::restitution_no_pull;
+        settings.damping = asked.dashpot_may_pull ? ContactDamping::restitution : ContactDamping::restitution_no_pull;
     } else {
         settings.damping = ContactDamping::coefficients;
         settings.normal_rate = asked.normal_damping;
@@ -143,18 +141,21 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
             const ContactPair* asked = law_between(scene, part, other);
             if (asked == nullptr) continue;
             if (other.is_wall_for_spheres()) {
-                setup.wall_pairs.push_back(pair_of(part, other, *asked,
-                                                   {{}, {}, {}, sizes[a].smallest, sizes[a].lightest, sizes[a].largest,
-                                                    sizes[a].heaviest, nullptr}));
+                setup.wall_pairs.push_back(pair_of(
+                    part, other, *asked,
+                    {{}, {}, {}, sizes[a].smallest, sizes[a].lightest, sizes[a].largest, sizes[a].heaviest, nullptr}));
                 setup.walls[a][b] = WallPair{setup.wall_pairs.back().model, setup.wall_pairs.back().constants};
             } else if (b >= a && sizes[b].count > 0) {
                 setup.kinds.set(a, b, static_cast<std::int16_t>(setup.pairs.size()));
                 setup.pairs.push_back(pair_of(part, other, *asked,
-                                              {{}, {}, {},
+                                              {{},
+                                               {},
+                                               {},
                                                reduced(sizes[a].smallest, sizes[b].smallest),
                                                reduced(sizes[a].lightest, sizes[b].lightest),
                                                reduced(sizes[a].largest, sizes[b].largest),
-                                               reduced(sizes[a].heaviest, sizes[b].heaviest), nullptr}));
+                                               reduced(sizes[a].heaviest, sizes[b].heaviest),
+                                               nullptr}));
             }
         }
     }
@@ -168,8 +169,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
         for (const SpherePair& pair : *pairs)
             setup.reach = std::max(setup.reach, contact_reach(pair.model, pair.constants, pair.largest_radius));
     for (const SpherePair& pair : setup.pairs)
-        setup.history_width =
-            std::max(setup.history_width, static_cast<std::size_t>(history_values(pair.model)));
+        setup.history_width = std::max(setup.history_width, static_cast<std::size_t>(history_values(pair.model)));
     check_periods(set, 2 * setup.largest_radius + setup.reach);
     return setup;
 }
@@ -201,18 +201,18 @@ std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup&
         if (radius == 0) continue;
         const Part& part = part_named(scene, space.parts[k].name);
         const double density = setup.lightest_by_part[k] / (4 * std::numbers::pi / 3 * radius * radius * radius);
-        limits.push_back({"Rayleigh wave in '" + *part.name + "'",
-                          finer * rayleigh_part *
-                              ContactTimes::rayleigh(radius, density, part.youngs_modulus, part.poisson_ratio),
-                          text_of(finer * rayleigh_part) + " of its way around half a sphere (Ning & Ghadiri 2006)"});
+        limits.push_back(
+            {"Rayleigh wave in '" + *part.name + "'",
+             finer * rayleigh_part * ContactTimes::rayleigh(radius, density, part.youngs_modulus, part.poisson_ratio),
+             text_of(finer * rayleigh_part) + " of its way around half a sphere (Ning & Ghadiri 2006)"});
     }
     return limits;
 }
 
 std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space) {
-    std::vector<ModelUse> models{
-        {"spheres", "velocity Verlet with rotation; friction's direction at half steps: Vyas et al. 2025",
-         "part '" + *scene.parts_of(PartKind::spheres).front()->name + "'"}};
+    std::vector<ModelUse> models{{"spheres",
+                                  "velocity Verlet with rotation; friction's direction at half steps: Vyas et al. 2025",
+                                  "part '" + *scene.parts_of(PartKind::spheres).front()->name + "'"}};
     for (const auto* pairs : {&setup.pairs, &setup.wall_pairs})
         for (const SpherePair& pair : *pairs) {
             const std::string where = "[[contact_pair]] at " + pair.asked->parts.place.text();
@@ -225,19 +225,21 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
                                          : "; history after Thornton, Cummins & Cleary 2013"),
                               where});
             if (pair.model.rolling != RollingFriction::none)
-                models.push_back({"rolling friction of " + pair.parts,
-                                  pair.model.rolling == RollingFriction::spring ? "spring and dashpot" : "constant torque",
-                                  where});
+                models.push_back(
+                    {"rolling friction of " + pair.parts,
+                     pair.model.rolling == RollingFriction::spring ? "spring and dashpot" : "constant torque", where});
             if (pair.model.adhesion != Adhesion::none)
                 models.push_back({"adhesion of " + pair.parts,
-                                  pair.model.adhesion == Adhesion::jkr ? "Johnson, Kendall & Roberts 1971"
-                                                                       : "Bradley 1932; Derjaguin, Muller & Toporov 1975",
+                                  pair.model.adhesion == Adhesion::jkr
+                                      ? "Johnson, Kendall & Roberts 1971"
+                                      : "Bradley 1932; Derjaguin, Muller & Toporov 1975",
                                   where});
         }
     if (!space.wall_planes.empty() || !space.wall_triangles.empty())
-        models.push_back({"walls", std::to_string(space.wall_planes.size()) + " planes and " +
-                                       std::to_string(space.wall_triangles.size()) +
-                                       " triangles; touched where the distance is least",
+        models.push_back({"walls",
+                          std::to_string(space.wall_planes.size()) + " planes and " +
+                              std::to_string(space.wall_triangles.size()) +
+                              " triangles; touched where the distance is least",
                           "parts of kind 'plane' and 'surface'"});
     for (const Expression& axis : scene.flow.acceleration)
         if (!axis.is_zero()) models.push_back({"body acceleration", axis.text(), "flow.acceleration"});

@@ -28,9 +28,9 @@ struct SphereSetup {
     std::vector<SpherePair> pairs;       ///< by kind
     std::vector<SpherePair> wall_pairs;  ///< for step limits
     WallPairs walls;
-    std::vector<std::array<Expression, 3>> wall_velocity;  ///< by part number
+    std::vector<std::array<Expression, 3>> wall_velocity;    ///< by part number
     std::vector<double> smallest_by_part, lightest_by_part;  ///< by part number; 0: has no spheres [m], [kg]
-    double reach = 0;                                      ///< largest gap across which a force acts [m]
+    double reach = 0;                                        ///< largest gap across which a force acts [m]
     double smallest_radius = 0, largest_radius = 0, mean_radius = 0;
     std::size_t history_width = 0;  ///< of the longest law
 };

@@ -182,9 +182,10 @@ double SphereStep::expected_force(double dt) const {
     const double overlap = 2 * largest_speed_ * dt, speed = 2 * largest_speed_;
     for (const SpherePair& pair : setup_.pairs) {
         const double touch = std::sqrt(pair.largest_radius * overlap), mass = pair.largest_mass;
-        largest = std::max(largest, pair.constants.normal_stiffness * touch * overlap +
-                                        pair.constants.normal_dashpot * std::sqrt(mass * touch) * speed +
-                                        std::min(pair.constants.normal_rate * mass * touch, mass / std::max(dt, 1e-300)) * speed);
+        largest = std::max(
+            largest, pair.constants.normal_stiffness * touch * overlap +
+                         pair.constants.normal_dashpot * std::sqrt(mass * touch) * speed +
+                         std::min(pair.constants.normal_rate * mass * touch, mass / std::max(dt, 1e-300)) * speed);
         if (pair.model.adhesion != Adhesion::none)
             largest = std::max(largest, BradleyAdhesion::pull_off(pair.largest_radius, pair.constants));
     }

@@ -11,8 +11,8 @@
 namespace dmp {
 
 /// One step of spheres in contact, velocity Verlet: velocities and spins half a step, places a whole one, contact
-/// forces there, velocities and spins the second half. Contacts see the velocities of the middle of the step, with which
-/// they also carry on friction's displacement (ContactKernel).
+/// forces there, velocities and spins the second half. Contacts see the velocities of the middle of the step, with
+/// which they also carry on friction's displacement (ContactKernel).
 class SphereStep {
   public:
     /// `space` has whole periods.
@@ -63,16 +63,16 @@ class SphereStep {
     bool any_fixed_ = false;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;
-    double free_mass_ = 0;  ///< of all ranks [kg]
+    double free_mass_ = 0;              ///< of all ranks [kg]
     std::vector<ContactSweep> sweeps_;  ///< by kind
     SphereRows rows_;
     SphereWalls walls_;
     SphereNeighbours neighbours_;
     std::vector<std::vector<DeferredLoad>> deferred_;  ///< by thread
     std::vector<std::size_t> deferred_count_;
-    double largest_speed_ = 0, largest_force_ = 0;     ///< of the last step, of all ranks [m/s], [N]
-    double moved_to_walls_ = 0, wall_skin_ = 0;  ///< since walls were listed; then they are listed anew [m]
-    Three wall_force_{};                         ///< of walls and fixed spheres on all ranks' free ones [N]
+    double largest_speed_ = 0, largest_force_ = 0;  ///< of the last step, of all ranks [m/s], [N]
+    double moved_to_walls_ = 0, wall_skin_ = 0;     ///< since walls were listed; then they are listed anew [m]
+    Three wall_force_{};                            ///< of walls and fixed spheres on all ranks' free ones [N]
     OutsideImpulses impulses_;
     StageTimer timer_;
 };

@@ -43,7 +43,9 @@ int SphereWalls::part_of(std::int32_t surface) const {
 std::array<Vec, 3> SphereWalls::corners_of(std::int32_t surface) const {
     const WallTriangle& triangle = triangles_[static_cast<std::size_t>(surface) - planes_.size()];
     const Vec& moved = motion_[static_cast<std::size_t>(triangle.part)].displacement;
-    const auto corner = [&](int number) -> Vec { return space_.wall_corners[static_cast<std::size_t>(number)] + moved; };
+    const auto corner = [&](int number) -> Vec {
+        return space_.wall_corners[static_cast<std::size_t>(number)] + moved;
+    };
     return {corner(triangle.a), corner(triangle.b), corner(triangle.c)};
 }
 
@@ -205,11 +207,10 @@ void SphereWalls::add_loads(SphereRows& rows, std::span<const ParticleTag> tags,
             if (const WallContact* last = remembered(touch, before, touches)) contact.history = last->history;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 contact.normal[axis] = touch.normal[static_cast<Eigen::Index>(axis)];
-            const WallPush push =
-                wall_law(pair.model)(motion,
-                                     {three(touch.normal), touch.distance,
-                                      three(motion_[static_cast<std::size_t>(touch.part)].middle)},
-                                     pair.constants, time, contact.history.data());
+            const WallPush push = wall_law(pair.model)(
+                motion,
+                {three(touch.normal), touch.distance, three(motion_[static_cast<std::size_t>(touch.part)].middle)},
+                pair.constants, time, contact.history.data());
             force += push.force;
             torque += push.torque;
             next_contacts_.push_back(contact);

@@ -36,8 +36,8 @@ struct WallContact {
 /// Walls that spheres touch: planes, and surfaces of triangles, whose parts may move.
 ///
 /// A sphere touches a surface of triangles where its distance to the surface has a local minimum: in faces, edges and
-/// corners, each place once. A place on one triangle that lies on another one too, which comes nearer elsewhere, is none.
-/// So an edge between coplanar triangles, or one that bends away, is not felt from a face; in a corner that bends
+/// corners, each place once. A place on one triangle that lies on another one too, which comes nearer elsewhere, is
+/// none. So an edge between coplanar triangles, or one that bends away, is not felt from a face; in a corner that bends
 /// towards the sphere it touches both faces. What a contact remembers passes from triangle to triangle as it rolls.
 /// A sphere's contacts with walls are summed in their own order by the rank that owns it.
 class SphereWalls {
@@ -87,7 +87,7 @@ class SphereWalls {
     };
     struct ListedSphere {
         std::int32_t row = 0;
-        std::size_t first = 0, end = 0;                    ///< candidates
+        std::size_t first = 0, end = 0;                  ///< candidates
         std::size_t first_contact = 0, end_contact = 0;  ///< contacts of the last step
     };
     struct Touch {

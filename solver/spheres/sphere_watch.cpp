@@ -53,7 +53,8 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
         for (int c = 0; c < 3; ++c) sum += sphere.place.c[c] + sphere.velocity.c[c] + sphere.spin.c[c];
         if (!std::isfinite(sum))
             return describe(step, space, static_cast<std::int32_t>(i)) +
-                   ": not finite\nlikely cause: accuracy.steps_per_contact is too small, or contact_step too large" + frame;
+                   ": not finite\nlikely cause: accuracy.steps_per_contact is too small, or contact_step too large" +
+                   frame;
     }
     const LargestOverlap largest = largest_overlap(step);
     if (largest.ratio <= most_overlap) return {};
@@ -62,7 +63,8 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
          << (largest.ratio >= 1 && largest.at_wall ? " has gone through a wall: " : ": ") << "it overlaps with "
          << (largest.at_wall ? "a wall" : "another sphere") << " by " << largest.ratio << " of its radius, more than "
          << most_overlap
-         << "\nlikely causes: youngs_modulus is too small for how fast or how loaded the spheres are; or they were drawn "
+         << "\nlikely causes: youngs_modulus is too small for how fast or how loaded the spheres are; or they were "
+            "drawn "
             "in each other; or accuracy.steps_per_contact is too small"
          << frame;
     return text.str();

@@ -38,7 +38,8 @@ TriangleGrid::TriangleGrid(const std::vector<std::array<Vec, 3>>& triangles, dou
         for (int axis = 0; axis < 3; ++axis) {
             const auto a = static_cast<std::size_t>(axis);
             const auto cell_at = [&](double x) {
-                return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(x * inverse_cell_)), 0, cells_[a] - 1);
+                return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(x * inverse_cell_)), 0,
+                                                cells_[a] - 1);
             };
             first[a] = cell_at(from[axis]);
             last[a] = cell_at(to[axis]);
@@ -53,8 +54,9 @@ TriangleGrid::TriangleGrid(const std::vector<std::array<Vec, 3>>& triangles, dou
     number_.resize(static_cast<std::size_t>(start_.back()));
     std::vector<std::int32_t> next(start_.begin(), start_.end() - 1);
     for (std::size_t t = 0; t < triangles.size(); ++t)
-        for_each_cell(triangles[t],
-                      [&](std::size_t k) { number_[static_cast<std::size_t>(next[k]++)] = static_cast<std::int32_t>(t); });
+        for_each_cell(triangles[t], [&](std::size_t k) {
+            number_[static_cast<std::size_t>(next[k]++)] = static_cast<std::int32_t>(t);
+        });
 }
 
 std::vector<Vec> shifts_near(const ParticleSpace& space, const Vec& point, double reach) {

@@ -9,8 +9,8 @@
 
 namespace dmp {
 
-/// Triangles sorted into cells, each into all that its box, widened by the reach, touches: one look finds what is near a
-/// point.
+/// Triangles sorted into cells, each into all that its box, widened by the reach, touches: one look finds what is near
+/// a point.
 class TriangleGrid {
   public:
     TriangleGrid(const std::vector<std::array<Vec, 3>>& triangles, double reach);
@@ -24,7 +24,8 @@ class TriangleGrid {
             if (!(position >= 0 && position < static_cast<double>(cells_[static_cast<std::size_t>(axis)]))) return;
             cell = cell * cells_[static_cast<std::size_t>(axis)] + static_cast<std::int64_t>(position);
         }
-        for (std::int32_t k = start_[static_cast<std::size_t>(cell)]; k < start_[static_cast<std::size_t>(cell) + 1]; ++k)
+        for (std::int32_t k = start_[static_cast<std::size_t>(cell)]; k < start_[static_cast<std::size_t>(cell) + 1];
+             ++k)
             visit(static_cast<std::size_t>(number_[static_cast<std::size_t>(k)]));
     }
 
@@ -36,8 +37,8 @@ class TriangleGrid {
     std::vector<std::int32_t> number_;
 };
 
-/// No shift, and those by whole periods after which something within `reach` of the point, which lies in the box or near
-/// it, may come from the other side.
+/// No shift, and those by whole periods after which something within `reach` of the point, which lies in the box or
+/// near it, may come from the other side.
 std::vector<Vec> shifts_near(const ParticleSpace& space, const Vec& point, double reach);
 
 }  // namespace dmp
