@@ -162,7 +162,8 @@ void SphereStep::drift(double dt) {
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         SphereMotion& sphere = motion[static_cast<std::size_t>(i)];
         const Quad v = read(sphere.velocity), in_frame = v - frame;
-        write(sphere.place, (read(sphere.place) + step * v + magic) - magic);
+        // The way made, not the place, is rounded: it is the same in every image.
+        write(sphere.place, read(sphere.place) + ((step * v + magic) - magic));
         loads[static_cast<std::size_t>(i)] = {};
         const Quad v2 = v * v, frame2 = in_frame * in_frame;
         fastest = std::max(fastest, v2[0] + v2[1] + v2[2]);
