@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +33,9 @@ struct BradleyAdhesion {
     static T pull_off(const T& radius, const Constants& pair) {
         return (2 * std::numbers::pi) * pair.adhesion_energy * radius;
     }
+
+    /// W of a pull-off force measured on spheres of this effective radius [J/m^2].
+    static double adhesion_energy(double pull_off, double radius) { return pull_off / (2 * std::numbers::pi * radius); }
 
     /// 0 beyond the range [J].
     static double energy(double overlap, double radius, const ContactConstants<>& pair) {

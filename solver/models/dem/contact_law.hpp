@@ -78,7 +78,7 @@ struct ContactLaw {
         if constexpr (model.rolling != RollingFriction::none) {
             using Law = std::conditional_t<model.rolling == RollingFriction::spring, RollingSpring, ConstantRolling>;
             const RollingContact<T> rolling{pair.normal_stiffness * normal.touch, gripping};
-            const Vector<T, 3> angle = vector_of(history, history_vectors - 1);
+            const Vector<T, 3> angle = vector_of(history, std::size_t{history_vectors} - 1);
             const Rolling<T> rolled = Law::law(contact, pair, rolling, angle, dt);
             force.rolling = rolled.torque;
             if (history_vectors == 2 && dt > 0) keep(history, 1, rolled.angle, normal.touch);
@@ -101,14 +101,13 @@ struct ContactLaw {
     }
 
     template <class T>
-    static Vector<T, 3> vector_of(const History<T>& history, int number) {
-        const auto first = static_cast<std::size_t>(3 * number);
-        return {{history[first], history[first + 1], history[first + 2]}};
+    static Vector<T, 3> vector_of(const History<T>& history, std::size_t number) {
+        return {{history[3 * number], history[3 * number + 1], history[3 * number + 2]}};
     }
     template <class T>
-    static void keep(History<T>& history, int number, const Vector<T, 3>& vector, const T& touch) {
-        for (int axis = 0; axis < 3; ++axis)
-            history[static_cast<std::size_t>(3 * number + axis)] = where_less(T(0.0), touch, vector[axis], T(0.0));
+    static void keep(History<T>& history, std::size_t number, const Vector<T, 3>& vector, const T& touch) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            history[3 * number + axis] = where_less(T(0.0), touch, vector[static_cast<int>(axis)], T(0.0));
     }
 };
 

@@ -8,8 +8,8 @@
 
 namespace dmp {
 
-/// Steps that a contact is resolved with by default.
-/// Restitution 1 then is off by 9e-4 (draft), 8e-5 (standard), 3e-6 (fine).
+/// Steps that a contact is resolved with by default. An elastic impact then keeps its speed to 3e-3 (draft), 5e-4
+/// (standard) and 5e-5 (fine), wherever in a step it begins.
 struct StepsPerContact {
     static constexpr double draft = 10, standard = 20, fine = 50;
 };

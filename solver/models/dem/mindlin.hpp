@@ -112,11 +112,11 @@ struct PlainHistory {
     }
 
     template <class T>
-    static T in_steps(const T& dashpot, const T&, double) {
+    static T in_steps(const T& dashpot, const T& /*mass*/, double /*dt*/) {
         return dashpot;
     }
     template <class T>
-    static T lever(const T& radius, const T&, const T&) {
+    static T lever(const T& radius, const T& /*effective_radius*/, const T& /*overlap*/) {
         return radius;
     }
     static double energy(const Vector<double, 3>& stretch, double touch, double modulus) {

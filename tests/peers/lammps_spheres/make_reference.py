@@ -5,8 +5,8 @@
     make_reference.py REFERENCE [FOLDER]
 
 Packs spheres of unlike radii and densities at random, pushed together and spinning, lets LAMMPS (`lmp`, pair_style
-gran/hertz/history) find forces and torques at the start and everything after 1000 steps, and writes all of it to the text
-file REFERENCE. LAMMPS works in FOLDER, or in one that is removed again.
+gran/hertz/history) find forces and torques at the start and everything after 1000 steps, and writes all of it to the
+text file REFERENCE. LAMMPS works in FOLDER, or in one that is removed again.
 """
 import math
 import pathlib
@@ -79,7 +79,8 @@ def make(reference, folder):
     script = pathlib.Path(__file__).resolve().with_name("spheres.in")
     variables = {"dt": DT, "steps": STEPS, "skin": 2e-4, **LAW}
     arguments = [word for name, value in variables.items() for word in ("-var", name, repr(value))]
-    subprocess.run(["lmp", "-in", str(script), *arguments, "-log", "log.txt", "-screen", "none"], cwd=folder, check=True)
+    subprocess.run(["lmp", "-in", str(script), *arguments, "-log", "log.txt", "-screen", "none"],
+                   cwd=folder, check=True)
     start, end = read_dump(folder / "spheres.dump")
     lines = ["# Spheres in contact by LAMMPS; made by tests/peers/lammps_spheres/make_reference.py",
              "# step: number, dt. law: k_n, k_t [Pa], g_n, g_t [1/(m s)], mu. sphere: radius, mass, then place, velocity,",

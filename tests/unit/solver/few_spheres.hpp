@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -57,9 +58,7 @@ class FewSpheres {
         return sum;
     }
     [[nodiscard]] bool touching() const {
-        for (const Met& contact : met)
-            if (contact.overlap > 0) return true;
-        return false;
+        return std::any_of(met.begin(), met.end(), [](const Met& contact) { return contact.overlap > 0; });
     }
     /// Of pair i, j (j < i), or of i and the floor (j = i).
     [[nodiscard]] History& history(std::size_t i, std::size_t j) {

@@ -145,13 +145,18 @@ TEST(SphereImpacts, few_steps_give_the_restitution_on_average) {
 
 TEST(SphereImpacts, steps_per_contact_are_as_accurate_as_they_say) {
     Fall fall = fall_of_aluminium_oxide();
-    const auto error = [&](double steps) {
+    const auto worst = [&](double steps) {
         fall.steps = steps;
-        return std::abs(fall.land().velocity[2] / fall.speed - 1);
+        double error = 0;
+        for (int start = 0; start < 10; ++start) {
+            fall.start = (start + 0.5) / 10;
+            error = std::max(error, std::abs(fall.land().velocity[2] / fall.speed - 1));
+        }
+        return error;
     };
-    EXPECT_LT(error(StepsPerContact::draft), 3e-3);
-    EXPECT_LT(error(StepsPerContact::standard), 3e-4);
-    EXPECT_LT(error(StepsPerContact::fine), 1e-5);
+    EXPECT_LT(worst(StepsPerContact::draft), 3e-3);
+    EXPECT_LT(worst(StepsPerContact::standard), 5e-4);
+    EXPECT_LT(worst(StepsPerContact::fine), 5e-5);
 }
 
 // Dampings from coefficients, in units of length (m v^2 / (k sqrt R))^(2/5) and of that length over v, where F =
