@@ -61,7 +61,7 @@ std::string heading(const Prepared& prepared) {
     const Scene& scene = prepared.scene;
     Listing facts;
     facts.add("scene", scene.file);
-    facts.add(prepared.origin.what, prepared.origin.file);
+    if (!prepared.origin.file.empty()) facts.add(prepared.origin.what, prepared.origin.file);
     facts.add("particles", particles_text(prepared.particles));
     const std::string title = scene.title->empty() ? scene_name(scene) : *scene.title;
     return Style(Stream::output).strong(title) + "\n" + facts.text();

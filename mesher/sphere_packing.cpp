@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/sphere_packing.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -57,6 +58,34 @@ bool push_apart(std::vector<Vec>& points, double least, const std::function<bool
     return false;
 }
 
+/// Any turn is as likely as any other (Shoemake 1992).
+Eigen::Quaterniond random_turn(std::uint64_t seed, std::uint64_t id) {
+    constexpr double whole = 2 * std::numbers::pi;
+    const double share = hashed_random(seed, id, 0), a = whole * hashed_random(seed, id, 1),
+                 b = whole * hashed_random(seed, id, 2);
+    const double one = std::sqrt(1 - share), other = std::sqrt(share);
+    return {one * std::sin(a), one * std::cos(a), other * std::sin(b), other * std::cos(b)};
+}
+
+/// Points of a spiral that spreads them evenly over a sphere, each moved at random by up to half the mean distance
+/// along each axis, and all turned together.
+std::vector<Vec> spread(double radius, int count, std::uint64_t seed) {
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+    const double reach = 0.5 * radius * std::sqrt(4 * std::numbers::pi / count);
+    const Eigen::Quaterniond turn = random_turn(seed, static_cast<std::uint64_t>(count));
+    std::vector<Vec> points;
+    for (int n = 0; n < count; ++n) {
+        const double height = 1 - (2.0 * n + 1) / count, across = std::sqrt(1 - height * height);
+        Vec point = radius * Vec(across * std::cos(golden_angle * n), across * std::sin(golden_angle * n), height);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double share = hashed_random(seed, static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(axis));
+            point[axis] += reach * (2 * share - 1);
+        }
+        points.emplace_back(turn * (radius / point.norm() * point));
+    }
+    return points;
+}
+
 }  // namespace
 
 double coverage_of(int count, double inner_radius, double radius) {
@@ -71,14 +100,7 @@ int count_for_coverage(double coverage, double inner_radius, double radius) {
 std::optional<std::vector<Vec>> pack_around(const Vec& centre, double shell, double radius, int count,
                                             std::uint64_t seed) {
     if (coverage_of(count, shell - radius, radius) > 1) return std::nullopt;
-    std::vector<Vec> points;
-    for (int n = 0; n < count; ++n) {
-        const auto id = static_cast<std::uint64_t>(n);
-        const double height = 2 * hashed_random(seed, id, 0) - 1;
-        const double angle = 2 * std::numbers::pi * hashed_random(seed, id, 1);
-        const double across = std::sqrt(1 - height * height);
-        points.emplace_back(shell * Vec(across * std::cos(angle), across * std::sin(angle), height));
-    }
+    std::vector<Vec> points = spread(shell, count, seed);
     // On the sphere a step along the chord shortens as the point is put back: within the margin after some passes.
     const auto on_shell = [&](Vec& point) {
         point *= shell / point.norm();

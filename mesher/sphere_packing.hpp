@@ -15,8 +15,8 @@ int count_for_coverage(double coverage, double inner_radius, double radius);
 double coverage_of(int count, double inner_radius, double radius);
 
 /// `count` points at random on the sphere of radius `shell` about `centre`, no two of them nearer than 2 radius; the
-/// same for the same seed. Spread at random, then pushed apart where they are too near (Lubachevsky & Stillinger's aim
-/// by relaxation). Nothing where that finds no room, at coverages beyond about 0.8.
+/// same for the same seed. Spread evenly, moved at random by about half their distance, then pushed apart where they
+/// are too near. Nothing where that finds no room, at coverages beyond about 0.8.
 std::optional<std::vector<Vec>> pack_around(const Vec& centre, double shell, double radius, int count,
                                             std::uint64_t seed);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "scene/driving_keys.hpp"
 #include "scene/quantity.hpp"
 #include "scene/schema.hpp"
 #include "scene/sphere_checks.hpp"
@@ -316,6 +317,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_something_to_move(scene);
     need_what_drawn_parts_need(scene, document);
     check_spheres(scene, document);
+    check_driving(scene);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
     need_terms_that_go_together(scene);

@@ -186,6 +186,8 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     }
     scene.parts = read_items(document, "part", schema().part, *scene.quality);
     scene.contact_pairs = read_items(document, "contact_pair", schema().contact_pair, *scene.quality);
+    scene.forces = read_items(document, "force", schema().force, *scene.quality);
+    scene.moving_shapes = read_items(document, "moving_shape", schema().moving_shape, *scene.quality);
     scene.regions = read_items(document, "region", schema().region, *scene.quality);
     scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
     check_scene(scene, document);

@@ -40,6 +40,8 @@ std::string resolved_scene(const Scene& scene) {
     }
     write_items(text, scene.parts, "part", schema().part);
     write_items(text, scene.contact_pairs, "contact_pair", schema().contact_pair);
+    write_items(text, scene.forces, "force", schema().force);
+    write_items(text, scene.moving_shapes, "moving_shape", schema().moving_shape);
     write_items(text, scene.regions, "region", schema().region);
     write_items(text, scene.measures, "measure", schema().measure);
     return text;

@@ -46,6 +46,26 @@ const Words<RollingKind>& words_of() {
 }
 
 template <>
+const Words<ForceAmount>& words_of() {
+    static const Words<ForceAmount> words = {{ForceAmount::total, "total"},
+                                             {ForceAmount::per_particle, "per_particle"}};
+    return words;
+}
+
+template <>
+const Words<ShapeKind>& words_of() {
+    static const Words<ShapeKind> words = {{ShapeKind::parabola, "parabola"}, {ShapeKind::circle, "circle"}};
+    return words;
+}
+
+template <>
+const Words<PushedSide>& words_of() {
+    static const Words<PushedSide> words = {
+        {PushedSide::both, "both"}, {PushedSide::inside, "inside"}, {PushedSide::outside, "outside"}};
+    return words;
+}
+
+template <>
 const Words<Arrangement>& words_of() {
     static const Words<Arrangement> words = {{Arrangement::square, "square"}, {Arrangement::hexagonal, "hexagonal"}};
     return words;
@@ -170,6 +190,9 @@ std::string word(PartKind kind) { return find_word(kind); }
 std::string word(ContactLawKind law) { return find_word(law); }
 std::string word(AdhesionKind adhesion) { return find_word(adhesion); }
 std::string word(RollingKind rolling) { return find_word(rolling); }
+std::string word(ForceAmount amount) { return find_word(amount); }
+std::string word(ShapeKind kind) { return find_word(kind); }
+std::string word(PushedSide side) { return find_word(side); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
 std::string word(BoxSide side) { return find_word(side); }
 std::string word(WallModel walls) { return find_word(walls); }

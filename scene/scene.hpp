@@ -38,6 +38,11 @@ enum class PartKind { fluid, rigid, springs, spheres, plane, surface };
 enum class ContactLawKind { hertz_mindlin, hertz_history, thesis_eq_7_5, none };
 enum class AdhesionKind { none, bradley, jkr };
 enum class RollingKind { constant, spring };
+/// Whether a force is that on a whole part or on each of its particles.
+enum class ForceAmount { total, per_particle };
+enum class ShapeKind { parabola, circle };
+/// From which side of a shape it pushes particles away.
+enum class PushedSide { both, inside, outside };
 enum class Arrangement { square, hexagonal };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 /// A side of the box around the fluid.
@@ -136,6 +141,34 @@ struct ContactPair {
     Value<double> pull_off_force = 0.0;        ///< F_c [N]
     Value<double> equilibrium_distance = 0.0;  ///< z0 of Bradley's law [m]
     Value<double> adhesion_cutoff = 0.0;       ///< gap beyond which Bradley's law is cut off [m]
+};
+
+/// [[force]]: a force on a part, while its schedule lasts.
+struct ForceOnPart {
+    Value<std::string> name;
+    Value<std::string> part;                 ///< of fluid, springs or spheres
+    Value<std::array<Expression, 3>> force;  ///< as functions of t, x, y, z [N]
+    Value<ForceAmount> amount;               ///< total: spread evenly over the part's particles
+    Value<double> from = 0.0;                ///< when it starts [s]
+    Value<double> until;                     ///< when it ends [s]; not given: never
+    Value<double> period = 0.0;              ///< of a schedule that begins anew [s]; 0: once
+};
+
+/// [[moving_shape]]: a curve that moves through the scene and softly pushes the parts that feel it, and no others.
+struct MovingShape {
+    Value<std::string> name;
+    Value<ShapeKind> kind;
+    Value<std::vector<std::string>> parts;   ///< that feel it: of fluid, springs or spheres
+    Value<std::array<Expression, 3>> place;  ///< of the vertex or centre, as functions of t [m]
+    Value<double> half_width;                ///< parabola: from its axis to its ends [m]
+    Value<double> height;                    ///< parabola: of its ends above the vertex; below 0: it opens downward [m]
+    Value<double> radius;                    ///< circle [m]
+    Value<double> strength;                  ///< K of f = K (1 + cos(pi d / r*)) on each particle [N]
+    Value<double> range;                     ///< r* [m]
+    Value<PushedSide> side = PushedSide::both;
+    Value<double> from = 0.0;    ///< when it comes [s]
+    Value<double> until;         ///< when it goes [s]; not given: never
+    Value<double> period = 0.0;  ///< of a schedule that begins anew [s]; 0: once
 };
 
 /// [[measure]]: one number followed over time.
@@ -248,6 +281,8 @@ struct Scene {
     } box;
 
     std::vector<ContactPair> contact_pairs;
+    std::vector<ForceOnPart> forces;
+    std::vector<MovingShape> moving_shapes;
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
 
@@ -267,6 +302,9 @@ std::string word(PartKind kind);
 std::string word(ContactLawKind law);
 std::string word(AdhesionKind adhesion);
 std::string word(RollingKind rolling);
+std::string word(ForceAmount amount);
+std::string word(ShapeKind kind);
+std::string word(PushedSide side);
 std::string word(Arrangement arrangement);
 std::string word(BoxSide side);
 std::string word(WallModel walls);

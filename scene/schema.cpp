@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene/driving_keys.hpp"
 #include "scene/sphere_keys.hpp"
 
 namespace dmp {
@@ -279,6 +280,8 @@ Schema whole_schema() {
     for (auto& row : sphere_part_keys()) parts.push_back(std::move(row));
     schema.part = each_item("part", std::move(parts));
     schema.contact_pair = each_item("contact_pair", contact_pair_keys());
+    schema.force = each_item("force", force_keys());
+    schema.moving_shape = each_item("moving_shape", moving_shape_keys());
     schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
     return schema;
@@ -292,7 +295,7 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"part", "contact_pair", "region", "measure"};
+    static const std::vector<std::string> names{"part", "contact_pair", "force", "moving_shape", "region", "measure"};
     return names;
 }
 
@@ -307,6 +310,8 @@ std::vector<KeyFacts> Schema::facts() const {
         }
         facts.push_back(key.facts);
     }
+    for (const auto& key : force) facts.push_back(key.facts);
+    for (const auto& key : moving_shape) facts.push_back(key.facts);
     for (const auto& key : region) facts.push_back(key.facts);
     for (const auto& key : measure) facts.push_back(key.facts);
     return facts;

@@ -129,6 +129,8 @@ struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Part>> part;
     std::vector<Key<ContactPair>> contact_pair;
+    std::vector<Key<ForceOnPart>> force;
+    std::vector<Key<MovingShape>> moving_shape;
     std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
 

@@ -71,6 +71,25 @@ ValueType<Vec> direction() {
         }};
 }
 
+ValueType<std::vector<std::string>> names() {
+    const std::string description = R"(a list of names such as ["cilia"])";
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                std::vector<std::string> values;
+                for (const auto& item : detail::list_items(node, path, description))
+                    values.push_back(name().read(item, path));
+                if (values.empty()) throw InputError(node.place, path + ": found an empty list", "give " + description);
+                detail::refuse_repeated_words(node, path);
+                return values;
+            },
+            [](const std::vector<std::string>& values) {
+                std::vector<std::string> items;
+                items.reserve(values.size());
+                for (const std::string& value : values) items.push_back(toml_quoted(value));
+                return detail::toml_list(items);
+            }};
+}
+
 ValueType<std::array<std::string, 2>> two_names() {
     const std::string description = R"(a list of two parts' names such as ["carrier", "floor"], or "any")";
     return {description,

@@ -70,6 +70,8 @@ ValueType<std::vector<double>> quantity_or_list(const std::string& example, cons
 ValueType<std::vector<Vec>> points();
 /// Three plain numbers, not all 0.
 ValueType<Vec> direction();
+/// A list of at least one name, all different.
+ValueType<std::vector<std::string>> names();
 /// A list of two names.
 ValueType<std::array<std::string, 2>> two_names();
 /// One to three formulas of t, x, y, z; a bare 0 needs no unit.

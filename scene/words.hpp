@@ -28,6 +28,12 @@ const Words<AdhesionKind>& words_of();
 template <>
 const Words<RollingKind>& words_of();
 template <>
+const Words<ForceAmount>& words_of();
+template <>
+const Words<ShapeKind>& words_of();
+template <>
+const Words<PushedSide>& words_of();
+template <>
 const Words<Arrangement>& words_of();
 template <>
 const Words<KernelKind>& words_of();

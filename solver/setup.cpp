@@ -8,6 +8,7 @@
 
 #include <omp.h>
 
+#include "base/nearest_name.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/free_surface.hpp"
 #include "solver/models/contact/repulsion.hpp"
@@ -267,6 +268,15 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
         if (!axis.is_zero()) {
             models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
         }
+    for (const ForceOnPart& force : scene.forces)
+        models.push_back({"force on '" + *force.part + "'",
+                          *force.amount == ForceAmount::total ? "total, spread evenly over its particles"
+                                                              : "on each of its particles",
+                          "force '" + *force.name + "' at " + force.name.place.text()});
+    for (const MovingShape& shape : scene.moving_shapes)
+        models.push_back({"moving " + word(*shape.kind),
+                          "f = K (1 + cos(pi d / r*)), felt by " + quoted_list(*shape.parts),
+                          "moving_shape '" + *shape.name + "' at " + shape.name.place.text()});
     if (!scene.parts_of(PartKind::rigid).empty())
         models.push_back({scene.accuracy.walls == WallModel::plain ? "plain walls" : "extrapolated no-slip walls",
                           scene.accuracy.walls == WallModel::plain ? "Monaghan 1994"

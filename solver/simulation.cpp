@@ -32,6 +32,13 @@ const ParticleSet& checked(const ParticleSet& set) {
     return set;
 }
 
+void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t) {
+    if (driving.empty()) return;
+    const double dt = driving.step_limit(length, t);
+    if (std::isfinite(dt))
+        limits.push_back({"driving", dt, "0.25 sqrt(R / 2a) of its forces, half of 2 / omega of shapes"});
+}
+
 /// Of the ranks' texts, the lowest rank's that is not empty.
 std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
     const std::vector<char> own(text.begin(), text.end());
@@ -73,6 +80,8 @@ struct Simulation::State final : Steps {
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
     [[nodiscard]] double next_step(double target, double largest_speed) const;
+    /// The time at which what drives the scene changes, if that is before the target, else the target.
+    [[nodiscard]] double next_change(double target, const FluidExtremes& extremes) const;
     void write_frame(FrameSink* sink) override;
     /// The same for a state that may hold anything: no neighbours are searched.
     void write_as_it_is(FrameSink* sink);
@@ -135,13 +144,23 @@ Conserved Simulation::State::conserved() const {
 std::vector<StepLimit> Simulation::State::limits_now(double largest_speed) const {
     double g = 0;
     for (const double axis : fluid.body_acceleration(time_)) g = std::hypot(g, axis);
-    return fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time_)), g);
+    auto limits = fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time_)), g);
+    add_driving_limit(limits, fluid.driving(), scales.support, time_);
+    return limits;
 }
 
 double Simulation::State::next_step(double target, double largest_speed) const {
     const double longest = ruling_limit(limits_now(largest_speed)).dt;
     // Equal steps up to the next time something has to be written.
     return (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+}
+
+double Simulation::State::next_change(double target, const FluidExtremes& extremes) const {
+    if (fluid.driving().empty()) return target;
+    // Times that are alike but for their last digits are one.
+    const double slack = 1e-6 * ruling_limit(limits_now(extremes.largest_speed)).dt;
+    const double change = fluid.driving().next_change(time_ + slack);
+    return change < target - slack ? change : target;
 }
 
 void Simulation::State::archive(Archive& file) {
@@ -234,6 +253,7 @@ Plan Simulation::plan() const {
         g = std::max(g, here);
     }
     plan.limits = fluid_step_limits(s.scales, plan.largest_speed, g);
+    add_driving_limit(plan.limits, s.fluid.driving(), s.scales.support, s.time_);
     const StepLimit ruling = ruling_limit(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
@@ -281,7 +301,7 @@ long Simulation::resume(const std::filesystem::path& checkpoint) {
 }
 
 void Simulation::State::advance(const RunOptions& options, double until) {
-    const double target = std::min({until, frame_times.next(), measure_times.next()});
+    const double target = next_change(std::min({until, frame_times.next(), measure_times.next()}), extremes);
     const double dt = next_step(target, extremes.largest_speed);
     try {
         fluid.advance(time_, dt);

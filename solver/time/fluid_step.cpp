@@ -40,6 +40,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       passes_(std::move(state_of_part), settings.threads),
       springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
       walls_(scene, set, particles),
+      driving_(scene, set),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
@@ -67,6 +68,7 @@ void FluidStep::advance(double t, double dt) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
     if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
+    if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + dt / 2, dt); });
     if (viscosity_) add_viscous_forces(t + dt / 2, dt);
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
@@ -93,6 +95,11 @@ void FluidStep::add_viscous_forces(double t, double dt) {
     timer_.timed("viscosity", [&] {
         viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_acceleration(t), swept);
     });
+}
+
+void FluidStep::drive(double t, double dt) {
+    const std::array<double, 3> total = driving_.add_forces(particles_, ranks_, t, settings_.threads);
+    for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces.at(axis) += dt * total.at(axis);
 }
 
 void FluidStep::find_densities() {
@@ -218,6 +225,7 @@ void FluidStep::archive(Archive& file) {
     springs_.archive(file);
     if (viscosity_) viscosity_->archive(file);
     walls_.archive(file);
+    driving_.archive(file);
     if (file.loading()) neighbours_.forget();
 }
 

@@ -9,6 +9,7 @@
 #include "scene/scene.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/driving.hpp"
 #include "solver/time/fluid_passes.hpp"
 #include "solver/time/implicit_viscosity.hpp"
 #include "solver/time/outside_impulses.hpp"
@@ -60,6 +61,7 @@ class FluidStep {
     /// Null where viscosity is explicit.
     [[nodiscard]] const ViscousSolves* viscous_solves() const { return viscosity_ ? &viscosity_->solves() : nullptr; }
     [[nodiscard]] const WallMotion& walls() const { return walls_; }
+    [[nodiscard]] const Driving& driving() const { return driving_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -77,6 +79,7 @@ class FluidStep {
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
     void add_viscous_forces(double t, double dt);
+    void drive(double t, double dt);
     void drift_to_middle(double dt);
     void drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
@@ -92,6 +95,7 @@ class FluidStep {
     std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;
     WallMotion walls_;
+    Driving driving_;
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;  ///< the acceleration

@@ -23,7 +23,7 @@ ParticleSet crowd(int count, const std::array<bool, 3>& periodic) {
     set.parts = {{"beads", ParticleKind::spheres}, {"water", ParticleKind::fluid}};
     for (int i = 0; i < count; ++i) {
         set.position.emplace_back(number(random), number(random), number(random));
-        set.radius.push_back(0.004 * std::pow(20, std::pow(number(random), 8)));
+        set.radius.push_back(0.008 * std::pow(20, std::pow(number(random), 8)));
         set.part.push_back(i % 50 == 7 ? 1 : 0);
     }
     return set;

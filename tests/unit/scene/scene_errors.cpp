@@ -365,7 +365,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:30:2: unknown key 'foo'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
               "[[part]], [[contact_pair]], [box], "
-              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"}}),
+              "[flow], [contact], [accuracy], [run], [output], [[force]], [[moving_shape]], [[region]], [[measure]]"}}),
     name_of);
 
 }  // namespace
