@@ -3,10 +3,12 @@
 
 #include "particles/periodic_images.hpp"
 #include "solver/output/frame_pieces.hpp"
+#include "solver/output/wall_surfaces.hpp"
 
 namespace dmp {
 
-Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool in_pieces) {
+Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool with_walls,
+                   bool in_pieces) {
     const Ranks& ranks = step.neighbours().ranks();
     Frame frame;
     frame.time = time;
@@ -47,6 +49,20 @@ Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double ti
         sort_by_id(group);
     }
     if (in_pieces || !group.id.empty()) frame.groups.push_back(std::move(group));
+    const SphereWalls& walls = step.walls();
+    const auto add_walls = [&](const char* name, bool moving) {
+        FrameGroup surfaces = wall_surfaces(
+            name, space, space.box, [&](int part) { return walls.moves(part) == moving; },
+            [&](int part) { return walls.displacement(part); });
+        if (surfaces.id.empty()) return;
+        if (!ranks.is_first()) {
+            surfaces = {};
+            surfaces.name = name;
+        }
+        if (in_pieces || ranks.is_first()) frame.groups.push_back(std::move(surfaces));
+    };
+    if (with_walls) add_walls("walls", false);
+    add_walls("moving_walls", true);
     return frame;
 }
 

@@ -6,8 +6,10 @@
 
 namespace dmp {
 
-/// What the spheres look like now: one group "spheres" with radius, velocity, angular_velocity and contact_force, in
-/// the order of their ids. All ranks take part; in pieces every rank gets its own spheres, else the first one all.
-Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool in_pieces);
+/// What the spheres look like now: a group "spheres" with radius, velocity, angular_velocity and contact_force, in the
+/// order of their ids, and their walls: "walls" where they are asked for, "moving_walls" always. All ranks take part; in
+/// pieces every rank gets its own spheres, and the first one the walls; else the first one gets all.
+Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool with_walls,
+                   bool in_pieces);
 
 }  // namespace dmp

@@ -132,7 +132,7 @@ void SphereRun::write_frame(FrameSink* sink) {
     if (frames_ > 0 && time_ <= last_frame_) return;  // no time twice
     if (ranks_.any(sink != nullptr)) {
         const bool in_pieces = ranks_.any(sink != nullptr && sink->takes_pieces());
-        const Frame frame = sphere_frame(step_, space_, time_, static_cast<long>(step_count_), in_pieces);
+        const Frame frame = sphere_frame(step_, space_, time_, static_cast<long>(step_count_), frames_ == 0, in_pieces);
         if (sink != nullptr) sink->write(frame);
     }
     ++frames_;

@@ -47,6 +47,11 @@ class SphereWalls {
 
     [[nodiscard]] bool empty() const { return planes_.empty() && triangles_.empty(); }
 
+    [[nodiscard]] bool moves(int part) const { return motion_[static_cast<std::size_t>(part)].moves; }
+    /// How far a part has moved since the start [m].
+    [[nodiscard]] const Vec& displacement(int part) const {
+        return motion_[static_cast<std::size_t>(part)].displacement;
+    }
     /// From t to t + dt: walls move.
     void advance(double t, double dt);
     /// How fast any wall is at most in this step [m/s].
