@@ -28,6 +28,10 @@ Resources with_threads(Resources resources) {
     return resources;
 }
 
+double rounded_speed(double speed) {
+    return speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
+}
+
 const ParticleSet& only_spheres(const ParticleSet& set) {
     if (set.dimension != 3) throw InputError("spheres live in space, and the particles in a plane", "mesh a 3-D scene");
     if (set.count(ParticleKind::spheres) != set.size())
@@ -54,11 +58,20 @@ SphereRun::SphereRun(const Scene& scene, const ParticleSet& set, const Resources
 }
 
 std::vector<StepLimit> SphereRun::limits() const {
-    const double speed = step_.speed_for_limits();
-    const double rounded = speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
-    std::vector<StepLimit> all = sphere_step_limits(scene_, setup_, space_, rounded);
+    std::vector<StepLimit> all =
+        sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
     if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
     return all;
+}
+
+/// The limits with their words take longer than a step of a few spheres.
+double SphereRun::longest_step() {
+    const double speed = rounded_speed(step_.speed_for_limits());
+    if (speed != limited_speed_) {
+        limited_speed_ = speed;
+        longest_step_ = ruling_limit(limits()).dt;
+    }
+    return longest_step_;
 }
 
 Conserved SphereRun::conserved() const {
@@ -161,7 +174,7 @@ void SphereRun::look(FrameSink* sink) {
 
 void SphereRun::advance(const RunOptions& options, double until) {
     const double target = std::min({until, frame_times_.next(), measure_times_.next()});
-    const double longest = ruling_limit(limits()).dt;
+    const double longest = longest_step();
     // Equal steps up to the next time something has to be written.
     const double dt = (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
     step_.advance(time_, dt);

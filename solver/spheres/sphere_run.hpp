@@ -28,6 +28,7 @@ class SphereRun final : public Steps {
 
   private:
     [[nodiscard]] std::vector<StepLimit> limits() const;
+    [[nodiscard]] double longest_step();
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] SphereEnergy energy() const;
     void write_what_is_due(FrameSink* sink);
@@ -51,6 +52,7 @@ class SphereRun final : public Steps {
     std::int64_t frames_ = 0;
     double last_frame_ = 0;  ///< [s]
     bool begun_ = false;     ///< lists and forces are there
+    double limited_speed_ = -1, longest_step_ = 0;  ///< the speed for which the longest step is known [m/s], [s]
     Conserved at_start_;
     SphereEnergy energy_at_start_;
 };

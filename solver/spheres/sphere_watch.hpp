@@ -18,7 +18,7 @@ struct LargestOverlap {
 LargestOverlap largest_overlap(const SphereStep& step);
 
 /// Beyond this overlap over the smaller radius contact laws mean nothing any more.
-inline constexpr double most_overlap = 0.3;
+inline constexpr double most_overlap = 0.9;
 
 /// What is wrong with this rank's spheres, as "problem\nwhat to do"; empty: nothing.
 std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& space);
