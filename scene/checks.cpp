@@ -290,6 +290,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
                          "the line of measure '" + *measure.name + "' starts and ends at the same point",
                          "give two different points");
     }
+    check_sphere_measure(scene, measure);
     if (*measure.kind != MeasureKind::gap) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {

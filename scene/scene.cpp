@@ -169,7 +169,11 @@ const Words<MeasureKind>& words_of() {
                                              {MeasureKind::profile, "profile"},
                                              {MeasureKind::spread, "spread"},
                                              {MeasureKind::wall_flux, "wall_flux"},
-                                             {MeasureKind::peclet, "peclet"}};
+                                             {MeasureKind::peclet, "peclet"},
+                                             {MeasureKind::velocity, "velocity"},
+                                             {MeasureKind::spin, "spin"},
+                                             {MeasureKind::wall_force, "wall_force"},
+                                             {MeasureKind::detached, "detached"}};
     return words;
 }
 

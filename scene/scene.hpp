@@ -69,7 +69,11 @@ enum class MeasureKind {
     profile,
     spread,
     wall_flux,
-    peclet
+    peclet,
+    velocity,  // of spheres, as the next three
+    spin,
+    wall_force,
+    detached
 };
 enum class FluidField {
     velocity,
@@ -235,13 +239,15 @@ struct Measure {
     Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
-    Value<std::string> part;     ///< gap: between the pieces of this springs part; wall_flux: into this rigid part
+    Value<std::string> part;     ///< gap: between the pieces of this springs part; wall_flux: into this rigid part;
+                                 ///< velocity, spin, detached: the spheres
     Value<std::string> species;  ///< of measures of a species; empty: the only one
     Value<Axis> axis = Axis::x;  ///< profile, spread: along which
     Value<int> bins = 20;        ///< profile: how many
     Value<double> about = 0.0;   ///< spread: where the variance is taken about, if given; else the mean [m]
     Value<double> length = 0.0;  ///< peclet, wall_flux: of the Peclet and Sherwood numbers [m]; 0: not given
     Value<double> area = 0.0;    ///< wall_flux: of the wall, for the Sherwood number [m^2]
+    Value<Vec> direction{Vec::UnitZ()};  ///< detached: to the upper half
 };
 
 /// [[region]]: a box along the axes, whose residence time is followed.
@@ -319,8 +325,9 @@ struct Scene {
     } accuracy;
 
     struct {
-        Value<double> duration;  ///< [s]
-        Value<int> threads = 0;  ///< 0 = all the machine has
+        Value<double> duration;           ///< [s]
+        Value<int> threads = 0;           ///< 0 = all the machine has
+        Value<double> until_still = 0.0;  ///< spheres: time without any change after which to end [s]; 0: do not
     } run;
 
     struct {

@@ -198,6 +198,8 @@ std::vector<Key<Run>> run_keys() {
     return {
         {"duration", &Run::duration, quantity("4 s", positive), required, "Simulated time."},
         {"threads", &Run::threads, integer(not_negative), "0", "Threads to run on; 0 takes all the machine has."},
+        {"until_still", &Run::until_still, quantity("10 us", not_negative), "0 s",
+         "Spheres: end the run once nothing has changed for this time, no contact and hardly the kinetic energy; 0: do not."},
     };
 }
 
@@ -251,20 +253,24 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 }
 
 std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, flux = {"flux"}, gap = {"gap"}, probe = {"probe"}, wall_flux = {"wall_flux"};
+    const Kinds all, flux = {"flux"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"};
+    const Kinds detached = {"detached"}, wall_flux = {"wall_flux"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
     const Kinds of_species = {"amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet"};
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
          "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, "
-         "a probe's field, or of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number."},
+         "a probe's field; of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number; "
+         "of spheres velocity, spin, the walls' force, or how many are detached from one."},
         {"from", flux, &Measure::from, point(), required, "Where the line starts."},
         {"to", flux, &Measure::to, point(), required, "Where the line ends."},
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
         {"field", probe, &Measure::field, word_of<FluidField>(), "velocity", "What the probe reads."},
-        {"part", gap, &Measure::part, name(), required,
-         "The springs part whose pieces' smallest distance is followed."},
+        {"part", of_part, &Measure::part, name(), required,
+         "The springs part whose pieces' smallest distance is followed; of spheres the part whose mean velocity or spin it is, or the one sphere that others may detach from."},
+        {"direction", detached, &Measure::direction, direction(), "[0, 0, 1]",
+         "Points to the half of the sphere that is counted as the upper one, as drawn."},
         {"species", of_species, &Measure::species, name(), not_given, "Which species; not needed where there is one."},
         {"from", boxes, &Measure::from, point(), not_given, "One corner of a box along the axes; without it all the fluid counts."},
         {"to", boxes, &Measure::to, point(), not_given, "The opposite corner."},

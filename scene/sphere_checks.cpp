@@ -314,4 +314,27 @@ void check_spheres(const Scene& scene, const TomlNode& document) {
     need_contact_of_all(scene);
 }
 
+void check_sphere_measure(const Scene& scene, const Measure& measure) {
+    const MeasureKind kind = measure.kind;
+    if (kind == MeasureKind::largest_speed || kind == MeasureKind::kinetic_energy) return;
+    const bool of_spheres = kind >= MeasureKind::velocity, has_spheres = !scene.parts_of(PartKind::spheres).empty();
+    if (of_spheres != has_spheres)
+        throw InputError(measure.kind.place,
+                         "measure '" + *measure.name + "': '" + word(kind) + "' is of " +
+                             (of_spheres ? "spheres, and the scene has none"
+                                         : "a fluid and what is in it, and the scene is of spheres"),
+                         "leave it out, or choose another kind");
+    if (!of_spheres || kind == MeasureKind::wall_force) return;
+    const Part* part = named(scene, measure.part);
+    if (part == nullptr) throw unknown_part(scene, measure.part.place, measure.part, true);
+    if (*part->kind != PartKind::spheres)
+        throw InputError(measure.part.place,
+                         "part '" + *part->name + "' is of kind '" + word(*part->kind) + "', expected 'spheres'",
+                         "name a part of spheres");
+    if (kind == MeasureKind::detached && has_several(*part))
+        throw InputError(measure.part.place,
+                         "'" + *part->name + "' has several spheres, and what detaches is counted from one",
+                         "name a part of one sphere");
+}
+
 }  // namespace dmp

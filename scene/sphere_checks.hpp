@@ -10,4 +10,8 @@ namespace dmp {
 /// touch, damping and friction where it needs them. Throws InputError.
 void check_spheres(const Scene& scene, const TomlNode& document);
 
+/// Throws InputError where a measure of spheres is asked for without them, or another one with them; or its part is
+/// none.
+void check_sphere_measure(const Scene& scene, const Measure& measure);
+
 }  // namespace dmp

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,20 @@ struct RankShares {
     double messages_per_step = 0, bytes_per_step = 0;
 };
 
+/// Mechanical energy of spheres.
+struct SphereEnergy {
+    double translation = 0, rotation = 0;  ///< of free spheres [J]
+    [[nodiscard]] double kinetic() const { return translation + rotation; }
+};
+
+/// How a run of spheres went.
+struct SphereSummary {
+    SphereEnergy start, end;
+    std::size_t contacts = 0;    ///< of spheres that touch each other, at the end
+    double largest_overlap = 0;  ///< at the end, over the smaller radius; with walls too [-]
+    double still_since = 0;      ///< [s]; when nothing changed any more; 0: that was not asked for, or did not come
+};
+
 struct RunSummary {
     std::map<std::string, std::size_t> particles;
     long steps = 0;
@@ -114,6 +129,7 @@ struct RunSummary {
     MeasureSeries measures;
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
+    std::optional<SphereSummary> spheres;
     ViscousSolves viscous_solves;  ///< none where viscosity is explicit
     std::vector<SpeciesBalance> species;
     ViscousSolves species_solves;  ///< none where diffusion is explicit
@@ -139,6 +155,8 @@ struct RunOptions {
     CheckpointOptions checkpoints;
 };
 
+class SphereRun;
+
 /// A scene's particles in motion.
 class Simulation {
   public:
@@ -160,7 +178,8 @@ class Simulation {
 
   private:
     struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<State> state_;        ///< fluid and springs
+    std::unique_ptr<SphereRun> spheres_;  ///< or spheres
 };
 
 }  // namespace dmp

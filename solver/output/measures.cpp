@@ -170,20 +170,7 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
     series_.rows.push_back(std::move(row));
 }
 
-void Measures::archive(Archive& file) {
-    std::vector<double> values;
-    for (const auto& row : series_.rows) values.insert(values.end(), row.begin(), row.end());
-    file("measures/time", series_.time);
-    file("measures/values", values);
-    if (!file.loading()) return;
-    const std::size_t columns = series_.names.size();
-    if (values.size() != columns * series_.time.size())
-        throw InputError("the checkpoint's measures are not those of the scene", "start the run anew");
-    series_.rows.clear();
-    for (std::size_t row = 0; row < series_.time.size(); ++row)
-        series_.rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
-                                  values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
-}
+void Measures::archive(Archive& file) { archive_series(file, series_); }
 
 Vec Measures::nearest(Vec offset) const {
     for (int axis = 0; axis < space_.dimension; ++axis) {

@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/output/measure_series.hpp"
 #include "solver/time/fluid_step.hpp"
 
 namespace dmp {

@@ -44,6 +44,10 @@ enum class Field {
     species_residual,
     species_direction,
     species_diagonal,
+    radius,
+    angular_velocity,
+    contact_force,
+    contact_torque,
     count  // how many there are
 };
 
@@ -98,6 +102,10 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"species_residual", "1", false, false, "implicit diffusion"},
     {"species_direction", "1", false, false, "implicit diffusion"},
     {"species_diagonal", "m^3/s", false, false, "implicit diffusion"},
+    {"radius", "m", false, true, "spheres"},
+    {"angular_velocity", "rad/s", true, true, "spheres"},
+    {"contact_force", "N", true, true, "spheres"},
+    {"contact_torque", "N*m", true, true, "spheres"},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }

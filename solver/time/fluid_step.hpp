@@ -12,17 +12,13 @@
 #include "solver/time/driving.hpp"
 #include "solver/time/fluid_passes.hpp"
 #include "solver/time/implicit_viscosity.hpp"
+#include "solver/time/outside_impulses.hpp"
 #include "solver/time/species_transport.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/time/wall_motion.hpp"
 
 namespace dmp {
-
-/// Impulses that moving particles have been given from outside [N s].
-struct OutsideImpulses {
-    std::array<double, 3> of_body_forces{}, of_fixed{}, of_drag{};
-};
 
 /// The state of the fluid after a step, as the step-size controller and the watch want it.
 struct FluidExtremes {
