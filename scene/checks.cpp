@@ -6,6 +6,7 @@
 
 #include "base/nearest_name.hpp"
 #include "scene/quantity.hpp"
+#include "scene/solidify_checks.hpp"
 
 namespace dmp {
 
@@ -63,7 +64,7 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
             "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
             "accuracy.viscous_law = \"monaghan_approaching\" is none",
             "write viscous_law = \"monaghan\" or \"morris\"");
-    if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
+    if (*accuracy.spring_stepping == SpringStepping::subcycled && scene.may_have_springs())
         throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
                          "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
                          "accuracy.spring_stepping = \"subcycled\" moves apart from it",
@@ -263,6 +264,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
                          "the line of measure '" + *measure.name + "' starts and ends at the same point",
                          "give two different points");
     }
+    if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
     if (*measure.kind != MeasureKind::gap) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {
@@ -287,6 +289,8 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
+    refuse_equal_names(scene.solidify, "solidify");
+    refuse_equal_names(scene.breaking, "break");
     need_something_to_move(scene);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
@@ -304,6 +308,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     for (const Part& part : scene.parts)
         if (*part.kind == PartKind::springs) need_one_stiffness(part);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+    check_solidify(scene);
 }
 
 void switch_off_what_gives_way(Scene& scene) {

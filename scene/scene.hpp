@@ -43,7 +43,12 @@ enum class ViscousLaw { morris, monaghan, monaghan_approaching };
 enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
-enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe };
+enum class MeasureKind { flux, gap, largest_speed, density, kinetic_energy, probe, aggregate };
+/// Which liquid within reach of a seed turns solid, and when a seed looks for it (solver/models/solidify/).
+enum class SolidifyRule { per_pair, per_candidate, mutually_closest };
+enum class SeedActivity { always, once, one_in };
+/// What a particle that turns solid is bonded to: the seed that turned it, or all of the aggregate within reach.
+enum class BondTo { seed, neighbours };
 enum class FluidField { velocity, pressure, density, shear_stress, stress, von_mises, vorticity, residence_time };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
@@ -93,7 +98,47 @@ struct Measure {
     Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
-    Value<std::string> part;                         ///< gap: smallest distance between the pieces of this springs part
+    /// gap: smallest distance between the pieces of this springs part; aggregate: of this [[solidify]] or springs part
+    Value<std::string> part;
+};
+
+/// [[solidify]]: liquid that turns solid near seeds, and its bonds (docs/solidify.md).
+struct Solidify {
+    Value<std::string> name;    ///< of what comes into being
+    Value<std::string> liquid;  ///< the fluid part that turns solid
+
+    Value<std::string> seed_part;             ///< all particles of this rigid or springs part are seeds; empty: none
+    Value<std::string> seed_region;           ///< liquid in this region becomes seeds; empty: anywhere
+    Value<double> seed_stress_above = 0.0;    ///< liquid with more shear stress becomes a seed [Pa]; 0: not asked
+    Value<double> seed_residence_above = 0.0;  ///< liquid that was longer in seed_region becomes a seed [s]; 0: not asked
+
+    Value<std::string> region;            ///< only liquid in this region turns solid; empty: anywhere
+    Value<double> stress_above = 0.0;     ///< only liquid with more shear stress [Pa]; 0: any
+    Value<double> residence_above = 0.0;  ///< only liquid that was longer in the region [s]; 0: any
+
+    Value<SolidifyRule> rule = SolidifyRule::per_candidate;
+    Value<double> reach;        ///< R_max, from a seed [m]
+    Value<double> probability;  ///< of the rule, in one event [-]
+    Value<double> from = 0.0;   ///< time of the first event [s]
+    Value<double> interval;     ///< between events [s]
+    Value<SeedActivity> active = SeedActivity::always;
+    Value<int> one_in = 0;         ///< with active = one_in: N
+    Value<bool> spreads = true;    ///< particles that turned solid become seeds
+    Value<int> most_bonds = 0;     ///< of one particle, of this rule; 0: any number
+    Value<double> bond_stiffness;  ///< k_b [N/m]
+    Value<double> rest_length = 0.0;    ///< r0 [m]; 0 = "auto": the distance when the bond is made
+    Value<double> bond_damping = 0.01;  ///< dashpot, fraction of critical [-]
+    Value<BondTo> bond_to = BondTo::seed;
+    Value<int> seed = 1;  ///< of the random numbers
+};
+
+/// [[break]]: bonds that break under tension.
+struct Breaking {
+    Value<std::string> name;
+    Value<std::string> part;           ///< whose bonds: a springs part's or a [[solidify]]'s
+    Value<double> force_above = 0.0;   ///< [N]; 0: not by force
+    Value<double> strain_above = 0.0;  ///< [-]; 0: not by strain
+    Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
 };
 
 /// [[region]]: a box along the axes, whose residence time is followed.
@@ -185,7 +230,13 @@ struct Scene {
 
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
+    std::vector<Solidify> solidify;
+    std::vector<Breaking> breaking;
 
+    /// Whether spring bodies may change while the scene runs.
+    [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
+    /// Whether there may be spring bodies at some time.
+    [[nodiscard]] bool may_have_springs() const { return !solidify.empty() || !parts_of(PartKind::springs).empty(); }
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// Whether frames or a probe need this field.
@@ -209,5 +260,8 @@ std::string word(FluidField field);
 std::string word(SolidField field);
 std::string word(KernelKind kernel);
 std::string word(MeasureKind kind);
+std::string word(SolidifyRule rule);
+std::string word(SeedActivity activity);
+std::string word(BondTo bonds);
 
 }  // namespace dmp

@@ -7,10 +7,12 @@
 #include <limits>
 
 #include "particles/apart.hpp"
+#include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
 #include "solver/setup.hpp"
+#include "solver/solidify/body_events.hpp"
 #include "solver/sound_speed.hpp"
 #include "solver/starting_state.hpp"
 #include "solver/state/checkpoints.hpp"
@@ -58,6 +60,7 @@ struct Simulation::State {
           residence_times(scene, particles),
           mean_displacement(scene, fluid.springs()),
           measures(scene, set, settings, ranks),
+          events(scene, set, ranks),
           watch(scene, particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
           frame_times(scene.output.every),
           measure_times(scene.output.measure_every > 0 ? scene.output.measure_every.value : scene.output.every / 4) {
@@ -96,6 +99,7 @@ struct Simulation::State {
     ResidenceTimes residence_times;
     MeanDisplacement mean_displacement;
     Measures measures;
+    BodyEvents events;
     Watch watch;
 
     double time = 0;  ///< [s]
@@ -155,6 +159,7 @@ void Simulation::State::archive(Archive& file) {
     file("mass_at_start", at_start.mass);
     file("momentum_at_start", at_start.momentum);
     measures.archive(file);
+    events.archive(file);
     for (ParticleGroup& group : particles.groups()) file(std::string(word(static_cast<PartKind>(group.kind()))), group);
     fluid.archive(file);
     mean_displacement.archive(file);
@@ -274,7 +279,7 @@ long Simulation::resume(const std::filesystem::path& checkpoint) {
 }
 
 void Simulation::State::advance(const RunOptions& options, double until, FluidExtremes& extremes) {
-    const double target = std::min({until, frame_times.next(), measure_times.next()});
+    const double target = std::min({until, frame_times.next(), measure_times.next(), events.next()});
     const double dt = next_step(target, extremes.largest_speed);
     try {
         fluid.advance(time, dt);
@@ -297,6 +302,8 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);
     if (!watch.fluid_is_well(extremes) || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
+    // The next step follows from what there is after it, as it does after a restart.
+    if (events.act(time, particles, fluid)) extremes = fluid.extremes();
     write_what_is_due(options.sink);
 }
 
@@ -311,6 +318,7 @@ RunSummary Simulation::run(const RunOptions& options) {
     bool interrupted = false, out_of_time = false;
 
     s.fluid.refresh_neighbours();
+    if (s.step == 0) s.events.act(s.time, s.particles, s.fluid);
     FluidExtremes extremes = s.fluid.extremes();
     if (s.step == 0) s.write_what_is_due(options.sink);
     const double end = until * (1 - 1e-12);
@@ -366,7 +374,9 @@ RankShares Simulation::State::shares(std::int64_t steps) const {
 RunSummary Simulation::State::summary() const {
     RunSummary summary;
     summary.start = at_start;
-    summary.particles = count;
+    for (const ParticleGroup& group : particles.groups())
+        if (const auto all = ranks.sum(static_cast<std::int64_t>(group.owned())); all > 0)
+            summary.particles[word(static_cast<PartKind>(group.kind()))] = static_cast<std::size_t>(all);
     summary.steps = static_cast<long>(step);
     summary.simulated_s = time;
     summary.threads = settings.threads;
@@ -400,6 +410,9 @@ RunSummary Simulation::State::summary() const {
     summary.seconds_by_stage = fluid.timer().seconds();
     if (fluid.viscous_solves() != nullptr) summary.viscous_solves = *fluid.viscous_solves();
     summary.measures = measures.series();
+    const SpringBodies& springs = fluid.springs();
+    for (int origin = 0; scene.changes_bodies() && origin < static_cast<int>(springs.names().size()); ++origin)
+        summary.aggregates.push_back(aggregate_of(springs, origin));
     return summary;
 }
 

@@ -14,7 +14,7 @@ class Warnings {
           bodies_(bodies),
           fluid_(!scene.parts_of(PartKind::fluid).empty()),
           walls_(!scene.parts_of(PartKind::rigid).empty()),
-          springs_(!scene.parts_of(PartKind::springs).empty()) {}
+          springs_(scene.may_have_springs()) {}
 
     std::vector<Warning> all() && {
         about_drive();
@@ -22,6 +22,7 @@ class Warnings {
         about_fluid_models();
         about_walls();
         about_springs();
+        about_solidify();
         about_measures();
         about_output();
         return std::move(found_);
@@ -110,6 +111,19 @@ class Warnings {
         if (!springs_ || *accuracy.spring_stepping == SpringStepping::implicit)
             has_no_effect("accuracy.spring_step_factor", accuracy.spring_step_factor,
                           springs_ ? "springs are stepped implicitly" : "no part has springs");
+    }
+
+    void about_solidify() {
+        for (const Solidify& rule : scene_.solidify) {
+            const std::string key = "solidify." + *rule.name + ".";
+            if (*rule.reach < *scene_.particles.spacing)
+                add(key + "reach", rule.reach.place,
+                    "is less than the spacing: only liquid that happens to be compressed is ever within reach",
+                    "write 1.1 to 1.4 spacings, for the nearest neighbours");
+            if (*rule.from >= *scene_.run.duration)
+                add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
+                    "lower it, or run for longer");
+        }
     }
 
     void about_measures() {

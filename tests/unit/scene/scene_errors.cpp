@@ -363,7 +363,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:30:2: unknown key 'foo'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
               "[[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"}}),
+              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]], [[solidify]], [[break]]"}}),
     name_of);
 
 }  // namespace

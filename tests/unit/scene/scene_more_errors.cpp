@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
               "--set particles.spacing.x=1: unknown key 'particles.spacing.x'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
               "[[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"},
+              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]], [[solidify]], [[break]]"},
         Fault{"fault_inside_a_formula", "flow.acceleration=[\"1 m/s^2 * sin(t)\"]", "",
               "--set flow.acceleration=[\"1 m/s^2 * sin(t)\"]: sin is given a time, expected a plain number in \"1 "
               "m/s^2 * sin(t)\"\n"
