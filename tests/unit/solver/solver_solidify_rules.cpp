@@ -153,13 +153,14 @@ TEST(SolidifyRules, of_a_seed_alone_have_closed_forms) {
     // min(k, B), B binomial of n and p: here n = k, so B itself. With n = 8, cut at 4.
     const Mean few = alone(SolidifyRule::mutually_closest, p, n);
     EXPECT_NEAR(few.value, n * p, 3 * few.deviation / std::sqrt(runs));
-    double cut = 0, term = std::pow(1 - 0.6, 8);
+    double cut = 0, squares = 0, term = std::pow(1 - 0.6, 8);
     for (int b = 0; b <= 8; ++b) {
         cut += std::min(b, k) * term;
+        squares += std::min(b, k) * std::min(b, k) * term;
         term *= (8.0 - b) / (b + 1) * 0.6 / (1 - 0.6);
     }
     const Mean many = alone(SolidifyRule::mutually_closest, 0.6, 8);
-    EXPECT_NEAR(many.value, cut, 3 * many.deviation / std::sqrt(runs));
+    EXPECT_NEAR(many.value, cut, 3 * std::sqrt((squares - cut * cut) / runs));
 }
 
 TEST(SolidifyRules, mutually_closest_gives_a_particle_one_bond_an_event_and_never_stops_before_all_is_solid) {
