@@ -36,7 +36,7 @@ SceneAndParticles clotting() {
     Breaking tear, rip;
     tear.name = std::string("tear");
     tear.part = std::string("clot");
-    tear.strain_above = 0.01;
+    tear.strain_above = 5e-4;
     rip.name = std::string("rip");
     rip.part = std::string("deposit");
     rip.force_above = 2e-6;
