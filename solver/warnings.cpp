@@ -142,10 +142,16 @@ class Warnings {
 
     void about_output() {
         const auto& output = scene_.output;
+        const auto is_named = [this](const ResidenceRegion& region) {
+            return std::ranges::any_of(scene_.solidify, [&](const Solidify& rule) {
+                return *rule.seed_region == *region.name || *rule.region == *region.name;
+            });
+        };
         if (!scene_.asks_for(FluidField::residence_time))
             for (const ResidenceRegion& region : scene_.regions)
-                has_no_effect("region." + *region.name, region.name,
-                              "'residence_time' is not among output.fields and no probe reads it");
+                if (!is_named(region))
+                    has_no_effect("region." + *region.name, region.name,
+                                  "'residence_time' is not among output.fields and no probe reads it");
         const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
         if (!averages)
             has_no_effect("output.average_from", output.average_from,
