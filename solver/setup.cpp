@@ -2,6 +2,7 @@
 #include "solver/setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <tuple>
@@ -229,6 +230,11 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
         scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
     }
     return scales;
+}
+
+double new_bond_limit(const Scene& scene, const Solidify& rule) {
+    const double mass = part_named(scene, rule.liquid).density * std::pow(scene.particles.spacing, scene.dimension);
+    return 2 / std::sqrt(2 * rule.bond_stiffness / (mass / 2));
 }
 
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps) {

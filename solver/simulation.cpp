@@ -246,6 +246,11 @@ Plan Simulation::plan() const {
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
+    for (const Solidify& rule : s.scene.solidify)
+        plan.limits.push_back({"springs (" + *rule.name + ")", new_bond_limit(s.scene, rule),
+                               std::string("2 / omega of one new bond alone; ") +
+                                   (s.fluid.springs().implicit() ? "not binding, stepped implicitly"
+                                                                 : "sub-cycled, by the stiffest body there is")});
     plan.models = models_in_use(s.scene, s.settings, s.fluid.sweeps());
     plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {

@@ -122,6 +122,18 @@ TEST(SolidifyOnRanks, makes_the_same_aggregate_bond_for_bond) {
     EXPECT_NEAR(alone.summary.end.mass, alone.summary.start.mass, 1e-13 * alone.summary.start.mass);
 }
 
+TEST(SolidifyOnRanks, makes_the_same_aggregate_with_implicit_viscosity_and_with_subcycled_springs) {
+    SceneAndParticles made = clotting();
+    made.scene.run.duration = 0.012;
+    made.scene.accuracy.viscosity_stepping = ViscosityStepping::implicitly;
+    expect_same(run_on(made, Ranks::world()), run_on(made, Ranks::alone()));
+    made.scene.accuracy.viscosity_stepping = ViscosityStepping::explicitly;
+    made.scene.accuracy.spring_stepping = SpringStepping::subcycled;
+    const Outcome alone = run_on(made, Ranks::alone());
+    expect_same(run_on(made, Ranks::world()), alone);
+    EXPECT_LT(alone.summary.momentum_residual, 1e-12);
+}
+
 /// Where the checkpoint is that the first rank's folder has.
 std::filesystem::path checkpoint_in(std::filesystem::path folder, const Ranks& ranks) {
     std::string name = folder.string();

@@ -72,6 +72,36 @@ TEST(Solidify, fills_a_diamond_in_liquid_at_rest_and_keeps_all_mass) {
     EXPECT_EQ(summary.lost, 0U);
 }
 
+TEST(Solidify, in_space_fills_an_octahedron) {
+    SceneAndParticles made = endless_water();
+    ParticleSet& set = made.particles;
+    const ParticleSet layer = set;
+    set.position.clear();
+    made.scene.dimension = set.dimension = 3;
+    set.box.high[2] = 0.8;
+    set.periodic[2] = true;
+    made.scene.flow.periodic[2] = true;
+    for (int level = 0; level < 8; ++level)
+        for (const Vec& place : layer.position) set.position.emplace_back(place[0], place[1], 0.1 * (level + 0.5));
+    const std::size_t count = set.position.size();
+    set.volume.assign(count, 1e-3);
+    set.mass.assign(count, 1);
+    for (auto* numbers : {&set.part, &set.body}) numbers->resize(count, numbers->front());
+    for (auto* flags : {&set.fixed, &set.seated}) flags->resize(count, 0);
+    set.wall_normal.resize(count, Vec::Zero());
+    set.wall_distance.resize(count, 0);
+    made.scene.regions = {region_of("nidus", Vec(0.41, 0.41, 0.41), Vec(0.49, 0.49, 0.49))};
+    Solidify clot = clot_of("water");
+    clot.seed_region = std::string("nidus");
+    clot.reach = 0.12;
+    made.scene.solidify = {clot};
+    made.scene.run.duration = made.scene.output.every = 0.015;
+    const RunSummary summary = run(made);
+    EXPECT_EQ(summary.aggregates.at(0).particles, 1 + 6 + 18);
+    EXPECT_EQ(summary.aggregates.at(0).pieces, 1);
+    EXPECT_NEAR(summary.end.mass, summary.start.mass, 1e-14 * summary.start.mass);
+}
+
 TEST(Solidify, of_liquid_that_moves_as_a_whole_changes_no_velocity_and_no_momentum) {
     const Vec velocity(0.4, -0.1, 0);
     KeptFrames frames;
