@@ -228,9 +228,10 @@ TEST(Pictures, DoNotDrawBondsRoundAPeriodicBorder) {
     frame.solid->position = {0.5F, 1, 0, 1.5F, 1, 0, 8.5F, 1, 0};
     frame.solid->id = {2, 3, 4};
     frame.solid->bond_ends = {0, 1, 0, 2};
-    EXPECT_THAT(layers_of(frame, {}, "velocity", {}).back().lines, ElementsAre(0, 1));
+    EXPECT_THAT(layers_of(frame, {}, "velocity", FieldRange().scale()).back().lines, ElementsAre(0, 1));
     frame.fluid.reset();
-    EXPECT_THAT(layers_of(frame, {}, "velocity", {}).back().lines, ElementsAre(0, 1, 0, 2)) << "as nobody knows";
+    EXPECT_THAT(layers_of(frame, {}, "velocity", FieldRange().scale()).back().lines, ElementsAre(0, 1, 0, 2))
+        << "as nobody knows";
 }
 
 TEST(Canvas, DrawsWhereItIsTold) {
