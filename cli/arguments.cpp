@@ -109,8 +109,7 @@ class Parser {
                            "Only say what the run would take: particles, memory, time steps, measured time");
         run_app_->footer(
             examples(program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
-                                "run cases/vein_valve --out /tmp/soft --set part.leaflets.bending_stiffness="
-                                "\"1e-6 N*m^2\"",
+                                R"(run cases/vein_valve --out soft --set part.leaflets.bending_stiffness="1e-6 N*m^2")",
                                 "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume",
                                 "run my_scene.toml --particles my_scene.h5 --frames hdf5"}));
     }

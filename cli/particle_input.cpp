@@ -145,7 +145,9 @@ std::vector<std::string> values_behind_particles(const Scene& scene) {
             part = line.substr(equals + 4, line.size() - equals - 5);
             continue;
         }
-        lines.push_back((table.empty() ? "" : table + ".") + (table == "part" ? part + "." : "") + line);
+        std::string whole_key = table.empty() ? "" : table + ".";
+        if (table == "part") whole_key += part + ".";
+        lines.push_back(whole_key + line);
     }
     return lines;
 }

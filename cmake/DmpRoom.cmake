@@ -33,6 +33,9 @@ function(dmp_room name)
   target_link_libraries(dmp_${name} PUBLIC ${ROOM_LINKS} PRIVATE $<BUILD_INTERFACE:dmp_rules> ${ROOM_PRIVATE_LINKS})
 endfunction()
 
+# What tests add to a library's optimised code are short loops: compiling them lightly saves a sixth of a whole build.
+set(dmp_test_options $<$<CONFIG:Release>:-O1>)
+
 # dmp_test(NAME library...) or dmp_test(NAME LABEL l TIMEOUT seconds LIBRARIES library... PROPERTIES ctest's...): one
 # GoogleTest program from NAME.cpp in the current folder.
 function(dmp_test name)
@@ -44,6 +47,7 @@ function(dmp_test name)
   target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest_main GTest::gmock ${TEST_LIBRARIES}
                                              ${TEST_UNPARSED_ARGUMENTS})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(test_${name} PRIVATE ${dmp_test_options})
   target_compile_definitions(test_${name} PRIVATE DMP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   DMP_BUILD_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(test_${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABEL}" ${TEST_PROPERTIES}
@@ -59,6 +63,7 @@ function(dmp_mpi_test name)
   endif()
   add_executable(test_${name} ${name}.cpp mpi_main.cpp)
   target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest GTest::gmock MPI::MPI_C ${TEST_LIBRARIES})
+  target_compile_options(test_${name} PRIVATE ${dmp_test_options})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   # Open MPI in a container: as root, more ranks than processors, none bound to one, waiting without keeping others from
   # working, and no copying from another process's memory, which containers forbid.

@@ -107,10 +107,11 @@ struct Solidify {
     Value<std::string> name;    ///< of what comes into being
     Value<std::string> liquid;  ///< the fluid part that turns solid
 
-    Value<std::string> seed_part;             ///< all particles of this rigid or springs part are seeds; empty: none
-    Value<std::string> seed_region;           ///< liquid in this region becomes seeds; empty: anywhere
-    Value<double> seed_stress_above = 0.0;    ///< liquid with more shear stress becomes a seed [Pa]; 0: not asked
-    Value<double> seed_residence_above = 0.0;  ///< liquid that was longer in seed_region becomes a seed [s]; 0: not asked
+    Value<std::string> seed_part;           ///< all particles of this rigid or springs part are seeds; empty: none
+    Value<std::string> seed_region;         ///< liquid in this region becomes seeds; empty: anywhere
+    Value<double> seed_stress_above = 0.0;  ///< liquid with more shear stress becomes a seed [Pa]; 0: not asked
+    Value<double> seed_residence_above =
+        0.0;  ///< liquid that was longer in seed_region becomes a seed [s]; 0: not asked
 
     Value<std::string> region;            ///< only liquid in this region turns solid; empty: anywhere
     Value<double> stress_above = 0.0;     ///< only liquid with more shear stress [Pa]; 0: any
@@ -122,10 +123,10 @@ struct Solidify {
     Value<double> from = 0.0;   ///< time of the first event [s]
     Value<double> interval;     ///< between events [s]
     Value<SeedActivity> active = SeedActivity::always;
-    Value<int> one_in = 0;         ///< with active = one_in: N
-    Value<bool> spreads = true;    ///< particles that turned solid become seeds
-    Value<int> most_bonds = 0;     ///< of one particle, of this rule; 0: any number
-    Value<double> bond_stiffness;  ///< k_b [N/m]
+    Value<int> one_in = 0;              ///< with active = one_in: N
+    Value<bool> spreads = true;         ///< particles that turned solid become seeds
+    Value<int> most_bonds = 0;          ///< of one particle, of this rule; 0: any number
+    Value<double> bond_stiffness;       ///< k_b [N/m]
     Value<double> rest_length = 0.0;    ///< r0 [m]; 0 = "auto": the distance when the bond is made
     Value<double> bond_damping = 0.01;  ///< dashpot, fraction of critical [-]
     Value<BondTo> bond_to = BondTo::seed;

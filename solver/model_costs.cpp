@@ -83,6 +83,7 @@ class Trial {
 
 MeasuredTime fastest_of(const std::string& of, const std::vector<Trial::Round>& rounds) {
     std::vector<double> ns;
+    ns.reserve(rounds.size());
     for (const Trial::Round& round : rounds) ns.push_back(round.ns);
     std::ranges::sort(ns);
     return {of, ns.front(), ns[std::min<std::size_t>(2, ns.size() - 1)] - ns.front()};

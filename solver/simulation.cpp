@@ -287,7 +287,7 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     const double target = std::min({until, frame_times.next(), measure_times.next(), events.next()});
     const double dt = next_step(target, extremes.largest_speed);
     try {
-        fluid.advance(time, dt);
+        extremes = fluid.advance(time, dt);
         residence_times.add(particles, dt, settings.threads);
         mean_displacement.add(fluid.springs(), time, dt);
     } catch (const DivergenceError& error) {
@@ -302,7 +302,6 @@ void Simulation::State::advance(const RunOptions& options, double until, FluidEx
     time = target - time <= 1.5 * dt ? target : time + dt;
     ++step;
 
-    extremes = fluid.extremes();
     watch.walls_have_moved(fluid.walls().farthest());
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);

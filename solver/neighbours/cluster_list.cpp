@@ -67,6 +67,7 @@ void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, c
 template <int D>
 void ClusterList::find(const ParticleStore& particles, double reach, int threads) {
     std::vector<SearchGrid> grids;
+    grids.reserve(all_kinds.size());
     for (const ParticleKind kind : all_kinds) grids.emplace_back(particles.of(kind), 2 * particles.space().spacing);
 
     for (const ParticleKind own : all_kinds) {

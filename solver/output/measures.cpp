@@ -82,7 +82,7 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
 }  // namespace
 
 Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
-    : scene_(scene), space_(set), settings_(settings), ranks_(ranks) {
+    : scene_(scene), space_(static_cast<const ParticleSpace&>(set)), settings_(settings), ranks_(ranks) {
     const auto column = [&](const std::string& name, const char* unit) {
         series_.names.push_back(name);
         series_.units.emplace_back(unit);

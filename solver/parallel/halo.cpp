@@ -24,8 +24,8 @@ struct Halo::Requests {
     std::vector<MPI_Request> all;
 };
 
-Halo::Halo(Ranks ranks, const ParticleSpace& space, int threads)
-    : ranks_(std::move(ranks)), space_(space), threads_(threads), requests_(std::make_unique<Requests>()) {}
+Halo::Halo(Ranks ranks, ParticleSpace space, int threads)
+    : ranks_(std::move(ranks)), space_(std::move(space)), threads_(threads), requests_(std::make_unique<Requests>()) {}
 
 Halo::~Halo() = default;
 Halo::Halo(Halo&&) noexcept = default;

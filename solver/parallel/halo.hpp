@@ -25,7 +25,7 @@ struct HaloTraffic {
 /// groups in the same order. One rank alone calls no MPI.
 class Halo {
   public:
-    Halo(Ranks ranks, const ParticleSpace& space, int threads = 1);
+    Halo(Ranks ranks, ParticleSpace space, int threads = 1);
     ~Halo();
     Halo(const Halo&) = delete;
     Halo& operator=(const Halo&) = delete;

@@ -18,6 +18,7 @@ Vec vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 void share(std::vector<Vec>& vectors, const Ranks& ranks) {
     std::vector<std::array<double, 3>> plain;
+    plain.reserve(vectors.size());
     for (const Vec& v : vectors) plain.push_back(three(v));
     ranks.broadcast(plain);
     vectors.clear();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace dmp {
 
@@ -24,6 +26,32 @@ std::array<double*, D> axes(ParticleGroup& group, Field field) {
     std::array<double*, D> arrays{};
     for (int axis = 0; axis < D; ++axis) arrays[axis] = group.data(field, axis);
     return arrays;
+}
+
+/// The least and the largest of value(i), i in [0, count). Side by side in lanes, so that the compiler may use vectors:
+/// it may not change the order of comparisons, in which a NaN matters, by itself.
+template <class Value>
+std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const Value& value) {
+    constexpr std::ptrdiff_t lanes = 8, block = 64 * lanes;
+    double low = infinity, high = -infinity;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : high) reduction(min : low)
+    for (std::ptrdiff_t begin = 0; begin < count; begin += block) {
+        const std::ptrdiff_t end = std::min(begin + block, count), end_of_lanes = begin + (end - begin) / lanes * lanes;
+        std::array<double, lanes> lows, highs;
+        lows.fill(infinity);
+        highs.fill(-infinity);
+        const auto look = [&](std::ptrdiff_t i, std::ptrdiff_t lane) {
+            const double x = value(i);
+            lows[lane] = x < lows[lane] ? x : lows[lane];
+            highs[lane] = x > highs[lane] ? x : highs[lane];
+        };
+        for (std::ptrdiff_t i = begin; i < end_of_lanes; i += lanes)
+            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) look(i + lane, lane);
+        for (std::ptrdiff_t i = end_of_lanes; i < end; ++i) look(i, 0);
+        for (const double x : lows) low = std::min(low, x);
+        for (const double x : highs) high = std::max(high, x);
+    }
+    return {low, high};
 }
 
 /// Of a largest square that is infinite where a number was none.
@@ -159,28 +187,57 @@ PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, cons
     PassExtremes extremes = particles.dimension() == 3 ? drift_and_shift<3>(particles, dt, shift)
                                                        : drift_and_shift<2>(particles, dt, shift);
     for (ParticleGroup& group : particles.groups())
-        if (group.has(Field::density_rate)) update_density(group, dt);
+        if (group.has(Field::density_rate) && group.kind() != ParticleKind::fluid) update_density(group, dt);
+    ParticleGroup& fluid = particles.fluid();
+    double* density = fluid.data(Field::density);
+    if (fluid.has(Field::density_rate)) {
+        const double* rate = fluid.data(Field::density_rate);
+        look_at_densities(
+            fluid, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; }, extremes);
+    } else {
+        look_at_densities(
+            fluid, [=](std::ptrdiff_t i) { return density[i]; }, extremes);
+    }
     return extremes;
+}
+
+/// Takes note of the extremes of density_of(i), which may bring the density up to date.
+template <class DensityOf>
+void FluidPasses::look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of,
+                                    PassExtremes& extremes) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    if (count == 0) {
+        extremes.density_low = infinity;
+        extremes.density_high = -infinity;
+    } else if (one_state_) {
+        const double rest_density = state_of_part_.front().rest_density;
+        const auto [low, high] = low_and_high(count, threads_, density_of);
+        extremes.density_low = low / rest_density;
+        extremes.density_high = high / rest_density;
+    } else {
+        const auto relative = [&, tags = fluid.tags()](std::ptrdiff_t i) {
+            return density_of(i) / state_of_part_[tags[i].part].rest_density;
+        };
+        std::tie(extremes.density_low, extremes.density_high) = low_and_high(count, threads_, relative);
+    }
 }
 
 PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    const double* density = fluid.data(Field::density);
     std::array<const double*, 3> v{};
     for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
-    const auto tags = fluid.tags();
-    double fastest = 0, low = infinity, high = -infinity;
-#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest, high) reduction(min : low)
+    double fastest = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         double square = 0;
         for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
         fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
-        const LiquidState& state = one_state_ ? state_of_part_.front() : state_of_part_[tags[i].part];
-        const double relative = density[i] / state.rest_density;
-        low = std::min(low, relative);
-        high = std::max(high, relative);
     }
-    return {root(fastest), 0, low, high};
+    PassExtremes extremes;
+    extremes.largest_speed = root(fastest);
+    look_at_densities(
+        fluid, [density = fluid.data(Field::density)](std::ptrdiff_t i) { return density[i]; }, extremes);
+    return extremes;
 }
 
 }  // namespace dmp

@@ -33,7 +33,7 @@ class FluidPasses {
     void drift_to_middle(ParticleStore& particles, double dt) const;
     /// v += dt (F / m + g).
     [[nodiscard]] double kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const;
-    /// x += dt v + shift, rho += dt drho/dt.
+    /// x += dt v + shift, rho += dt drho/dt. What it finds: the longest shift and the extremes of density.
     [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
 
     /// Velocity of transport less the fluid's own, of a step dt whose particles were moved by the shift.
@@ -46,6 +46,8 @@ class FluidPasses {
   private:
     template <int D>
     [[nodiscard]] PassExtremes drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const;
+    template <class DensityOf>
+    void look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of, PassExtremes& extremes) const;
     void update_density(ParticleGroup& group, double dt) const;
     void update_pressure(ParticleGroup& group) const;
 

@@ -58,7 +58,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
         viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
 }
 
-void FluidStep::advance(double t, double dt) {
+FluidExtremes FluidStep::advance(double t, double dt) {
     walls_.start_step(t, dt);
     timer_.timed("drift", [&] { drift_to_middle(dt); });
     timer_.timed("neighbours", [&] { renew_list(); });
@@ -78,8 +78,10 @@ void FluidStep::advance(double t, double dt) {
     sweep("density", {Field::velocity}, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
     });
-    timer_.timed("drift", [&] { drift_to_end(dt); });
+    FluidExtremes extremes;
+    timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
     bodies_ahead_ = dt / 2;
+    return extremes;
 }
 
 /// A sweep over pairs that needs copies' present values of `fields`. What is near no copies is swept while they are on
@@ -240,15 +242,19 @@ void FluidStep::drift_to_middle(double dt) {
     neighbours_.moved(std::max(dt / 2 * largest_speed_, walls_.move_to_middle(particles_)));
 }
 
-void FluidStep::drift_to_end(double dt) {
+FluidExtremes FluidStep::drift_to_end(double dt) {
     ShiftStep shift;
     const bool transports = settings_.transport_velocity;
     if (settings_.shifting > 0 || transports)
         shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
-    const double shifted = ranks_.largest(passes_.drift_to_end(particles_, dt / 2, shift).longest_shift);
+    const PassExtremes here = passes_.drift_to_end(particles_, dt / 2, shift);
+    std::array<double, 3> largest{here.longest_shift, -here.density_low, here.density_high};
+    ranks_.largest(largest);
+    const double shifted = largest[0];
     if (transports) passes_.note_transport(particles_.fluid(), dt, shift);
     const double bodies_moved = springs_.show_positions(particles_), walls_moved = walls_.move_to_end(particles_);
     neighbours_.moved(std::max({dt / 2 * largest_speed_ + shifted, bodies_moved, walls_moved}));
+    return {largest_speed_, -largest[1], largest[2]};
 }
 
 void FluidStep::archive(Archive& file) {

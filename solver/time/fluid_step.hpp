@@ -40,8 +40,8 @@ class FluidStep {
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
               std::vector<LiquidState> state_of_part, const Ranks& ranks);
 
-    /// From time t to t + dt.
-    void advance(double t, double dt);
+    /// From time t to t + dt. The fluid's extremes after it, which cost nothing on the way.
+    FluidExtremes advance(double t, double dt);
 
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
@@ -89,7 +89,7 @@ class FluidStep {
     void kick_by_place(double t, double dt);
     void add_viscous_forces(double t, double dt);
     void drift_to_middle(double dt);
-    void drift_to_end(double dt);
+    FluidExtremes drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
 
     ParticleStore& particles_;

@@ -25,6 +25,8 @@ struct SpringImpulses {
 /// One connected piece of a springs part as the rest of the solver sees it, in the plane (z = 0) or in space.
 class SpringBody {
   public:
+    SpringBody(const SpringBody&) = delete;
+    SpringBody& operator=(const SpringBody&) = delete;
     virtual ~SpringBody() = default;
 
     /// The body of this number, with the springs that are among its nodes. Throws InputError for one in the plane that
@@ -95,8 +97,6 @@ class SpringBody {
     explicit SpringBody(std::string part) : part_(std::move(part)) {}
     SpringBody(SpringBody&&) noexcept = default;
     SpringBody& operator=(SpringBody&&) noexcept = default;
-    SpringBody(const SpringBody&) = delete;
-    SpringBody& operator=(const SpringBody&) = delete;
 
     std::string part_;
     std::vector<int> ids_;

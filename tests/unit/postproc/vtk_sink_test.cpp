@@ -102,10 +102,11 @@ TEST(VtkSink, TensorsHaveTheComponentsThatParaViewKnows) {
     const TemporaryFolder folder;
     VtkSink sink(folder.path(), label);
     Frame frame = channel_frame(0.125, false);
-    for (FrameGroup* group : {&frame.groups[0], &frame.groups[1]}) {
+    for (const std::size_t number : {0, 1}) {
+        FrameGroup& group = frame.groups[number];
         FrameField stress{"stress", "Pa", 6, {}};
-        for (std::size_t k = 0; k < 6 * group->size(); ++k) stress.values.push_back(0.5F * static_cast<float>(k));
-        group->fields.push_back(stress);
+        for (std::size_t k = 0; k < 6 * group.size(); ++k) stress.values.push_back(0.5F * static_cast<float>(k));
+        group.fields.push_back(stress);
     }
     sink.write(frame);
     for (const auto& [name, group] : {std::pair{"fluid", frame.groups[0]}, std::pair{"solid", frame.groups[1]}}) {
@@ -114,8 +115,8 @@ TEST(VtkSink, TensorsHaveTheComponentsThatParaViewKnows) {
         vtkDataArray* stress = opened.data().GetPointData()->GetArray("stress");
         ASSERT_NE(stress, nullptr) << name;
         ASSERT_EQ(stress->GetNumberOfComponents(), 6);
-        std::vector<std::string> components;
-        for (int c = 0; c < 6; ++c) components.emplace_back(stress->GetComponentName(c));
+        std::vector<std::string> components(6);
+        for (int c = 0; c < 6; ++c) components[static_cast<std::size_t>(c)] = stress->GetComponentName(c);
         EXPECT_THAT(components, ElementsAre("XX", "YY", "ZZ", "XY", "YZ", "XZ"));
         for (vtkIdType i = 0; i < stress->GetNumberOfTuples(); ++i)
             for (int c = 0; c < 6; ++c) EXPECT_EQ(stress->GetComponent(i, c), 0.5 * static_cast<double>(6 * i + c));

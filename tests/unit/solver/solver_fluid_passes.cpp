@@ -199,6 +199,9 @@ TEST_P(FluidPassesOn, drift_to_end_with_shifting) {
     EXPECT_GT(cut, 10);
     EXPECT_GT(whole, 10);
     EXPECT_DOUBLE_EQ(extremes.longest_shift, longest);
+    const PassExtremes after = passes().extremes(particles.fluid());
+    EXPECT_EQ(extremes.density_low, after.density_low);
+    EXPECT_EQ(extremes.density_high, after.density_high);
 }
 
 TEST_P(FluidPassesOn, drift_to_end_without_shifting) {
