@@ -114,6 +114,12 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
             list.add("", fmt::format("{:.4g} of the largest stable one ({})", *accuracy.spring_step_factor,
                                      origin_text(accuracy.spring_step_factor, "accuracy.spring_step_factor")));
     }
+    for (const Solidify& rule : scene.solidify)
+        list.add("solidify " + *rule.name,
+                 fmt::format("{} ({}), seeds active {} ({}), bonds to {} ({})", word(*rule.rule),
+                             origin_text(rule.rule, "rule"), word(*rule.active), origin_text(rule.active, "active"),
+                             *rule.bond_to == BondTo::seed ? "the seed" : "neighbours",
+                             origin_text(rule.bond_to, "bond_to")));
     list.add("contact", contact_text(scene));
     for (const auto& note : origin.notes) list.add("note", note);
     return Style(Stream::output).strong("What will run") + "\n" + list.text();

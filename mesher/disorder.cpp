@@ -3,13 +3,13 @@
 
 #include <sstream>
 
-#include "mesher/hashed_random.hpp"
+#include "base/random_number.hpp"
 #include "particles/periodic_images.hpp"
 
 namespace dmp {
 
 double Disorder::displacement(std::uint64_t id, int axis) const {
-    return amplitude * (2 * hashed_random(seed, id, static_cast<std::uint64_t>(axis)) - 1);
+    return amplitude * (2 * random_number({seed, id, static_cast<std::uint64_t>(axis)}) - 1);
 }
 
 std::string Disorder::text() const {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "geometry/triangle_surface.hpp"
-#include "mesher/hashed_random.hpp"
 #include "mesher/sphere_packing.hpp"
 #include "mesher/sphere_table.hpp"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "mesher/hashed_random.hpp"
+#include "base/random_number.hpp"
 #include "particles/cell_grid.hpp"
 
 namespace dmp {
@@ -61,8 +61,8 @@ bool push_apart(std::vector<Vec>& points, double least, const std::function<bool
 /// Any turn is as likely as any other (Shoemake 1992).
 Eigen::Quaterniond random_turn(std::uint64_t seed, std::uint64_t id) {
     constexpr double whole = 2 * std::numbers::pi;
-    const double share = hashed_random(seed, id, 0), a = whole * hashed_random(seed, id, 1),
-                 b = whole * hashed_random(seed, id, 2);
+    const double share = random_number({seed, id, 0}), a = whole * random_number({seed, id, 1}),
+                 b = whole * random_number({seed, id, 2});
     const double one = std::sqrt(1 - share), other = std::sqrt(share);
     return {one * std::sin(a), one * std::cos(a), other * std::sin(b), other * std::cos(b)};
 }
@@ -78,7 +78,7 @@ std::vector<Vec> spread(double radius, int count, std::uint64_t seed) {
         const double height = 1 - (2.0 * n + 1) / count, across = std::sqrt(1 - height * height);
         Vec point = radius * Vec(across * std::cos(golden_angle * n), across * std::sin(golden_angle * n), height);
         for (int axis = 0; axis < 3; ++axis) {
-            const double share = hashed_random(seed, static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(axis));
+            const double share = random_number({seed, static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(axis)});
             point[axis] += reach * (2 * share - 1);
         }
         points.emplace_back(turn * (radius / point.norm() * point));
@@ -118,7 +118,7 @@ std::optional<std::vector<Vec>> pack_room(const Room& room, double radius, int c
     for (int n = 0; n < count; ++n) {
         Vec point;
         for (int axis = 0; axis < 3; ++axis) {
-            const double share = hashed_random(seed, static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(axis));
+            const double share = random_number({seed, static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(axis)});
             point[axis] = low[axis] + share * (high[axis] - low[axis]);
         }
         points.push_back(point);

@@ -220,6 +220,25 @@ ColourScale FieldRange::scale() const {
     return with_ends(ColourMap::sequential(low, high), colours::solid);
 }
 
+namespace {
+
+/// The bonds that do not go round a periodic border: the ends of those are shown on opposite sides of the fluid.
+std::vector<std::int32_t> bonds_in_one_image(const RunFrame& frame) {
+    const FrameGroup& solid = *frame.solid;
+    if (!frame.fluid) return solid.bond_ends;
+    Box around = nothing();
+    include(around, frame.fluid);
+    std::vector<std::int32_t> shown;
+    for (std::size_t bond = 0; bond < solid.bonds(); ++bond) {
+        const std::int32_t a = solid.bond_ends[2 * bond], b = solid.bond_ends[2 * bond + 1];
+        const Vec apart = point(solid.position, a) - point(solid.position, b);
+        if ((apart.cwiseAbs().array() <= 0.5 * around.extent().array()).all()) shown.insert(shown.end(), {a, b});
+    }
+    return shown;
+}
+
+}  // namespace
+
 std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
                                      const std::string& field, const ColourScale& scale) {
     std::vector<ParticleLayer> layers;
@@ -236,7 +255,7 @@ std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<
     if (frame.spheres) layers.push_back(layer_of_spheres(*frame.spheres, field, scale));
     if (frame.solid) {
         ParticleLayer layer = plain_layer(*frame.solid, scale.solid, 0.6 * frame.spacing);
-        layer.lines = frame.solid->bond_ends;
+        layer.lines = bonds_in_one_image(frame);
         layer.line_colour = scale.solid;
         layer.line_width = frame.spacing / 2;
         layers.push_back(std::move(layer));

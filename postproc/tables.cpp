@@ -220,6 +220,10 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         json["implicit_diffusion"] = {{"solves", diffusion.solves},
                                       {"iterations_mean", diffusion.mean_iterations()},
                                       {"iterations_most", diffusion.most_iterations}};
+    for (const Aggregate& of : summary.aggregates)
+        json["aggregates"][of.name] = {{"particles", of.particles},   {"mass", of.mass},
+                                       {"pieces", of.pieces},         {"largest", of.largest},
+                                       {"bonds_made", of.bonds_made}, {"bonds_broken", of.bonds_broken}};
     make_folder(folder);
     write_file(folder / summary_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -116,7 +116,13 @@ void VtkSink::go_on(long frames) {
                                  "A run can only go on where its frames are; start it anew in another folder.");
             series_[name].push_back({std::stod(match[1]), frame});
         }
-        if (series_.contains(name) && static_cast<long>(series_[name].size()) != frames)
+        // There may be no solids at first; all others are there from the beginning.
+        const auto& entries = series_.contains(name) ? series_[name] : std::vector<Entry>{};
+        const long first = frames - static_cast<long>(entries.size());
+        bool complete = entries.empty() || first == 0 || (first > 0 && std::string_view(name) == "solid");
+        for (std::size_t k = 0; complete && k < entries.size(); ++k)
+            complete = entries[k].file == frame_file(name, first + static_cast<long>(k));
+        if (!complete)
             throw InputError({(folder_ / (std::string(name) + ".pvd")).string()},
                              "the series names fewer frames than the run has written",
                              "A run can only go on where its frames are; start it anew in another folder.");

@@ -7,8 +7,9 @@
 #include "base/nearest_name.hpp"
 #include "scene/driving_keys.hpp"
 #include "scene/quantity.hpp"
-#include "scene/species_checks.hpp"
 #include "scene/schema.hpp"
+#include "scene/solidify_checks.hpp"
+#include "scene/species_checks.hpp"
 #include "scene/sphere_checks.hpp"
 
 namespace dmp {
@@ -90,7 +91,7 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
             "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
             "accuracy.viscous_law = \"monaghan_approaching\" is none",
             "write viscous_law = \"monaghan\" or \"morris\"");
-    if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
+    if (*accuracy.spring_stepping == SpringStepping::subcycled && scene.may_have_springs())
         throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
                          "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
                          "accuracy.spring_stepping = \"subcycled\" moves apart from it",
@@ -291,6 +292,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
                          "give two different points");
     }
     check_sphere_measure(scene, measure);
+    if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
     if (*measure.kind != MeasureKind::gap) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {
@@ -316,6 +318,8 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.species, "species");
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
+    refuse_equal_names(scene.solidify, "solidify");
+    refuse_equal_names(scene.breaking, "break");
     need_something_to_move(scene);
     need_what_drawn_parts_need(scene, document);
     check_spheres(scene, document);
@@ -339,6 +343,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     for (const Part& part : scene.parts)
         if (*part.kind == PartKind::springs) need_one_stiffness(part);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+    check_solidify(scene);
 }
 
 void switch_off_what_gives_way(Scene& scene) {

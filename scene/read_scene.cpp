@@ -191,6 +191,8 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     scene.moving_shapes = read_items(document, "moving_shape", schema().moving_shape, *scene.quality);
     scene.regions = read_items(document, "region", schema().region, *scene.quality);
     scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
+    scene.solidify = read_items(document, "solidify", schema().solidify, *scene.quality);
+    scene.breaking = read_items(document, "break", schema().breaking, *scene.quality);
     check_scene(scene, document);
     switch_off_what_gives_way(scene);
     scene.hash = fnv1a(resolved_scene(scene));

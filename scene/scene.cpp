@@ -173,7 +173,29 @@ const Words<MeasureKind>& words_of() {
                                              {MeasureKind::velocity, "velocity"},
                                              {MeasureKind::spin, "spin"},
                                              {MeasureKind::wall_force, "wall_force"},
-                                             {MeasureKind::detached, "detached"}};
+                                             {MeasureKind::detached, "detached"},
+                                             {MeasureKind::aggregate, "aggregate"}};
+    return words;
+}
+
+template <>
+const Words<SolidifyRule>& words_of() {
+    static const Words<SolidifyRule> words = {{SolidifyRule::per_pair, "per_pair"},
+                                              {SolidifyRule::per_candidate, "per_candidate"},
+                                              {SolidifyRule::mutually_closest, "mutually_closest"}};
+    return words;
+}
+
+template <>
+const Words<SeedActivity>& words_of() {
+    static const Words<SeedActivity> words = {
+        {SeedActivity::always, "always"}, {SeedActivity::once, "once"}, {SeedActivity::one_in, "one_in"}};
+    return words;
+}
+
+template <>
+const Words<BondTo>& words_of() {
+    static const Words<BondTo> words = {{BondTo::seed, "seed"}, {BondTo::neighbours, "neighbours"}};
     return words;
 }
 
@@ -239,6 +261,9 @@ std::string word(FluidField field) { return find_word(field); }
 std::string word(SolidField field) { return find_word(field); }
 std::string word(KernelKind kernel) { return find_word(kernel); }
 std::string word(MeasureKind kind) { return find_word(kind); }
+std::string word(SolidifyRule rule) { return find_word(rule); }
+std::string word(SeedActivity activity) { return find_word(activity); }
+std::string word(BondTo bonds) { return find_word(bonds); }
 
 bool Part::slides() const { return !std::ranges::all_of(surface_velocity.value, &Expression::is_zero); }
 
@@ -295,8 +320,12 @@ bool Scene::asks_for(FluidField field) const {
     const auto probes_it = [&](const Measure& measure) {
         return *measure.kind == MeasureKind::probe && *measure.field == field;
     };
+    const auto waits_for_it = [&](const Solidify& rule) {
+        return field == FluidField::residence_time && (*rule.seed_residence_above > 0 || *rule.residence_above > 0);
+    };
     return std::find(output.fields.begin(), output.fields.end(), field) != output.fields.end() ||
-           std::any_of(measures.begin(), measures.end(), probes_it);
+           std::any_of(measures.begin(), measures.end(), probes_it) ||
+           std::any_of(solidify.begin(), solidify.end(), waits_for_it);
 }
 
 bool Scene::asks_for(SolidField field) const {

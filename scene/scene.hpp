@@ -73,7 +73,8 @@ enum class MeasureKind {
     velocity,  // of spheres, as the next three
     spin,
     wall_force,
-    detached
+    detached,
+    aggregate
 };
 enum class FluidField {
     velocity,
@@ -87,6 +88,11 @@ enum class FluidField {
     concentration
 };
 enum class Axis { x, y, z };
+/// Which liquid within reach of a seed turns solid, and when a seed looks for it (solver/models/solidify/).
+enum class SolidifyRule { per_pair, per_candidate, mutually_closest };
+enum class SeedActivity { always, once, one_in };
+/// What a particle that turns solid is bonded to: the seed that turned it, or all of the aggregate within reach.
+enum class BondTo { seed, neighbours };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
 /// [[part]]: one named region, curve or group of the drawing and what it is made of.
@@ -239,15 +245,56 @@ struct Measure {
     Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
-    Value<std::string> part;     ///< gap: between the pieces of this springs part; wall_flux: into this rigid part;
-                                 ///< velocity, spin, detached: the spheres
-    Value<std::string> species;  ///< of measures of a species; empty: the only one
-    Value<Axis> axis = Axis::x;  ///< profile, spread: along which
-    Value<int> bins = 20;        ///< profile: how many
-    Value<double> about = 0.0;   ///< spread: where the variance is taken about, if given; else the mean [m]
-    Value<double> length = 0.0;  ///< peclet, wall_flux: of the Peclet and Sherwood numbers [m]; 0: not given
-    Value<double> area = 0.0;    ///< wall_flux: of the wall, for the Sherwood number [m^2]
+    Value<std::string>
+        part;  ///< gap: between the pieces of this springs part; wall_flux: into this rigid part;
+               ///< velocity, spin, detached: the spheres; aggregate: of this [[solidify]] or springs part
+    Value<std::string> species;          ///< of measures of a species; empty: the only one
+    Value<Axis> axis = Axis::x;          ///< profile, spread: along which
+    Value<int> bins = 20;                ///< profile: how many
+    Value<double> about = 0.0;           ///< spread: where the variance is taken about, if given; else the mean [m]
+    Value<double> length = 0.0;          ///< peclet, wall_flux: of the Peclet and Sherwood numbers [m]; 0: not given
+    Value<double> area = 0.0;            ///< wall_flux: of the wall, for the Sherwood number [m^2]
     Value<Vec> direction{Vec::UnitZ()};  ///< detached: to the upper half
+};
+
+/// [[solidify]]: liquid that turns solid near seeds, and its bonds (docs/solidify.md).
+struct Solidify {
+    Value<std::string> name;    ///< of what comes into being
+    Value<std::string> liquid;  ///< the fluid part that turns solid
+
+    Value<std::string> seed_part;           ///< all particles of this rigid or springs part are seeds; empty: none
+    Value<std::string> seed_region;         ///< liquid in this region becomes seeds; empty: anywhere
+    Value<double> seed_stress_above = 0.0;  ///< liquid with more shear stress becomes a seed [Pa]; 0: not asked
+    Value<double> seed_residence_above =
+        0.0;  ///< liquid that was longer in seed_region becomes a seed [s]; 0: not asked
+
+    Value<std::string> region;            ///< only liquid in this region turns solid; empty: anywhere
+    Value<double> stress_above = 0.0;     ///< only liquid with more shear stress [Pa]; 0: any
+    Value<double> residence_above = 0.0;  ///< only liquid that was longer in the region [s]; 0: any
+
+    Value<SolidifyRule> rule = SolidifyRule::per_candidate;
+    Value<double> reach;        ///< R_max, from a seed [m]
+    Value<double> probability;  ///< of the rule, in one event [-]
+    Value<double> from = 0.0;   ///< time of the first event [s]
+    Value<double> interval;     ///< between events [s]
+    Value<SeedActivity> active = SeedActivity::always;
+    Value<int> one_in = 0;              ///< with active = one_in: N
+    Value<bool> spreads = true;         ///< particles that turned solid become seeds
+    Value<int> most_bonds = 0;          ///< of one particle, of this rule; 0: any number
+    Value<double> bond_stiffness;       ///< k_b [N/m]
+    Value<double> rest_length = 0.0;    ///< r0 [m]; 0 = "auto": the distance when the bond is made
+    Value<double> bond_damping = 0.01;  ///< dashpot, fraction of critical [-]
+    Value<BondTo> bond_to = BondTo::seed;
+    Value<int> seed = 1;  ///< of the random numbers
+};
+
+/// [[break]]: bonds that break under tension.
+struct Breaking {
+    Value<std::string> name;
+    Value<std::string> part;           ///< whose bonds: a springs part's or a [[solidify]]'s
+    Value<double> force_above = 0.0;   ///< [N]; 0: not by force
+    Value<double> strain_above = 0.0;  ///< [-]; 0: not by strain
+    Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
 };
 
 /// [[region]]: a box along the axes, whose residence time is followed.
@@ -354,9 +401,15 @@ struct Scene {
     std::vector<MovingShape> moving_shapes;
     std::vector<ResidenceRegion> regions;
     std::vector<Measure> measures;
+    std::vector<Solidify> solidify;
+    std::vector<Breaking> breaking;
 
     /// The number of the species that a measure is of; throws std::out_of_range where there is none.
     [[nodiscard]] std::size_t species_of(const Measure& measure) const;
+    /// Whether spring bodies may change while the scene runs.
+    [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
+    /// Whether there may be spring bodies at some time.
+    [[nodiscard]] bool may_have_springs() const { return !solidify.empty() || !parts_of(PartKind::springs).empty(); }
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// What happens where these two parts touch, in either order: the pair that names both, else one that names one of
@@ -392,5 +445,8 @@ std::string word(FluidField field);
 std::string word(SolidField field);
 std::string word(KernelKind kernel);
 std::string word(MeasureKind kind);
+std::string word(SolidifyRule rule);
+std::string word(SeedActivity activity);
+std::string word(BondTo bonds);
 
 }  // namespace dmp

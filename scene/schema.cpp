@@ -254,7 +254,7 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 
 std::vector<Key<Measure>> measure_keys() {
     const Kinds all, flux = {"flux"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"};
-    const Kinds detached = {"detached"}, wall_flux = {"wall_flux"};
+    const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
     const Kinds of_species = {"amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet"};
     return {
@@ -262,7 +262,7 @@ std::vector<Key<Measure>> measure_keys() {
         {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
          "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, "
          "a probe's field; of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number; "
-         "of spheres velocity, spin, the walls' force, or how many are detached from one."},
+         "of spheres velocity, spin, the walls' force, or how many are detached from one; or size, pieces and bonds of an aggregate."},
         {"from", flux, &Measure::from, point(), required, "Where the line starts."},
         {"to", flux, &Measure::to, point(), required, "Where the line ends."},
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
@@ -285,6 +285,64 @@ std::vector<Key<Measure>> measure_keys() {
         {"length", wall_flux, &Measure::length, quantity("1 mm", positive), not_given,
          "L of a column with the Sherwood number J L / (area D dc), dc the fluid's mean concentration less the wall's."},
         {"area", wall_flux, &Measure::area, quantity("1 mm^2", positive), not_given, "The wall's, for the Sherwood number; 1 m deep in 2-D."},
+        {"part", aggregate, &Measure::part, name(), required,
+         "The [[solidify]] or springs part whose particles, mass, pieces, largest piece and bonds are followed."},
+    };
+}
+
+std::vector<Key<Solidify>> solidify_keys() {
+    return {
+        {"name", &Solidify::name, name(), required, "What the solid is called that comes into being."},
+        {"liquid", &Solidify::liquid, name(), required, "The fluid part whose particles turn solid."},
+        {"seed_part", &Solidify::seed_part, name(), not_given,
+         "A rigid or springs part, whose particles are the first seeds; or give one of the other seed keys."},
+        {"seed_region", &Solidify::seed_region, name(), not_given,
+         "A region, in which liquid turns into seeds: once, at the first event, or whenever the next two keys say so."},
+        {"seed_stress_above", &Solidify::seed_stress_above, quantity("2 Pa", positive), not_given,
+         "Liquid under more shear stress turns into a seed, at every event."},
+        {"seed_residence_above", &Solidify::seed_residence_above, quantity("1 s", positive), not_given,
+         "Liquid that has been in seed_region for longer turns into a seed, at every event."},
+        {"region", &Solidify::region, name(), not_given, "A region; only liquid in it turns solid near a seed."},
+        {"stress_above", &Solidify::stress_above, quantity("2 Pa", positive), not_given,
+         "Only liquid under more shear stress turns solid near a seed."},
+        {"residence_above", &Solidify::residence_above, quantity("1 s", positive), not_given,
+         "Only liquid that has been in the region for longer turns solid near a seed."},
+        {"rule", &Solidify::rule, word_of<SolidifyRule>(), "per_candidate",
+         "What the dice are thrown for: each pair of a seed and liquid within reach, each liquid particle within reach of "
+         "a seed, or pairs that are each other's nearest."},
+        {"reach", &Solidify::reach, quantity("0.12 mm", positive), required,
+         "R_max, distance from a seed within which liquid may turn solid; neighbours are about a spacing away."},
+        {"probability", &Solidify::probability, number(fraction), required, "With which the rule binds, in one event."},
+        {"from", &Solidify::from, quantity("0.5 s", not_negative), "0 s", "When the first event is."},
+        {"interval", &Solidify::interval, quantity("10 ms", positive), required, "Time between events."},
+        {"active", &Solidify::active, word_of<SeedActivity>(), "always",
+         "When a seed acts: in every event, in its first one only, or in one of one_in events."},
+        {"one_in", &Solidify::one_in, integer(at_least(1)), not_given, "N, with active = \"one_in\"."},
+        {"spreads", &Solidify::spreads, boolean(), "true", "Whether what turned solid is a seed from the next event on."},
+        {"most_bonds", &Solidify::most_bonds, integer(at_least(1)), not_given,
+         "Bonds that one particle may be given; without it, any number."},
+        {"bond_stiffness", &Solidify::bond_stiffness, quantity("10 N/m", positive), required,
+         "k_b of a new bond, of energy k_b (r - r0)^2."},
+        {"rest_length", &Solidify::rest_length, quantity_or_auto("0.1 mm"), "auto",
+         "r0 of a new bond; \"auto\" is the distance when it is made."},
+        {"bond_damping", &Solidify::bond_damping, number(between(0, 1)), "0.01",
+         "Dashpot along a new bond, as a fraction of critical damping."},
+        {"bond_to", &Solidify::bond_to, word_of<BondTo>(), "seed",
+         "What a particle that turns solid is bonded to: its seed, or also all of the aggregate within reach."},
+        {"seed", &Solidify::seed, integer(not_negative), "1", "Chooses among the random numbers."},
+    };
+}
+
+std::vector<Key<Breaking>> breaking_keys() {
+    return {
+        {"name", &Breaking::name, name(), required, "What the rule is called."},
+        {"part", &Breaking::part, name(), required, "The springs part or [[solidify]] whose bonds may break."},
+        {"force_above", &Breaking::force_above, quantity("1 mN", positive), not_given,
+         "Tension 2 k_b (r - r0) beyond which a bond breaks; or give strain_above."},
+        {"strain_above", &Breaking::strain_above, number(positive), not_given,
+         "Strain (r - r0) / r0 beyond which a bond breaks."},
+        {"interval", &Breaking::interval, quantity("1 ms", positive), not_given,
+         "Time between looks at the bonds; without it they are looked at in every step."},
     };
 }
 // clang-format on
@@ -330,6 +388,8 @@ Schema whole_schema() {
     schema.moving_shape = each_item("moving_shape", moving_shape_keys());
     schema.region = each_item("region", region_keys());
     schema.measure = each_item("measure", measure_keys());
+    schema.solidify = each_item("solidify", solidify_keys());
+    schema.breaking = each_item("break", breaking_keys());
     return schema;
 }
 
@@ -341,8 +401,8 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"part",         "species", "contact_pair", "force",
-                                                "moving_shape", "region",  "measure"};
+    static const std::vector<std::string> names{"part",   "species", "contact_pair", "force", "moving_shape",
+                                                "region", "measure", "solidify",     "break"};
     return names;
 }
 
@@ -362,6 +422,8 @@ std::vector<KeyFacts> Schema::facts() const {
     for (const auto& key : moving_shape) facts.push_back(key.facts);
     for (const auto& key : region) facts.push_back(key.facts);
     for (const auto& key : measure) facts.push_back(key.facts);
+    for (const auto& key : solidify) facts.push_back(key.facts);
+    for (const auto& key : breaking) facts.push_back(key.facts);
     return facts;
 }
 

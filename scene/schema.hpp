@@ -137,6 +137,8 @@ struct Schema {
     std::vector<Key<MovingShape>> moving_shape;
     std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
+    std::vector<Key<Solidify>> solidify;
+    std::vector<Key<Breaking>> breaking;
 
     /// A key that differs between kinds appears once for each.
     [[nodiscard]] std::vector<KeyFacts> facts() const;

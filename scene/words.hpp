@@ -60,6 +60,12 @@ const Words<Axis>& words_of();
 template <>
 const Words<MeasureKind>& words_of();
 template <>
+const Words<SolidifyRule>& words_of();
+template <>
+const Words<SeedActivity>& words_of();
+template <>
+const Words<BondTo>& words_of();
+template <>
 const Words<FluidField>& words_of();
 template <>
 const Words<SolidField>& words_of();

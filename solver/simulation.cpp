@@ -6,11 +6,13 @@
 #include <limits>
 
 #include "particles/apart.hpp"
+#include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
 #include "solver/run_loop.hpp"
 #include "solver/setup.hpp"
+#include "solver/solidify/body_events.hpp"
 #include "solver/sound_speed.hpp"
 #include "solver/spheres/sphere_run.hpp"
 #include "solver/starting_state.hpp"
@@ -62,6 +64,7 @@ struct Simulation::State final : Steps {
           residence_times(scene, particles),
           mean_displacement(scene, fluid.springs()),
           measures(scene, set, settings, ranks),
+          events(scene, set, ranks),
           watch(scene, particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
           frame_times(scene.output.every),
           measure_times(scene.output.measure_every > 0 ? scene.output.measure_every.value : scene.output.every / 4) {
@@ -106,6 +109,7 @@ struct Simulation::State final : Steps {
     ResidenceTimes residence_times;
     MeanDisplacement mean_displacement;
     Measures measures;
+    BodyEvents events;
     Watch watch;
 
     double time_ = 0;  ///< [s]
@@ -176,6 +180,7 @@ void Simulation::State::archive(Archive& file) {
     file("mass_at_start", at_start.mass);
     file("momentum_at_start", at_start.momentum);
     measures.archive(file);
+    events.archive(file);
     for (ParticleGroup& group : particles.groups()) file(std::string(word(static_cast<PartKind>(group.kind()))), group);
     fluid.archive(file);
     mean_displacement.archive(file);
@@ -272,6 +277,11 @@ Plan Simulation::plan() const {
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
+    for (const Solidify& rule : s.scene.solidify)
+        plan.limits.push_back({"springs (" + *rule.name + ")", new_bond_limit(s.scene, rule),
+                               std::string("2 / omega of one new bond alone; ") +
+                                   (s.fluid.springs().implicit() ? "not binding, stepped implicitly"
+                                                                 : "sub-cycled, by the stiffest body there is")});
     plan.models = models_in_use(s.scene, s.settings, s.fluid.sweeps());
     plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {
@@ -306,7 +316,8 @@ long Simulation::resume(const std::filesystem::path& checkpoint) {
 }
 
 void Simulation::State::advance(const RunOptions& options, double until) {
-    const double target = next_change(std::min({until, frame_times.next(), measure_times.next()}), extremes);
+    const double target =
+        next_change(std::min({until, frame_times.next(), measure_times.next(), events.next()}), extremes);
     const double dt = next_step(target, extremes.largest_speed);
     try {
         extremes = fluid.advance(time_, dt);
@@ -330,6 +341,8 @@ void Simulation::State::advance(const RunOptions& options, double until) {
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);
     if (!watch.fluid_is_well(extremes) || step_ % steps_between_looks == 0) stop_if_diverged(options.sink);
+    // The next step follows from what there is after it, as it does after a restart.
+    if (events.act(time_, particles, fluid)) extremes = fluid.extremes();
     write_what_is_due(options.sink);
 }
 
@@ -349,6 +362,7 @@ RunSummary Simulation::run(const RunOptions& options) {
     Checkpoints checkpoints(s.ranks, options.checkpoints);
     const std::int64_t first_step = s.step_;
     s.fluid.refresh_neighbours();
+    if (s.step_ == 0) s.events.act(s.time_, s.particles, s.fluid);
     s.extremes = s.fluid.extremes();
     if (s.step_ == 0) s.write_what_is_due(options.sink);
     const RunEnd end = run_steps(s, s.ranks, checkpoints, options, until);
@@ -381,7 +395,9 @@ RankShares Simulation::State::shares(std::int64_t steps) const {
 RunSummary Simulation::State::summary() const {
     RunSummary summary;
     summary.start = at_start;
-    summary.particles = count;
+    for (const ParticleGroup& group : particles.groups())
+        if (const auto all = ranks.sum(static_cast<std::int64_t>(group.owned())); all > 0)
+            summary.particles[word(static_cast<PartKind>(group.kind()))] = static_cast<std::size_t>(all);
     summary.steps = static_cast<long>(step_);
     summary.simulated_s = time_;
     summary.threads = settings.threads;
@@ -419,6 +435,9 @@ RunSummary Simulation::State::summary() const {
         summary.species_solves = species->solves();
     }
     summary.measures = measures.series();
+    const SpringBodies& springs = fluid.springs();
+    for (int origin = 0; scene.changes_bodies() && origin < static_cast<int>(springs.names().size()); ++origin)
+        summary.aggregates.push_back(aggregate_of(springs, origin));
     return summary;
 }
 

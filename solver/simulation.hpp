@@ -105,6 +105,16 @@ struct SphereSummary {
     double still_since = 0;      ///< [s]; when nothing changed any more; 0: that was not asked for, or did not come
 };
 
+/// How large the solid of one springs part or [[solidify]] is now, and what has happened to its bonds.
+struct Aggregate {
+    std::string name;
+    std::int64_t particles = 0;
+    double mass = 0;           ///< [kg]
+    std::int64_t pieces = 0;   ///< bodies that hold some of it
+    std::int64_t largest = 0;  ///< most of its particles in one body
+    std::int64_t bonds_made = 0, bonds_broken = 0;
+};
+
 struct RunSummary {
     std::map<std::string, std::size_t> particles;
     long steps = 0;
@@ -132,10 +142,11 @@ struct RunSummary {
     std::optional<SphereSummary> spheres;
     ViscousSolves viscous_solves;  ///< none where viscosity is explicit
     std::vector<SpeciesBalance> species;
-    ViscousSolves species_solves;  ///< none where diffusion is explicit
-    long first_step = 0;           ///< that this process made; 0 unless it resumed
-    bool interrupted = false;      ///< left before its end
-    bool out_of_time = false;      ///< by the wall time's limit
+    ViscousSolves species_solves;       ///< none where diffusion is explicit
+    std::vector<Aggregate> aggregates;  ///< where bodies may change
+    long first_step = 0;                ///< that this process made; 0 unless it resumed
+    bool interrupted = false;           ///< left before its end
+    bool out_of_time = false;           ///< by the wall time's limit
 };
 
 struct RunProgress {

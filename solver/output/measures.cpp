@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/species_measures.hpp"
 
@@ -118,6 +119,9 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
             case MeasureKind::kinetic_energy:
                 column(name, "J");
                 break;
+            case MeasureKind::aggregate:
+                for (const AggregateColumn& each : aggregate_columns()) column(name + "_" + each.ending, each.unit);
+                break;
             case MeasureKind::probe:
                 for (std::size_t k = 0; const std::string& ending : column_endings(scene, measure.field, set.dimension))
                     column(name + ending, unit_of_column(scene, measure.field, k++));
@@ -151,6 +155,13 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
             case MeasureKind::kinetic_energy:
                 row.push_back(kinetic_energy(particles.fluid()));
                 break;
+            case MeasureKind::aggregate: {
+                const auto& names = fluid.springs().names();
+                const auto origin = std::ranges::find(names, *measure->part) - names.begin();
+                const Aggregate aggregate = aggregate_of(fluid.springs(), static_cast<int>(origin));
+                for (const AggregateColumn& each : aggregate_columns()) row.push_back(each.value(aggregate));
+                break;
+            }
             case MeasureKind::probe: {
                 const auto values = probe(*measure, particles, fluid);
                 if (series_.rows.empty() && std::isnan(values[0]))

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "particles/periodic_images.hpp"
+#include "solver/solidify/turn_solid.hpp"
 
 namespace dmp {
 
@@ -46,7 +47,8 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
-                                    [](const Expression& axis) { return axis.depends_on_place(); })) {
+                                    [](const Expression& axis) { return axis.depends_on_place(); })),
+      solidifies_(!scene.solidify.empty()) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
@@ -73,6 +75,7 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
+    if (solidifies_) drive_what_turned_solid(t + dt / 2, dt);
     if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
     if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + dt / 2, dt); });
     if (viscosity_) add_viscous_forces(t + dt / 2, dt);
@@ -91,6 +94,7 @@ FluidExtremes FluidStep::advance(double t, double dt) {
         timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt)); });
     FluidExtremes extremes;
     timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
+    bodies_ahead_ = dt / 2;
     return extremes;
 }
 
@@ -165,6 +169,18 @@ void FluidStep::renew_list() {
     passes_.update_pressure(particles_);
 }
 
+void FluidStep::change_bodies(const BodyChange& change) {
+    std::vector<std::int64_t> turning;
+    for (const BodyParts::Node& node : change.nodes)
+        if (!node.of_wall) turning.push_back(node.id);
+    std::ranges::sort(turning);
+    if (!turning.empty()) turn_solid(particles_, turning, bodies_ahead_, neighbours_.list());
+    springs_.change(change, particles_.space());
+    springs_.number_particles(particles_);
+    neighbours_.forget();
+    refresh_neighbours();
+}
+
 std::array<double, 3> FluidStep::body_acceleration(double t) const {
     std::array<double, 3> g{};
     for (int axis = 0; axis < 3; ++axis) g[axis] = acceleration_[axis].depends_on_place() ? 0 : acceleration_[axis](t);
@@ -209,6 +225,30 @@ void FluidStep::kick_by_place(double t, double dt) {
         }
         ranks_.sum(mass_times_g);
         impulses_.of_body_forces[axis] += dt * mass_times_g.value();
+    }
+}
+
+/// The body acceleration of the fluid goes on to act on what was fluid.
+void FluidStep::drive_what_turned_solid(double t, double dt) {
+    ParticleGroup& springs = particles_.of(ParticleKind::springs);
+    const double* mass = springs.data(Field::mass);
+    const auto g = body_acceleration(t);
+    for (int axis = 0; axis < particles_.dimension(); ++axis) {
+        if (acceleration_[axis].is_zero()) continue;
+        const bool by_place = acceleration_[axis].depends_on_place();
+        double* force = springs.data(Field::force, axis);
+        ExactSum driven;
+        for (std::size_t i = 0; i < springs.owned(); ++i) {
+            if (particles_.space().parts[springs.tags()[i].part].kind != ParticleKind::fluid) continue;
+            std::array<double, 3> p{};
+            for (int a = 0; by_place && a < particles_.dimension(); ++a) p[a] = springs.data(Field::position, a)[i];
+            const double weight = mass[i] * (by_place ? acceleration_[axis](t, p[0], p[1], p[2]) : g[axis]);
+            force[i] += weight;
+            if (by_place) driven.add(weight);
+        }
+        if (!by_place) continue;  // counted with the fluid's
+        ranks_.sum(driven);
+        impulses_.of_body_forces[axis] += dt * driven.value();
     }
 }
 

@@ -48,6 +48,12 @@ class FluidStep {
     /// Brings pressure (and volume) up to the present density, of copies too.
     void update_pressure();
 
+    /// Liquid turns solid, bonds are made and break. New nodes that are no walls' are particles of the liquid still.
+    /// Pressures, neighbours and copies must be up to date, and are afterwards.
+    void change_bodies(const BodyChange& change);
+    /// By how much the nodes of spring bodies are ahead of the liquid [s].
+    [[nodiscard]] double bodies_ahead() const { return bodies_ahead_; }
+
     /// All that the next steps depend on besides the particles.
     void archive(Archive& file);
 
@@ -79,6 +85,7 @@ class FluidStep {
     void find_corrections();
     void advance_springs(double dt);
     [[nodiscard]] ShiftStep shift_step(double dt) const;
+    void drive_what_turned_solid(double t, double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
@@ -106,7 +113,9 @@ class FluidStep {
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;  ///< the acceleration
-    double fluid_mass_;      ///< of all ranks [kg]
+    bool solidifies_;        ///< liquid may turn solid
+    double fluid_mass_;      ///< of all ranks, what turned solid included [kg]
+    double bodies_ahead_ = 0;
     double largest_speed_ = 0;
     OutsideImpulses impulses_;
     StageTimer timer_;

@@ -20,6 +20,7 @@
 #include "base/safe_file.hpp"
 #include "postproc/read_frames.hpp"
 #include "synthetic_run.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp {
 namespace {
@@ -255,6 +256,34 @@ TEST(VtkSink, AnEarlierRunsFramesDoNotMixWithTheNew) {
     EXPECT_FALSE(fs::exists(folder.path() / "walls.vtp"));
     ASSERT_EQ(read_series(folder.path() / "fluid.pvd").size(), 1U);
     EXPECT_EQ(read_series(folder.path() / "fluid.pvd")[0].time, 5);
+}
+
+TEST(VtkSink, GoesOnWhereSolidsCameLateAndNotWhereFramesAreMissing) {
+    const TemporaryFolder folder;
+    {
+        VtkSink sink(folder.path(), label);
+        for (int k = 0; k < 4; ++k) {
+            Frame frame = channel_frame(0.1 * k, k == 0);
+            if (k < 2) std::erase_if(frame.groups, [](const FrameGroup& group) { return group.name == "solid"; });
+            sink.write(frame);
+        }
+    }
+    const auto problem = [&](long frames) {
+        VtkSink sink(folder.path(), label);
+        return testing::text_thrown<InputError>([&] { sink.go_on(frames); });
+    };
+    EXPECT_THAT(problem(5), HasSubstr("the series names fewer frames than the run has written"));
+    VtkSink sink(folder.path(), label);
+    sink.go_on(3);
+    sink.write(channel_frame(0.35, false));
+    EXPECT_EQ(sink.frames(), 4);
+    const std::string series = read_file(folder.path() / "solid.pvd");
+    EXPECT_THAT(series, HasSubstr("solid_000002.vtp"));
+    EXPECT_THAT(series, HasSubstr("timestep=\"0.35\" part=\"0\" file=\"frames/solid_000003.vtp\""));
+    EXPECT_THAT(series, Not(HasSubstr("solid_000001")));
+    fs::remove(folder.path() / "solid.pvd");
+    VtkSink liquid(folder.path(), label);
+    liquid.go_on(2);
 }
 
 TEST(VtkSink, FolderBelowAFileIsAnInputError) {

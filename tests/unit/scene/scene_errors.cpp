@@ -367,7 +367,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
               "[[part]], [[contact_pair]], [box], "
               "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
-              "[[measure]]"}}),
+              "[[measure]], [[solidify]], [[break]]"}}),
     name_of);
 
 }  // namespace

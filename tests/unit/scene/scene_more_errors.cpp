@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
               "[[part]], [[contact_pair]], [box], "
               "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
-              "[[measure]]"},
+              "[[measure]], [[solidify]], [[break]]"},
         Fault{"fault_inside_a_formula", "flow.acceleration=[\"1 m/s^2 * sin(t)\"]", "",
               "--set flow.acceleration=[\"1 m/s^2 * sin(t)\"]: sin is given a time, expected a plain number in \"1 "
               "m/s^2 * sin(t)\"\n"

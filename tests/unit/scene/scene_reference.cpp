@@ -90,7 +90,7 @@ TEST(ExplainKey, near_misses) {
         "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
         "[geometry], [particles], "
         "[[part]], [[contact_pair]], [box], [flow], [contact], [accuracy], [run], [output], [[species]], [[force]], "
-        "[[moving_shape]], [[region]], [[measure]]");
+        "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
 }
 
 TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {

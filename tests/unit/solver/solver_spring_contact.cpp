@@ -35,7 +35,8 @@ TEST(SelfContact, a_body_at_rest_feels_nothing_even_where_neighbours_are_within_
 TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) {
     // Nodes of a chain along x, the last brought near the first; its neighbour too, but that one was drawn near it.
     const Vectors drawn{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{3, 0}}};
-    SelfContact<2> contact(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1));
+    const auto held_apart = pairs_within(in_space(drawn), 2, neighbourhood_of_contact(1, 1));
+    SelfContact<2> contact(contact_within(1), held_apart);
     const Vectors now{{{0, 0}}, {{0.5, 0}}, {{2, 0}}, {{0.3, 0.6}}};
     Vectors force(4, V2::zero());
     contact.add_forces(now, force);
@@ -53,7 +54,7 @@ TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) 
         const Vectors place{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{x, 0.2}}};
         Vectors listed(4, V2::zero()), anew(4, V2::zero());
         contact.add_forces(place, listed);
-        SelfContact<2>(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1)).add_forces(place, anew);
+        SelfContact<2>(contact_within(1), held_apart).add_forces(place, anew);
         for (std::size_t n = 0; n < 4; ++n)
             for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(listed[n][axis], anew[n][axis]);
     }
