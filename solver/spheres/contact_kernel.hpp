@@ -20,7 +20,8 @@ class ContactKernel {
     static constexpr std::size_t kept = Law::history_values;
 
   public:
-    static void run(ContactJob& job) {
+    /// One function all through: values stay in registers from law to law.
+    [[gnu::flatten]] static void run(ContactJob& job) {
         L largest(0.0);
         for (std::size_t k = job.first; k < job.end; k += L::width) {
             const Loads loads = contacts_at(job, k, largest);
