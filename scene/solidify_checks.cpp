@@ -133,6 +133,12 @@ void check_solidify(const Scene& scene) {
             throw InputError(rule.name.place, named(rule) + ": there are planes of symmetry, and solids have no image",
                              "leave out flow.symmetry, and draw both sides");
     }
+    if (!scene.solidify.empty() && !scene.species.empty())
+        throw InputError(
+            scene.solidify.front().name.place,
+            named(scene.solidify.front()) +
+                ": the scene has [[species]], and what is dissolved in liquid that turns solid would be lost",
+            "species in aggregates are not there yet: leave out [[solidify]] or [[species]]");
     for (const Breaking& rule : scene.breaking) check_breaking(scene, rule);
     if (scene.changes_bodies() && scene.asks_for(SolidField::mean_displacement))
         throw InputError(
