@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/random_number.hpp"
 #include "geometry/triangle_surface.hpp"
 #include "mesher/sphere_packing.hpp"
 #include "mesher/sphere_table.hpp"
@@ -55,7 +56,7 @@ std::string SphereBuilder::path_of(const std::string& file) const {
 }
 
 std::uint64_t SphereBuilder::seed_of(int part) const {
-    return mixed(static_cast<std::uint64_t>(*scene_.particles.seed)) ^ static_cast<std::uint64_t>(part);
+    return mixed_bits(static_cast<std::uint64_t>(*scene_.particles.seed)) ^ static_cast<std::uint64_t>(part);
 }
 
 void SphereBuilder::add_plane(const Part& part) {
