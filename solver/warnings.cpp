@@ -136,72 +136,74 @@ class Warnings {
             if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
                 add(key, species.name.place, "is nowhere: it starts at 0 and no wall gives any of it",
                     "give a concentration at the start or at a wall");
-            void about_solidify() {
-                for (const Solidify& rule : scene_.solidify) {
-                    const std::string key = "solidify." + *rule.name + ".";
-                    if (*rule.reach < *scene_.particles.spacing)
-                        add(key + "reach", rule.reach.place,
-                            "is less than the spacing: only liquid that happens to be compressed is ever within reach",
-                            "write 1.1 to 1.4 spacings, for the nearest neighbours");
-                    if (*rule.from >= *scene_.run.duration)
-                        add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
-                            "lower it, or run for longer");
-                }
-            }
-
-            void about_measures() {
-                for (const Measure& measure : scene_.measures) {
-                    if (*measure.kind != MeasureKind::gap) continue;
-                    const auto part = std::ranges::find_if(
-                        scene_.parts, [&](const Part& candidate) { return *candidate.name == *measure.part; });
-                    if (part != scene_.parts.end() && !*part->enabled)
-                        add("measure." + *measure.name + ".part", measure.part.place,
-                            "'" + *measure.part + "' is left out (enabled = false), so the measure has no column",
-                            "leave the measure out, or enable the part");
-                }
-                if (scene_.measures.empty())
-                    has_no_effect("output.measure_every", scene_.output.measure_every, "the scene has no [[measure]]");
-            }
-
-            void about_output() {
-                const auto& output = scene_.output;
-                const auto is_named = [this](const ResidenceRegion& region) {
-                    return std::ranges::any_of(scene_.solidify, [&](const Solidify& rule) {
-                        return *rule.seed_region == *region.name || *rule.region == *region.name;
-                    });
-                };
-                if (!scene_.asks_for(FluidField::residence_time))
-                    for (const ResidenceRegion& region : scene_.regions)
-                        if (!is_named(region))
-                            has_no_effect("region." + *region.name, region.name,
-                                          "'residence_time' is not among output.fields and no probe reads it");
-                const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
-                if (!averages)
-                    has_no_effect("output.average_from", output.average_from,
-                                  "no springs part has 'mean_displacement' among output.solid_fields");
-                if (averages && *output.average_from >= *scene_.run.duration)
-                    add("output.average_from", output.average_from.place,
-                        "is not before the run's end: nothing is averaged", "begin earlier");
-                const bool shown = std::ranges::find(output.fields, *output.picture_field) != output.fields.end();
-                if (*output.pictures && fluid_ && !shown)
-                    add("output.picture_field", output.picture_field.place,
-                        "'" + word(*output.picture_field) +
-                            "' is not among output.fields: pictures will show no colours",
-                        "add it there");
-            }
-
-            const Scene& scene_;
-            std::size_t bodies_;
-            bool fluid_, walls_, springs_;
-            std::vector<Warning> found_;
-        };
-
-    }  // namespace
-
-    std::string Warning::text() const {
-        return (place.known() ? place.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
+        }
     }
 
-    std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
+    void about_solidify() {
+        for (const Solidify& rule : scene_.solidify) {
+            const std::string key = "solidify." + *rule.name + ".";
+            if (*rule.reach < *scene_.particles.spacing)
+                add(key + "reach", rule.reach.place,
+                    "is less than the spacing: only liquid that happens to be compressed is ever within reach",
+                    "write 1.1 to 1.4 spacings, for the nearest neighbours");
+            if (*rule.from >= *scene_.run.duration)
+                add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
+                    "lower it, or run for longer");
+        }
+    }
+
+    void about_measures() {
+        for (const Measure& measure : scene_.measures) {
+            if (*measure.kind != MeasureKind::gap) continue;
+            const auto part = std::ranges::find_if(
+                scene_.parts, [&](const Part& candidate) { return *candidate.name == *measure.part; });
+            if (part != scene_.parts.end() && !*part->enabled)
+                add("measure." + *measure.name + ".part", measure.part.place,
+                    "'" + *measure.part + "' is left out (enabled = false), so the measure has no column",
+                    "leave the measure out, or enable the part");
+        }
+        if (scene_.measures.empty())
+            has_no_effect("output.measure_every", scene_.output.measure_every, "the scene has no [[measure]]");
+    }
+
+    void about_output() {
+        const auto& output = scene_.output;
+        const auto is_named = [this](const ResidenceRegion& region) {
+            return std::ranges::any_of(scene_.solidify, [&](const Solidify& rule) {
+                return *rule.seed_region == *region.name || *rule.region == *region.name;
+            });
+        };
+        if (!scene_.asks_for(FluidField::residence_time))
+            for (const ResidenceRegion& region : scene_.regions)
+                if (!is_named(region))
+                    has_no_effect("region." + *region.name, region.name,
+                                  "'residence_time' is not among output.fields and no probe reads it");
+        const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
+        if (!averages)
+            has_no_effect("output.average_from", output.average_from,
+                          "no springs part has 'mean_displacement' among output.solid_fields");
+        if (averages && *output.average_from >= *scene_.run.duration)
+            add("output.average_from", output.average_from.place, "is not before the run's end: nothing is averaged",
+                "begin earlier");
+        const bool shown = std::ranges::find(output.fields, *output.picture_field) != output.fields.end();
+        if (*output.pictures && fluid_ && !shown)
+            add("output.picture_field", output.picture_field.place,
+                "'" + word(*output.picture_field) + "' is not among output.fields: pictures will show no colours",
+                "add it there");
+    }
+
+    const Scene& scene_;
+    std::size_t bodies_;
+    bool fluid_, walls_, springs_;
+    std::vector<Warning> found_;
+};
+
+}  // namespace
+
+std::string Warning::text() const {
+    return (place.known() ? place.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
+}
+
+std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
 
 }  // namespace dmp
