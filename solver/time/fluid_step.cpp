@@ -27,6 +27,7 @@ ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
 
 std::vector<double> rest_densities_of(const std::vector<LiquidState>& state_of_part) {
     std::vector<double> densities;
+    densities.reserve(state_of_part.size());
     for (const LiquidState& state : state_of_part) densities.push_back(state.rest_density);
     return densities;
 }

@@ -288,7 +288,8 @@ INSTANTIATE_TEST_SUITE_P(Variants, PairSweepsOf,
 class ViscousSweeps : public testing::TestWithParam<std::tuple<int, WallModel>> {};
 
 TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
-    const auto& [dimension, walls] = GetParam();
+    const int dimension = std::get<0>(GetParam());
+    const WallModel walls = std::get<1>(GetParam());
     const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 5);
     PairSettings settings = crowd_settings(set, true, walls);
     std::vector<std::vector<Vec>> seen;

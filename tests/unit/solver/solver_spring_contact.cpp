@@ -50,7 +50,8 @@ TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) 
     }
     EXPECT_GT(by_first[1], 0);
     // Approaching by small steps, with pairs listed before: the same bits as looked for anew.
-    for (double x = 2.2; x > 0.4; x -= 0.013) {
+    for (int small = 0; small < 139; ++small) {
+        const double x = 2.2 - 0.013 * small;
         const Vectors place{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{x, 0.2}}};
         Vectors listed(4, V2::zero()), anew(4, V2::zero());
         contact.add_forces(place, listed);
@@ -72,7 +73,7 @@ double overlap_of_folded_leaflet(const SpringContact& contact) {
     for (int step = 0; step < 4000; ++step) body.advance(in_space(load), 0.5, 0);
     double overlap = -std::numeric_limits<double>::infinity();
     for (int column = 0; column < 12; ++column)
-        overlap = std::max(overlap, body.positions()[2 * column][0] - 0.5 * cells);
+        overlap = std::max(overlap, body.positions()[2 * static_cast<std::size_t>(column)][0] - 0.5 * cells);
     return overlap;
 }
 
