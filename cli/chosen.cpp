@@ -61,6 +61,7 @@ std::string contact_text(const Scene& scene) {
 }  // namespace
 
 std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
+    if (!scene.parts_of(PartKind::spheres).empty()) return chosen_of_spheres_text(scene, plan, origin);
     const auto& accuracy = scene.accuracy;
     const Origins origin_text(scene);
     Listing list;

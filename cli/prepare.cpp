@@ -27,6 +27,7 @@ std::string particles_text(const ParticleSet& particles) {
         const std::size_t count = particles.count(kinds.at(k));
         if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count_text(count), names.at(k));
     }
+    if (particles.has_spheres()) return text;
     return fmt::format("{} ({}), {} apart", count_text(particles.size()), text, length_text(particles.spacing));
 }
 

@@ -76,9 +76,11 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
     const double mass_change = summary.start.mass > 0 ? summary.end.mass / summary.start.mass - 1 : 0;
     list.add("mass", fmt::format("{} kg moving, changed by {:.2g} of it", fmt::format("{:.6g}", summary.end.mass),
                                  mass_change));
-    list.add("momentum", fmt::format("({:.4g}, {:.4g}) kg m/s; {:.2g} of what the forces gave is unaccounted for",
-                                     summary.end.momentum[0], summary.end.momentum[1], summary.momentum_residual));
-    list.add("density", density_text(scene, summary));
+    std::string momentum = fmt::format("{:.4g}, {:.4g}", summary.end.momentum[0], summary.end.momentum[1]);
+    if (scene.dimension == 3) momentum += fmt::format(", {:.4g}", summary.end.momentum[2]);
+    list.add("momentum", fmt::format("({}) kg m/s; {:.2g} of what the forces gave is unaccounted for", momentum,
+                                     summary.momentum_residual));
+    if (scene.parts_of(PartKind::spheres).empty()) list.add("density", density_text(scene, summary));
     list.add("lost", count_text(summary.lost, "particle"));
     const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",
                                           summary.simulated_s, duration_text(summary.wall_s));

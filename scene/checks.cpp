@@ -282,7 +282,7 @@ void need_regions(const Scene& scene, const TomlNode& document) {
 
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
-        need_plane_point(*point);
+        if (scene.dimension == 2) need_plane_point(*point);
     }
     if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
         throw InputError(measure.to.place,
@@ -323,10 +323,12 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_thick_walls(scene);
-    need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
-    need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
+    if (scene.dimension == 2) {
+        need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
+        need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
+        need_plane_walls(scene);
+    }
     need_start_without_time(scene);
-    need_plane_walls(scene);
     check_walls(scene);
     check_symmetry(scene);
     need_regions(scene, document);

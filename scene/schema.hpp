@@ -70,8 +70,10 @@ template <class T>
 bool is_nothing(const T& value) {
     if constexpr (std::is_arithmetic_v<T> || std::same_as<T, std::string>) return value == T{};
     if constexpr (std::same_as<T, Vec>) return value == Vec::Zero();
-    if constexpr (requires { value.empty(); }) return value.empty();
-    if constexpr (std::same_as<T, std::array<Expression, 3>>) return std::ranges::all_of(value, &Expression::is_zero);
+    if constexpr (std::same_as<T, std::array<Expression, 3>>)
+        return std::ranges::all_of(value, &Expression::is_zero);
+    else if constexpr (requires { value.empty(); })
+        return value.empty();
     return false;
 }
 

@@ -145,7 +145,8 @@ void Driving::add_uniform(ParticleGroup& group, int part, const Vec& force, int 
 void Driving::add_by_place(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum) {
     std::vector<std::uint8_t> driven;
     for (std::size_t part = 0; part < space_.parts.size(); ++part)
-        driven.push_back(depends_on_place(static_cast<int>(part)) ? 1 : 0);
+        driven.push_back(space_.parts[part].kind == group.kind() && depends_on_place(static_cast<int>(part)) ? 1 : 0);
+    if (std::ranges::find(driven, 1) == driven.end()) return;
     for (std::size_t i = 0; i < group.owned(); ++i) {
         const std::size_t part = group.tags()[i].part;
         if (driven[part] == 0) continue;

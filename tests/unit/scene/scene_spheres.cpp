@@ -87,6 +87,13 @@ TEST(SpheresScene, needs_no_drawing_and_reads_what_is_given) {
     EXPECT_EQ(*scene.accuracy.contact_step, 0);
 }
 
+TEST(SpheresScene, has_three_axes) {
+    const Scene scene = read_text(spheres_scene + "[flow]\nacceleration = [0, 0, \"-9.81 m/s^2\"]\n");
+    EXPECT_EQ(scene.flow.acceleration[2](0), -9.81);
+    EXPECT_EQ(fault_of(scene_with("largest_speed", "acceleration = [0, 0, \"-9.81 m/s^2\"]\nlargest_speed")),
+              "scene.toml:28:23: flow.acceleration has a third component in a 2-D scene\n  leave it out, or write 0");
+}
+
 TEST(SpheresScene, finds_the_most_particular_contact) {
     const Scene scene = read_text(spheres_scene);
     const ContactPair *sticky = &scene.contact_pairs[0], *any = &scene.contact_pairs[1];
@@ -115,6 +122,9 @@ TEST(SpheresScene, reads_back_as_the_same_scene) {
     EXPECT_TRUE(again.contact_pairs[0].friction.given()) << "0 is not the same as nothing";
     EXPECT_FALSE(again.contact_pairs[0].normal_damping.given());
     EXPECT_EQ(resolved.find("[geometry]\nfile"), std::string::npos);
+    EXPECT_TRUE(again.parts[0].initial_velocity.given());
+    EXPECT_FALSE(again.parts[1].initial_velocity.given()) << "the drug moves with its carrier";
+    EXPECT_FALSE(again.parts[1].initial_spin.given());
 }
 
 TEST(SpheresScene, takes_lists_and_walls_of_triangles) {
