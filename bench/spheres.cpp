@@ -88,8 +88,8 @@ Start bed(int cells) {
 /// A carrier of 0.1 mm with 882 fines around it that meets a wall at 10 m/s.
 Start carrier() {
     Start made;
-    const int inner = made.part("carrier", PartKind::spheres, 2.15e9), fines = made.part("fines", PartKind::spheres, 2.15e9),
-              wall = made.part("wall", PartKind::plane, 2.15e9);
+    const int inner = made.part("carrier", PartKind::spheres, 2.15e9),
+              fines = made.part("fines", PartKind::spheres, 2.15e9), wall = made.part("wall", PartKind::plane, 2.15e9);
     made.contact(0.9, 0.5);
     ContactPair& pair = made.scene.contact_pairs.front();
     pair.adhesion = AdhesionKind::bradley;
@@ -131,11 +131,12 @@ void measure(const std::string& name, Start made, double until) {
     const double seconds = processor_seconds() - before;
     const auto steps = static_cast<double>(summary.steps - summary.first_step);
     const auto particle_steps = steps * static_cast<double>(made.set.size());
-    std::string text = name + ": " + std::to_string(made.set.size()) + " spheres, " + std::to_string(summary.spheres->contacts) +
-                       " contacts, " + std::to_string(static_cast<long>(steps)) + " steps in " + std::to_string(seconds) +
-                       " s of one processor: " + std::to_string(1e9 * seconds / particle_steps) + " ns, " +
-                       std::to_string(particle_steps / seconds / 1e6) + "e6 particle-steps/s, on " +
-                       std::string(summary.vector_unit) + "; still since " + std::to_string(1e6 * summary.spheres->still_since) + " us\n";
+    std::string text =
+        name + ": " + std::to_string(made.set.size()) + " spheres, " + std::to_string(summary.spheres->contacts) +
+        " contacts, " + std::to_string(static_cast<long>(steps)) + " steps in " + std::to_string(seconds) +
+        " s of one processor: " + std::to_string(1e9 * seconds / particle_steps) + " ns, " +
+        std::to_string(particle_steps / seconds / 1e6) + "e6 particle-steps/s, on " + std::string(summary.vector_unit) +
+        "; still since " + std::to_string(1e6 * summary.spheres->still_since) + " us\n";
     for (const auto& [stage, time] : summary.seconds_by_stage)
         text += "  " + stage + ": " + std::to_string(1e9 * time / particle_steps) + " ns of wall time\n";
     cli::print(text);

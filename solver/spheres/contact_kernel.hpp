@@ -24,6 +24,7 @@ class ContactKernel {
     [[gnu::flatten]] static void run(ContactJob& job) {
         L largest(0.0);
         for (std::size_t k = job.first; k < job.end; k += L::width) {
+            fetch_ahead(job, k);
             const Loads loads = contacts_at(job, k, largest);
             hand_out(job, k, loads);
         }
@@ -37,6 +38,19 @@ class ContactKernel {
     struct Loads {
         typename Cols::Four force, torque_i, torque_j;
     };
+
+    /// The rows of some blocks ahead, on their way from memory while this block is worked on.
+    static void fetch_ahead(const ContactJob& job, std::size_t k) {
+        constexpr std::size_t ahead = 3 * contact_block;
+        if (k + ahead + L::width > job.end) return;
+        for (std::size_t lane = 0; lane < L::width; ++lane)
+            for (const std::int32_t row : {job.low[k + ahead + lane], job.high[k + ahead + lane]}) {
+                const auto* motion = reinterpret_cast<const char*>(job.motion + row);
+                __builtin_prefetch(motion);
+                __builtin_prefetch(motion + 64);
+                __builtin_prefetch(job.loads + row, 1);
+            }
+    }
 
     static V three(const typename Cols::Four& four) { return {{four[0], four[1], four[2]}}; }
     static typename Cols::Four four(const V& v) { return {v[0], v[1], v[2], L(0.0)}; }

@@ -9,6 +9,9 @@ namespace {
 
 std::size_t in_blocks(std::size_t count) { return (count + contact_block - 1) / contact_block * contact_block; }
 
+/// Pairs whose rows are on their way from memory.
+constexpr std::size_t fetched_ahead = 24;
+
 }  // namespace
 
 /// Pairs by thread and kind.
@@ -87,6 +90,10 @@ std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows&
     std::size_t next = segment.first;
     for (std::size_t pair = segment.listed_first; pair < segment.listed_end; ++pair) {
         const std::int32_t i = listed_low_[pair], j = listed_high_[pair];
+        if (pair + fetched_ahead < segment.listed_end) {
+            __builtin_prefetch(&motion[listed_low_[pair + fetched_ahead]]);
+            __builtin_prefetch(&motion[listed_high_[pair + fetched_ahead]]);
+        }
         const double *a = motion[i].place.c, *b = motion[j].place.c;
         const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2], touch = a[3] + b[3] + gap;
         const std::int32_t before = contact_of_[pair];

@@ -16,7 +16,7 @@ constexpr double first_near_skin = 0.004, least_near_skin = 1e-4;
 
 /// Weights that the two skins are balanced with: what a look costs against contacts that a narrow skin adds, and what a
 /// list costs against pairs that a wide one adds, in steps and mean radii. Measured on a dense bed.
-constexpr double cost_of_a_look = 0.2, cost_of_a_list = 3.3;
+constexpr double cost_of_a_look = 0.05, cost_of_a_list = 3.3;
 
 }  // namespace
 

@@ -58,8 +58,7 @@ SphereRun::SphereRun(const Scene& scene, const ParticleSet& set, const Resources
 }
 
 std::vector<StepLimit> SphereRun::limits() const {
-    std::vector<StepLimit> all =
-        sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
+    std::vector<StepLimit> all = sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
     if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
     return all;
 }

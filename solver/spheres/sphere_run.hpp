@@ -50,8 +50,8 @@ class SphereRun final : public Steps {
     std::int64_t step_count_ = 0;
     Schedule frame_times_, measure_times_;
     std::int64_t frames_ = 0;
-    double last_frame_ = 0;  ///< [s]
-    bool begun_ = false;     ///< lists and forces are there
+    double last_frame_ = 0;                         ///< [s]
+    bool begun_ = false;                            ///< lists and forces are there
     double limited_speed_ = -1, longest_step_ = 0;  ///< the speed for which the longest step is known [m/s], [s]
     Conserved at_start_;
     SphereEnergy energy_at_start_;

@@ -88,8 +88,8 @@ void SphereStep::start(bool with_forces, double t) {
 }
 
 void SphereStep::advance(double t, double dt) {
-    timer_.timed("kick", [&] { kick(t, 0.5 * dt); });
-    timer_.timed("drift", [&] { drift(dt); });
+    if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t, 0.5 * dt); });
+    timer_.timed("drift", [&] { kick_and_drift(t, dt); });
     walls_.advance(t, dt);
     timer_.timed("neighbours", [&] {
         moved_to_walls_ += dt * (largest_speed_ + walls_.largest_speed());
@@ -103,6 +103,19 @@ void SphereStep::advance(double t, double dt) {
     timer_.timed("kick", [&] { kick(t + dt, 0.5 * dt); });
 }
 
+namespace {
+
+/// Velocity and spin of a sphere for `half` by its load; `gained` is the velocity that a body acceleration gives.
+void push(SphereMotion& sphere, const SphereLoad& load, double half, Quad gained) {
+    const double part = half * sphere.inverse_mass(), radius = sphere.radius();
+    if (part == 0) return;  // fixed
+    write(sphere.velocity, read(sphere.velocity) + (part * read(load.force) + gained));
+    // Of a solid sphere: 2/5 m R^2.
+    write(sphere.spin, read(sphere.spin) + (2.5 * part / (radius * radius)) * read(load.torque));
+}
+
+}  // namespace
+
 /// Velocities and spins of free spheres for `half` by the loads there are.
 void SphereStep::kick(double t, double half) {
     const Three g = acceleration_at(t);
@@ -111,15 +124,8 @@ void SphereStep::kick(double t, double half) {
     const auto motion = rows_.motion();
     const auto loads = rows_.loads();
 #pragma omp parallel for num_threads(threads_) schedule(static)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        SphereMotion& sphere = motion[static_cast<std::size_t>(i)];
-        const SphereLoad& load = loads[static_cast<std::size_t>(i)];
-        const double part = half * sphere.inverse_mass(), radius = sphere.radius();
-        if (part == 0) continue;  // fixed
-        write(sphere.velocity, read(sphere.velocity) + (part * read(load.force) + gained));
-        // Of a solid sphere: 2/5 m R^2.
-        write(sphere.spin, read(sphere.spin) + (2.5 * part / (radius * radius)) * read(load.torque));
-    }
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        push(motion[static_cast<std::size_t>(i)], loads[static_cast<std::size_t>(i)], half, gained);
     if (depends_on_place_) kick_by_place(t, half);
     add_impulses(t, half);
 }
@@ -148,8 +154,13 @@ void SphereStep::add_impulses(double t, double half) {
     }
 }
 
-/// Places a whole step; takes note of how fast spheres are, and how hard contacts were.
-void SphereStep::drift(double dt) {
+/// Velocities and spins half a step and places a whole one; takes note of how fast spheres are, and how hard contacts
+/// were.
+void SphereStep::kick_and_drift(double t, double dt) {
+    const double half = 0.5 * dt;
+    const Three g = acceleration_at(t);
+    const Quad gained{half * g[0], half * g[1], half * g[2], 0};
+    add_impulses(t, half);
     const Three common = neighbours_.drift();
     const Quad frame{common[0], common[1], common[2], 0};
     const Quad step{dt, dt, dt, 0}, magic{quantum_.magic(), quantum_.magic(), quantum_.magic(), 0};
@@ -161,6 +172,7 @@ void SphereStep::drift(double dt) {
 #pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest, fastest_in_frame)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         SphereMotion& sphere = motion[static_cast<std::size_t>(i)];
+        push(sphere, loads[static_cast<std::size_t>(i)], half, gained);
         const Quad v = read(sphere.velocity), in_frame = v - frame;
         // The way made, not the place, is rounded: it is the same in every image.
         write(sphere.place, read(sphere.place) + ((step * v + magic) - magic));

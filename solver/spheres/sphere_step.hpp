@@ -48,7 +48,7 @@ class SphereStep {
     [[nodiscard]] Three acceleration_at(double t) const;
     void kick(double t, double dt);
     void kick_by_place(double t, double half);
-    void drift(double dt);
+    void kick_and_drift(double t, double dt);
     void find_forces(double dt);
     void sweep_contacts(const ContactTime& time);
     [[nodiscard]] double expected_force(double dt) const;
