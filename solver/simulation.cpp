@@ -81,7 +81,7 @@ struct Simulation::State final : Steps {
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
     [[nodiscard]] double next_step(double target, double largest_speed) const;
     /// The time at which what drives the scene changes, if that is before the target, else the target.
-    [[nodiscard]] double next_change(double target, const FluidExtremes& extremes) const;
+    [[nodiscard]] double next_change(double target) const;
     void write_frame(FrameSink* sink) override;
     /// The same for a state that may hold anything: no neighbours are searched.
     void write_as_it_is(FrameSink* sink);
@@ -155,7 +155,7 @@ double Simulation::State::next_step(double target, double largest_speed) const {
     return (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
 }
 
-double Simulation::State::next_change(double target, const FluidExtremes& extremes) const {
+double Simulation::State::next_change(double target) const {
     if (fluid.driving().empty()) return target;
     // Times that are alike but for their last digits are one.
     const double slack = 1e-6 * ruling_limit(limits_now(extremes.largest_speed)).dt;
@@ -301,7 +301,7 @@ long Simulation::resume(const std::filesystem::path& checkpoint) {
 }
 
 void Simulation::State::advance(const RunOptions& options, double until) {
-    const double target = next_change(std::min({until, frame_times.next(), measure_times.next()}), extremes);
+    const double target = next_change(std::min({until, frame_times.next(), measure_times.next()}));
     const double dt = next_step(target, extremes.largest_speed);
     try {
         fluid.advance(time_, dt);
