@@ -317,7 +317,9 @@ void check_spheres(const Scene& scene, const TomlNode& document) {
 void check_sphere_measure(const Scene& scene, const Measure& measure) {
     const MeasureKind kind = measure.kind;
     if (kind == MeasureKind::largest_speed || kind == MeasureKind::kinetic_energy) return;
-    const bool of_spheres = kind >= MeasureKind::velocity, has_spheres = !scene.parts_of(PartKind::spheres).empty();
+    const bool has_spheres = !scene.parts_of(PartKind::spheres).empty();
+    const bool of_spheres = kind == MeasureKind::velocity || kind == MeasureKind::spin ||
+                            kind == MeasureKind::wall_force || kind == MeasureKind::detached;
     if (of_spheres != has_spheres)
         throw InputError(measure.kind.place,
                          "measure '" + *measure.name + "': '" + word(kind) + "' is of " +

@@ -84,7 +84,7 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(fault_of("particle.spacing"), "unknown key 'particle.spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("spacing"), "unknown key 'spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("part.blood.densty"), "unknown key 'part.blood.densty'\n  did you mean 'part.*.density'?");
-    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration' and 'threads'");
+    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration', 'threads' and 'until_still'");
     EXPECT_EQ(
         fault_of("zzz"),
         "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "

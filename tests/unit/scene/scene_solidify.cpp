@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  write active = \"one_in\", or leave one_in out"},
         Fault{"species_beside_it", "[[region]]",
               "[[species]]\nname = \"oxygen\"\ndiffusivity = \"1e-9 m^2/s\"\n[[region]]",
-              "scene.toml:59:8: solidify 'clot': the scene has [[species]], and what is dissolved in liquid that turns "
+              "scene.toml:56:8: solidify 'clot': the scene has [[species]], and what is dissolved in liquid that turns "
               "solid would be lost\n  species in aggregates are not there yet: leave out [[solidify]] or [[species]]"},
         Fault{"break_of_nothing", "part = \"clot\"", "part = \"wall\"",
               "scene.toml:63:8: part of break 'tear': part 'wall' is of kind 'rigid', expected a springs part or a "

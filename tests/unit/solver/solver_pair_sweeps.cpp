@@ -263,8 +263,8 @@ TEST_P(PairSweepsOf, kernels_are_those_asked_for) {
     const PairSweeps& sweeps = arranged.sweeps();
     const double r = 0.4 * settings.support;
     const auto expect_kernel = [&](const auto& kernel) {
-        EXPECT_EQ(sweeps.kernel_value(r), kernel.value(r));
-        EXPECT_EQ(sweeps.kernel_slope(r), kernel.slope(r));
+        EXPECT_DOUBLE_EQ(sweeps.kernel_value(r), kernel.value(r));
+        EXPECT_DOUBLE_EQ(sweeps.kernel_slope(r), kernel.slope(r));
         EXPECT_EQ(sweeps.viscous_limit(), kernel.viscous_limit);
         EXPECT_EQ(sweeps.sound_limit(), kernel.sound_limit);
     };
