@@ -222,7 +222,7 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
                               std::string("Hertz 1882, Mindlin 1949") +
                                   (thesis ? ", stiffness as in the thesis (docs/spheres.md)" : "") +
                                   (plain ? "; history as in LAMMPS' gran/hertz/history"
-                                         : "; history after Thornton, Cummins & Cleary 2013"),
+                                         : "; history that makes no energy (docs/contact.md)"),
                               where});
             if (pair.model.rolling != RollingFriction::none)
                 models.push_back(
