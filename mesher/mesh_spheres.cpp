@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "base/closest_point.hpp"
 #include "mesher/sphere_builder.hpp"
 #include "particles/cell_grid.hpp"
-#include "particles/closest_point.hpp"
 #include "particles/touching_spheres.hpp"
 
 namespace dmp {

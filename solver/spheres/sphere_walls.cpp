@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "solver/spheres/nearest_on_triangle.hpp"
+#include "base/closest_point.hpp"
 #include "solver/spheres/triangle_grid.hpp"
 
 namespace dmp {
@@ -22,6 +22,10 @@ constexpr double same_direction = 0.5;
 Vec place_of(const SphereMotion& sphere) { return {sphere.place.c[0], sphere.place.c[1], sphere.place.c[2]}; }
 
 Vector<double, 3> three(const Vec& v) { return {{v[0], v[1], v[2]}}; }
+
+Vec closest_on(const Vec& place, const std::array<Vec, 3>& corners) {
+    return closest_on_triangle(place, corners[0], corners[1], corners[2]);
+}
 
 }  // namespace
 
@@ -105,7 +109,7 @@ void SphereWalls::list_triangles(const SphereRows& rows, double gap,
         const Vec place = place_of(sphere);
         for (const Vec& shift : shifts_near(space_, place, reach))
             grid.for_each_near(place - shift, [&](std::size_t k) {
-                if ((nearest_on_triangle(place - shift, corners[k]) + shift - place).norm() < near)
+                if ((closest_on(place - shift, corners[k]) + shift - place).norm() < near)
                     of_row[i].push_back(
                         {static_cast<std::int32_t>(planes_.size() + k), {shift[0], shift[1], shift[2]}});
             });
@@ -141,7 +145,7 @@ SphereWalls::Touch SphereWalls::touch_of(const Candidate& candidate, const Vec& 
     const Vec shift(candidate.shift[0], candidate.shift[1], candidate.shift[2]);
     touch.corners = corners_of(candidate.surface);
     for (Vec& corner : touch.corners) corner += shift;
-    touch.nearest = nearest_on_triangle(place, touch.corners);
+    touch.nearest = closest_on(place, touch.corners);
     const Vec away = place - touch.nearest;
     touch.distance = away.norm();
     touch.normal = touch.distance > 0 ? Vec(away / touch.distance) : Vec(Vec::UnitZ());
@@ -157,7 +161,7 @@ bool SphereWalls::is_hidden(std::size_t number, const std::vector<Touch>& all, d
         if (k == number || static_cast<std::size_t>(other.surface) < planes_.size()) continue;
         if (std::pair(other.distance, k) > std::pair(touch.distance, number)) continue;
         if ((other.nearest - touch.nearest).norm() <= tolerance ||
-            (nearest_on_triangle(touch.nearest, other.corners) - touch.nearest).norm() <= tolerance)
+            (closest_on(touch.nearest, other.corners) - touch.nearest).norm() <= tolerance)
             return true;
     }
     return false;

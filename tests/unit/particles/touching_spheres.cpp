@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "particles/closest_point.hpp"
+#include "base/closest_point.hpp"
 
 namespace dmp {
 namespace {
