@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "particles/periodic_images.hpp"
+
 namespace dmp {
 
 namespace {
@@ -34,7 +36,8 @@ std::vector<bool> fixed_by_id(const ParticleSet& set) {
 
 SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const ParticleSpace& space, ParticleGroup& group,
                        const SphereSetup& setup, const Resources& resources)
-    : group_(group),
+    : space_(space),
+      group_(group),
       setup_(setup),
       quantum_(set),
       ranks_(resources.ranks),
@@ -136,7 +139,13 @@ void SphereStep::kick_by_place(double t, double half) {
         ExactSum impulse;
         for (std::size_t i = 0; i < rows_.owned(); ++i) {
             if (motion[i].fixed()) continue;
-            const double* x = motion[i].place.c;
+            // Wherever it was wrapped last, a formula has the place in the box.
+            Three x{};
+            for (std::size_t a = 0; a < 3; ++a) {
+                const auto k = static_cast<Eigen::Index>(a);
+                x[a] = motion[i].place.c[a];
+                if (space_.periodic[a]) x[a] = wrapped(x[a], space_.box.low[k], space_.box.high[k]);
+            }
             const double gained = half * acceleration_[axis](t, x[0], x[1], x[2]);
             motion[i].velocity.c[axis] += gained;
             impulse.add(motion[i].velocity.c[3] * gained);

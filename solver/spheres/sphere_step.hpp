@@ -54,6 +54,7 @@ class SphereStep {
     [[nodiscard]] double expected_force(double dt) const;
     void add_impulses(double t, double half);
 
+    const ParticleSpace& space_;
     ParticleGroup& group_;
     const SphereSetup& setup_;
     PositionQuantum quantum_;

@@ -242,7 +242,8 @@ void FluidStep::drive_what_turned_solid(double t, double dt) {
         for (std::size_t i = 0; i < springs.owned(); ++i) {
             if (particles_.space().parts[springs.tags()[i].part].kind != ParticleKind::fluid) continue;
             std::array<double, 3> p{};
-            for (int a = 0; by_place && a < particles_.dimension(); ++a) p[a] = springs.data(Field::position, a)[i];
+            for (int a = 0; by_place && a < particles_.dimension(); ++a)
+                p[a] = place_in_box(springs.data(Field::position, a)[i], a);
             const double weight = mass[i] * (by_place ? acceleration_[axis](t, p[0], p[1], p[2]) : g[axis]);
             force[i] += weight;
             if (by_place) driven.add(weight);

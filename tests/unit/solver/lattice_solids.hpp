@@ -37,7 +37,7 @@ inline std::vector<Vec> displacements(const ParticleSet& set, const Loads& load)
 
 /// The displacement's best fit u = sum c_k f_k(x) along one axis: the coefficients c.
 inline Eigen::VectorXd fit(const std::vector<Vec>& place, const std::vector<Vec>& moved, int axis,
-                    const std::function<Eigen::VectorXd(const Vec&)>& shapes) {
+                           const std::function<Eigen::VectorXd(const Vec&)>& shapes) {
     const Eigen::Index rows = static_cast<Eigen::Index>(place.size()), columns = shapes(place[0]).size();
     Eigen::MatrixXd matrix(rows, columns);
     Eigen::VectorXd right(rows);
