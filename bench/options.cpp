@@ -70,6 +70,7 @@ class Parser {
         app_.add_option("--set", options_.channel.overrides, "A key of the scene: --set accuracy.shifting=4")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
+        number("--species", options_.channel.species, "Species that diffuse in the liquid; default: none");
         number("--threads", options_.threads, "The engine's threads; default: 1");
         number("--steps", options_.steps, "Steps, and sweeps of the yardstick, in one repeat; default: 100");
         number("--repeat", options_.repeat, "Repeats, of which the median counts; default: 5");

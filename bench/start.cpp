@@ -38,6 +38,20 @@ std::array<int, 3> counts(const Channel& channel) {
 /// Walls as thick as the kernel reaches.
 int wall_layers(const Channel& channel) { return static_cast<int>(std::ceil(channel.support - 1e-9)); }
 
+/// Species that are spread along the channel.
+std::string species_text(int count) {
+    std::string text;
+    for (int k = 1; k <= count; ++k)
+        text += fmt::format(R"toml(
+[[species]]
+name = "species_{}"
+diffusivity = "1e-9 m^2/s"
+concentration = "1 kg/m^3 + {} kg/m^3 * sin(x / 1 mm)^2"
+)toml",
+                            k, k);
+    return text;
+}
+
 /// A folder for one file, gone when it has been read.
 class ShortLivedFolder {
   public:
@@ -163,12 +177,13 @@ duration = "1 s"
 [output]
 every = "1 s"
 measure_every = "1 s"
-)toml",
+{})toml",
         channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
         Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "", Liquid::speed,
         channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed, word(channel.walls),
         channel.density_diffusion, channel.shifting,
-        word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly));
+        word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly),
+        species_text(channel.species));
 }
 
 Scene make_scene(const Channel& channel) {

@@ -33,6 +33,7 @@ struct Channel {
     double shifting = 0;           ///< s; 0: none
     double contact_range = 0;      ///< [dx]; 0: none
     bool implicit_viscosity = false;
+    int species = 0;                     ///< that diffuse in the liquid
     std::vector<std::string> overrides;  ///< of the scene's keys, as `dmp run --set` has them
 };
 

@@ -60,6 +60,7 @@ class Parser {
         add_mesh();
         add_convert();
         add_explain();
+        add_escape();
         doctor_app_ = app_.add_subcommand("doctor", "Is this machine all right? What is slow, small or missing");
         for (CLI::App* command : app_.get_subcommands({})) command->group("Commands");
     }
@@ -80,6 +81,7 @@ class Parser {
         if (*mesh_app_) return mesh_;
         if (*convert_app_) return convert_;
         if (*explain_app_) return explain_;
+        if (*escape_app_) return finished(escape_);
         if (*doctor_app_) return DoctorCommand{};
         return PrintCommand{help_of(app_)};
     }
@@ -151,6 +153,49 @@ class Parser {
                                "Do not time the scene's first steps, which takes up to two seconds");
         explain_app_->footer(
             examples(program_, {"explain cases/vein_valve", "explain particles.spacing", "explain accuracy.support"}));
+    }
+
+    void add_escape() {
+        escape_app_ =
+            app_.add_subcommand("escape", "How many particles a carrier loses when it hits a wall: a simple model");
+        const auto add = [&](const char* name, auto& value, const char* meaning, const char* type) {
+            return escape_app_->add_option(name, value, meaning)->type_name(type)->capture_default_str();
+        };
+        escape_app_->add_option("--out", escape_.out, "CSV file to write; default: print it")->type_name("FILE");
+        escape_app_->add_flag("--printed", escape_.printed, "The model as it was printed, instead of corrected");
+        escape_app_->add_flag("--thesis-stiffness", escape_.thesis_stiffness,
+                              "Stiffness 2 E / (1 - nu^2) of the particle, instead of Hertz' of both materials");
+        add("--speed", escape_.speeds, "Speed of the carrier; may be given several times; default: 1 to 20 m/s",
+            "SPEED")
+            ->allow_extra_args(false);
+        add("--angle", escape_.angles,
+            "Angle between its path and the wall; may be given several times; default: 5 to 90 deg in eight steps",
+            "ANGLE")
+            ->allow_extra_args(false);
+        add("--friction", escape_.friction, "Coefficient of friction; may be given several times", "MU")
+            ->allow_extra_args(false);
+        add("--carrier-radius", escape_.carrier_radius, "Radius of the carrier", "LENGTH");
+        add("--particle-radius", escape_.particle_radius, "Radius of the particles", "LENGTH");
+        add("--particle-mass", escape_.particle_mass, "Mass of a particle", "MASS");
+        add("--pull-off-force", escape_.pull_off_force, "Force that parts a particle from the carrier", "FORCE");
+        add("--equilibrium-distance", escape_.equilibrium_distance, "z0 of Bradley's adhesion", "LENGTH");
+        add("--cutoff", escape_.cutoff, "Range of the adhesion in the printed form", "LENGTH");
+        add("--carrier-youngs-modulus", escape_.carrier_youngs_modulus, "Young's modulus of the carrier", "E");
+        add("--particle-youngs-modulus", escape_.particle_youngs_modulus, "Young's modulus of the particles", "E");
+        add("--carrier-poisson-ratio", escape_.carrier_poisson_ratio, "Poisson's ratio of the carrier", "NU");
+        add("--particle-poisson-ratio", escape_.particle_poisson_ratio, "Poisson's ratio of the particles", "NU");
+        escape_app_->footer(
+            examples(program_, {"escape --out eta.csv", "escape --printed --friction 0.3 --speed \"5 m/s\"",
+                                "escape --speed \"0.3 m/s\" --angle \"90 deg\" --pull-off-force \"3 nN\""}));
+    }
+
+    /// With the sweep of the paper where none was asked for.
+    static EscapeCommand finished(EscapeCommand command) {
+        if (command.speeds.empty())
+            for (int v = 1; v <= 20; ++v) command.speeds.push_back(std::to_string(v) + " m/s");
+        if (command.angles.empty())
+            command.angles = {"5 deg", "10 deg", "20 deg", "30 deg", "45 deg", "60 deg", "75 deg", "90 deg"};
+        return command;
     }
 
     static void add_scene(CLI::App& app, SceneChoice& scene) {
@@ -272,11 +317,13 @@ class Parser {
     CLI::App* mesh_app_ = nullptr;
     CLI::App* convert_app_ = nullptr;
     CLI::App* explain_app_ = nullptr;
+    CLI::App* escape_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
     RunCommand run_;
     MeshCommand mesh_;
     ConvertCommand convert_;
     ExplainCommand explain_;
+    EscapeCommand escape_;
 };
 
 }  // namespace

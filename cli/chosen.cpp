@@ -61,6 +61,7 @@ std::string contact_text(const Scene& scene) {
 }  // namespace
 
 std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
+    if (!scene.parts_of(PartKind::spheres).empty()) return chosen_of_spheres_text(scene, plan, origin);
     const auto& accuracy = scene.accuracy;
     const Origins origin_text(scene);
     Listing list;
@@ -89,6 +90,11 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                         origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
                                         *accuracy.viscosity_tolerance,
                                         origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
+    for (const Species& species : scene.species)
+        list.add("species " + *species.name,
+                 fmt::format("in {}, diffusion stepped {}ly ({})", species.concentration_unit(),
+                             word(*accuracy.species_stepping),
+                             origin_text(accuracy.species_stepping, "accuracy.species_stepping")));
     list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
                                         origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
@@ -108,6 +114,12 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
             list.add("", fmt::format("{:.4g} of the largest stable one ({})", *accuracy.spring_step_factor,
                                      origin_text(accuracy.spring_step_factor, "accuracy.spring_step_factor")));
     }
+    for (const Solidify& rule : scene.solidify)
+        list.add("solidify " + *rule.name,
+                 fmt::format("{} ({}), seeds active {} ({}), bonds to {} ({})", word(*rule.rule),
+                             origin_text(rule.rule, "rule"), word(*rule.active), origin_text(rule.active, "active"),
+                             *rule.bond_to == BondTo::seed ? "the seed" : "neighbours",
+                             origin_text(rule.bond_to, "bond_to")));
     list.add("contact", contact_text(scene));
     for (const auto& note : origin.notes) list.add("note", note);
     return Style(Stream::output).strong("What will run") + "\n" + list.text();

@@ -53,6 +53,19 @@ struct ExplainCommand {
     bool measure = true;  ///< time the scene's first steps
 };
 
+/// `dmp escape`: how many particles come off a carrier that hits a wall, by a simple model (docs/escape.md).
+struct EscapeCommand {
+    std::string out;                ///< CSV file; empty: standard output
+    bool printed = false;           ///< the model as printed; else corrected
+    bool thesis_stiffness = false;  ///< 2 E / (1 - nu^2) of the particle; else Hertz'
+    std::vector<std::string> speeds, angles;
+    std::vector<double> friction{0.1, 0.3, 0.5, 1};
+    std::string carrier_radius = "50 um", particle_radius = "2.5 um", particle_mass = "84.4 pg";
+    std::string pull_off_force = "258 nN", equilibrium_distance = "0.4 nm", cutoff = "1 nm";
+    std::string carrier_youngs_modulus = "63 GPa", particle_youngs_modulus = "2.15 GPa";
+    double carrier_poisson_ratio = 0.24, particle_poisson_ratio = 0.3;
+};
+
 /// `dmp doctor`: is this machine all right?
 struct DoctorCommand {};
 
@@ -61,13 +74,15 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, MeshCommand, ConvertCommand, ExplainCommand, DoctorCommand, PrintCommand>;
+using Command =
+    std::variant<RunCommand, MeshCommand, ConvertCommand, ExplainCommand, EscapeCommand, DoctorCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
 int execute(const MeshCommand& command);
 int execute(const ConvertCommand& command);
 int execute(const ExplainCommand& command);
+int execute(const EscapeCommand& command);
 int execute(const DoctorCommand& command);
 int execute(const PrintCommand& command);
 

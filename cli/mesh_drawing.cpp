@@ -8,6 +8,7 @@
 
 #include "cli/text.hpp"
 #include "geometry/geometry.hpp"
+#include "mesher/mesh_spheres.hpp"
 
 namespace dmp::cli {
 
@@ -46,10 +47,12 @@ std::string springs_text(const MeshReport::SpringLine& line) {
 
 }  // namespace
 
-MeshResult mesh_drawing(const Scene& scene) { return mesh(read_drawing(drawing_of(scene)), scene); }
+MeshResult mesh_drawing(const Scene& scene) {
+    return is_of_spheres(scene) ? mesh_spheres(scene) : mesh(read_drawing(drawing_of(scene)), scene);
+}
 
 Origin origin_of(const Scene& scene, const MeshReport& report) {
-    Origin origin{"drawing", scene.geometry.file, {}, report.notes};
+    Origin origin{is_of_spheres(scene) ? "spheres" : "drawing", scene.geometry.file, {}, report.notes};
     for (const auto& line : report.springs) origin.springs.emplace_back(line.part, springs_text(line));
     return origin;
 }

@@ -6,7 +6,7 @@
 
 namespace dmp::cli {
 
-/// From a scene's drawing to particles and the report on them. Throws InputError.
+/// From a scene's drawing, or its spheres, to particles and the report on them. Throws InputError.
 [[nodiscard]] MeshResult mesh_drawing(const Scene& scene);
 
 /// What of the report a run says before it starts.

@@ -5,12 +5,14 @@
 #include <functional>
 #include <vector>
 
+#include "solver/output/wall_surfaces.hpp"
+
 namespace dmp::cli {
 
 namespace {
 
-constexpr std::array kinds{ParticleKind::fluid, ParticleKind::springs, ParticleKind::rigid};
-constexpr std::array names{"fluid", "solid", "walls"};
+constexpr std::array kinds{ParticleKind::fluid, ParticleKind::springs, ParticleKind::rigid, ParticleKind::spheres};
+constexpr std::array names{"fluid", "solid", "walls", "spheres"};
 
 using Indices = std::vector<std::size_t>;
 
@@ -67,6 +69,12 @@ FrameGroup group_of(const ParticleSet& particles, ParticleKind kind, const char*
         group.fields.push_back(scalar("seated", "1", members, [&](std::size_t i) { return particles.seated[i]; }));
         add_bonds(group, particles, members);
     }
+    if (kind == ParticleKind::spheres) {
+        group.fields.push_back(scalar("radius", "m", members, [&](std::size_t i) { return particles.radius[i]; }));
+        group.fields.push_back(vector("velocity", "m/s", members, particles.velocity));
+        group.fields.push_back(vector("angular_velocity", "rad/s", members, particles.angular_velocity));
+        group.fields.push_back(scalar("fixed", "1", members, [&](std::size_t i) { return particles.fixed[i]; }));
+    }
     if (kind == ParticleKind::rigid) {
         group.fields.push_back(vector("wall_normal", "1", members, particles.wall_normal));
         group.fields.push_back(
@@ -84,6 +92,9 @@ Frame particle_frame(const ParticleSet& particles) {
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         if (particles.count(kinds.at(k)) > 0) frame.groups.push_back(group_of(particles, kinds.at(k), names.at(k)));
     }
+    FrameGroup walls = wall_surfaces(
+        "walls", particles, particles.box, [](int) { return true; }, [](int) { return Vec(Vec::Zero()); });
+    if (walls.size() > 0) frame.groups.push_back(std::move(walls));
     return frame;
 }
 

@@ -30,6 +30,7 @@ bool matters(const std::string& table, const std::string& key) {
     if (table.empty()) return key == "dimension";
     if (table == "geometry") return key != "file";
     if (table == "particles") return true;
+    if (table == "box") return true;
     if (table == "flow") return key == "periodic" || key == "symmetry";
     if (table == "contact") return key == "range";
     if (table == "accuracy") return key == "support";
@@ -66,14 +67,16 @@ std::string difference(const std::vector<std::string>& made_from, const std::vec
     return text;
 }
 
-constexpr std::array kinds{"fluid", "rigid", "springs"};  // by ParticleKind
+constexpr std::array kinds{"fluid", "rigid", "springs", "spheres"};  // by ParticleKind
 
 /// The same for what every particle set says of itself.
 std::string difference(const ParticleSpace& file, const Scene& scene) {
-    std::vector<std::string> made_from{fmt::format("dimension = {}", file.dimension),
-                                       fmt::format("particles.spacing = {} m", file.spacing)};
-    std::vector<std::string> now{fmt::format("dimension = {}", *scene.dimension),
-                                 fmt::format("particles.spacing = {} m", *scene.particles.spacing)};
+    std::vector<std::string> made_from{fmt::format("dimension = {}", file.dimension)};
+    std::vector<std::string> now{fmt::format("dimension = {}", *scene.dimension)};
+    if (scene.parts_of(PartKind::spheres).empty()) {
+        made_from.push_back(fmt::format("particles.spacing = {} m", file.spacing));
+        now.push_back(fmt::format("particles.spacing = {} m", *scene.particles.spacing));
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto line = [&](bool periodic) {
             return fmt::format("flow.periodic along {} = {}", "xyz"[axis], periodic ? "yes" : "no");
@@ -87,7 +90,7 @@ std::string difference(const ParticleSpace& file, const Scene& scene) {
     for (const auto& part : file.parts)
         made_from.push_back(line(part.name, kinds.at(static_cast<std::size_t>(part.kind))));
     for (const Part& part : scene.parts)
-        if (*part.enabled) now.push_back(line(part.name, word(*part.kind)));
+        if (*part.enabled) now.push_back(line(part.name, part.is_wall_for_spheres() ? kinds[1] : word(*part.kind)));
     return difference(made_from, now);
 }
 

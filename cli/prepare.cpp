@@ -20,13 +20,14 @@ namespace dmp::cli {
 namespace {
 
 std::string particles_text(const ParticleSet& particles) {
-    constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
-    constexpr std::array names{"fluid", "rigid", "springs"};
+    constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs, ParticleKind::spheres};
+    constexpr std::array names{"fluid", "rigid", "springs", "spheres"};
     std::string text;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const std::size_t count = particles.count(kinds.at(k));
         if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count_text(count), names.at(k));
     }
+    if (particles.has_spheres()) return text;
     return fmt::format("{} ({}), {} apart", count_text(particles.size()), text, length_text(particles.spacing));
 }
 
@@ -61,7 +62,7 @@ std::string heading(const Prepared& prepared) {
     const Scene& scene = prepared.scene;
     Listing facts;
     facts.add("scene", scene.file);
-    facts.add(prepared.origin.what, prepared.origin.file);
+    if (!prepared.origin.file.empty()) facts.add(prepared.origin.what, prepared.origin.file);
     facts.add("particles", particles_text(prepared.particles));
     const std::string title = scene.title->empty() ? scene_name(scene) : *scene.title;
     return Style(Stream::output).strong(title) + "\n" + facts.text();

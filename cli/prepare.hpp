@@ -16,7 +16,7 @@ namespace dmp::cli {
 
 /// Where particles come from, and what is worth knowing of how they were made.
 struct Origin {
-    std::string what;  ///< "drawing" or "from"
+    std::string what;  ///< "drawing", "spheres" (file empty) or "from"
     std::string file;
     std::vector<std::pair<std::string, std::string>> springs;  ///< constants of each springs part, by its name
     std::vector<std::string> notes;                            ///< what was adapted

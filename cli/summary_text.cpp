@@ -73,12 +73,28 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
         list.add("viscosity",
                  fmt::format("{:.3g} iterations a step on average, {} at most",
                              summary.viscous_solves.mean_iterations(), summary.viscous_solves.most_iterations));
+    for (const SpeciesBalance& species : summary.species)
+        list.add(species.name,
+                 fmt::format("{:.6g} {} at the start, {:.6g} from walls, {:.6g} at the end; {:.2g} of it is "
+                             "unaccounted for",
+                             species.start, species.unit, species.from_walls, species.end, species.residual()));
+    if (summary.species_solves.solves > 0)
+        list.add("diffusion",
+                 fmt::format("{:.3g} iterations a solve on average, {} at most",
+                             summary.species_solves.mean_iterations(), summary.species_solves.most_iterations));
+    for (const Aggregate& of : summary.aggregates)
+        list.add(of.name,
+                 fmt::format("{} in {}, {} bonds made, {} broken",
+                             count_text(static_cast<std::size_t>(of.particles), "particle"),
+                             count_text(static_cast<std::size_t>(of.pieces), "piece"), of.bonds_made, of.bonds_broken));
     const double mass_change = summary.start.mass > 0 ? summary.end.mass / summary.start.mass - 1 : 0;
     list.add("mass", fmt::format("{} kg moving, changed by {:.2g} of it", fmt::format("{:.6g}", summary.end.mass),
                                  mass_change));
-    list.add("momentum", fmt::format("({:.4g}, {:.4g}) kg m/s; {:.2g} of what the forces gave is unaccounted for",
-                                     summary.end.momentum[0], summary.end.momentum[1], summary.momentum_residual));
-    list.add("density", density_text(scene, summary));
+    std::string momentum = fmt::format("{:.4g}, {:.4g}", summary.end.momentum[0], summary.end.momentum[1]);
+    if (scene.dimension == 3) momentum += fmt::format(", {:.4g}", summary.end.momentum[2]);
+    list.add("momentum", fmt::format("({}) kg m/s; {:.2g} of what the forces gave is unaccounted for", momentum,
+                                     summary.momentum_residual));
+    if (scene.parts_of(PartKind::spheres).empty()) list.add("density", density_text(scene, summary));
     list.add("lost", count_text(summary.lost, "particle"));
     const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",
                                           summary.simulated_s, duration_text(summary.wall_s));

@@ -1,34 +1,15 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/nearest_triangle.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-namespace dmp {
+#include "base/closest_point.hpp"
 
-Vec nearest_on_triangle(const Vec& point, const Vec& a, const Vec& b, const Vec& c) {
-    const Vec ab = b - a, ac = c - a, ap = point - a;
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0) return a;
-    const Vec bp = point - b;
-    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3) return b;
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-    const Vec cp = point - c;
-    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6) return c;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-    const double whole = va + vb + vc;
-    return a + vb / whole * ab + vc / whole * ac;
-}
+namespace dmp {
 
 NearestTriangle::NearestTriangle(const TriangleSurface& surface, double largest_distance)
     : largest_distance_(largest_distance) {
@@ -70,7 +51,7 @@ NearestTriangle::NearestTriangle(const TriangleSurface& surface, double largest_
                     const Vec middle =
                         low_ + cell_ * Vec(static_cast<double>(at[0]) + 0.5, static_cast<double>(at[1]) + 0.5,
                                            static_cast<double>(at[2]) + 0.5);
-                    if ((nearest_on_triangle(middle, a, b, c) - middle).norm() <= farthest)
+                    if ((closest_on_triangle(middle, a, b, c) - middle).norm() <= farthest)
                         found.emplace_back(key_of(at), static_cast<std::int32_t>(t));
                 }
     }
@@ -112,7 +93,7 @@ std::optional<SurfacePoint> NearestTriangle::nearest(const Vec& point) const {
         const double reach = ball.radius + nearest;
         if ((point - ball.centre).squaredNorm() > reach * reach) continue;
         const auto& [a, b, c] = triangles_[static_cast<std::size_t>(t)];
-        const Vec here = nearest_on_triangle(point, a, b, c);
+        const Vec here = closest_on_triangle(point, a, b, c);
         const double square = (here - point).squaredNorm();
         if (square >= nearest_square) continue;
         nearest_square = square;

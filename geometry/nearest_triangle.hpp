@@ -18,9 +18,6 @@ struct SurfacePoint {
     int triangle = -1;    ///< index into TriangleSurface::triangles; of several equally near ones the first
 };
 
-/// The point of the triangle a, b, c nearest to `point` (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
-[[nodiscard]] Vec nearest_on_triangle(const Vec& point, const Vec& a, const Vec& b, const Vec& c);
-
 /// The nearest point of a surface, for many points and distances up to a limit: the band around a surface. Triangles
 /// are sorted once into the cells of a grid, of which only those near the surface exist. After construction it is never
 /// changed, so any number of threads may ask it.

@@ -3,26 +3,13 @@
 
 #include <sstream>
 
+#include "base/random_number.hpp"
 #include "particles/periodic_images.hpp"
 
 namespace dmp {
 
-namespace {
-
-/// The mixing function of the generator SplitMix64 (Steele, Lea & Flood 2014).
-std::uint64_t mixed(std::uint64_t bits) {
-    bits += 0x9e3779b97f4a7c15U;
-    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
-    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
-    return bits ^ (bits >> 31U);
-}
-
-}  // namespace
-
 double Disorder::displacement(std::uint64_t id, int axis) const {
-    const std::uint64_t bits = mixed(mixed(mixed(seed) ^ id) ^ static_cast<std::uint64_t>(axis));
-    const double in_unit_interval = static_cast<double>(bits >> 11U) * 0x1p-53;
-    return amplitude * (2 * in_unit_interval - 1);
+    return amplitude * (2 * random_number({seed, id, static_cast<std::uint64_t>(axis)}) - 1);
 }
 
 std::string Disorder::text() const {

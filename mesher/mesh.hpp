@@ -36,8 +36,26 @@ struct MeshReport {
         double shear_stiffness = 0;        ///< GA_s the lattice gives [N]
         double particle_mass = 0;          ///< [kg]
     };
+    struct SpheresLine {
+        std::string part;
+        std::size_t spheres = 0;
+        double smallest = 0, largest = 0;  ///< radius [m]
+        double mass = 0;                   ///< of all [kg]
+        std::string around;                ///< the part they sit on; empty: none
+        double coverage = 0;               ///< part of its surface that they hide [-]
+        double volume_fraction = 0;        ///< of the box they fill; 0: they fill none [-]
+    };
+    struct WallLine {
+        std::string part;
+        std::size_t triangles = 0;  ///< 0: a plane
+        double area = 0;            ///< of the triangles [m^2]
+    };
     std::vector<PartLine> parts;
     std::vector<SpringLine> springs;
+    std::vector<SpheresLine> spheres;
+    std::vector<WallLine> walls;  ///< for spheres
+    std::size_t touching = 0;     ///< pairs of spheres that touch
+    double deepest_overlap = 0;   ///< of those [m]
     std::vector<std::string>
         notes;  ///< what was adapted: lattice snapped to the period, fluid left out near solids, ...
 

@@ -5,9 +5,36 @@
 
 namespace dmp {
 
+namespace {
+
+std::string line_of(const MeshReport::SpheresLine& line) {
+    std::string text = fmt::format("spheres of {}: {}, radius {:.4g}", line.part, line.spheres, line.smallest);
+    if (line.largest > line.smallest) text += fmt::format(" to {:.4g}", line.largest);
+    text += fmt::format(" m, {:.4g} kg together", line.mass);
+    if (!line.around.empty())
+        text += fmt::format("; they hide {:.4f} of the surface of {}", line.coverage, line.around);
+    if (line.volume_fraction > 0) text += fmt::format("; volume fraction {:.4f}", line.volume_fraction);
+    return text + "\n";
+}
+
+std::string line_of(const MeshReport::WallLine& line) {
+    if (line.triangles == 0) return fmt::format("wall {}: a plane\n", line.part);
+    return fmt::format("wall {}: {} triangles of {:.4g} mm^2\n", line.part, line.triangles, 1e6 * line.area);
+}
+
+}  // namespace
+
 std::string MeshReport::text() const {
-    std::string text = fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13}  {:>16}\n", "part", "kind", "particles",
-                                   "drawn / filled", "nearest [dx]", "kernel sum");
+    std::string text;
+    for (const WallLine& line : walls) text += line_of(line);
+    for (const SpheresLine& line : spheres) text += line_of(line);
+    if (!spheres.empty())
+        text += touching == 0
+                    ? "no two of them touch\n"
+                    : fmt::format("{} pairs of them touch, the deepest by {:.4g} m\n", touching, deepest_overlap);
+    if (!parts.empty())
+        text += fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13}  {:>16}\n", "part", "kind", "particles",
+                            "drawn / filled", "nearest [dx]", "kernel sum");
     for (const PartLine& part : parts) {
         const double scale = part.unit == "m^3" ? 1e9 : part.unit == "m^2" ? 1e6 : 1e3;
         const std::string size =

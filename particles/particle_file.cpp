@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr SealedKind particles_kind{"particle set", 1};
-constexpr std::array<const char*, 3> kind_names{"fluid", "rigid", "springs"};  // by ParticleKind
+constexpr std::array<const char*, 4> kind_names{"fluid", "rigid", "springs", "spheres"};  // by ParticleKind
 
 // Vectors in a row are x, y, z, x, y, z, ...
 static_assert(sizeof(Vec) == 3 * sizeof(double));
@@ -51,6 +51,45 @@ std::string problem_with_lengths(const ParticleSet& set) {
           differs("body", set.body.size()), differs("fixed", set.fixed.size()), differs("seated", set.seated.size()),
           differs("wall_normal", set.wall_normal.size()), differs("wall_distance", set.wall_distance.size())})
         if (!problem.empty()) return problem;
+    if (!set.has_spheres() && set.velocity.empty() && set.angular_velocity.empty()) return "";
+    for (const std::string& problem : {differs("radius", set.radius.size()), differs("velocity", set.velocity.size()),
+                                       differs("angular_velocity", set.angular_velocity.size())})
+        if (!problem.empty()) return problem;
+    return "";
+}
+
+std::string problem_with_sphere(const ParticleSet& set, std::size_t i) {
+    if (set.kind(i) != ParticleKind::spheres) return "";
+    if (!set.has_spheres() || !finite(set.radius[i]) || set.radius[i] <= 0) return "its radius is not more than 0";
+    if (set.mass[i] <= 0) return "its mass is not more than 0";
+    if (!set.velocity[i].allFinite() || !set.angular_velocity[i].allFinite())
+        return "its velocity or angular_velocity is not finite";
+    return "";
+}
+
+/// What is wrong with the walls for spheres, or "".
+std::string problem_with_walls(const ParticleSpace& space) {
+    const auto no_wall = [&](int part) {
+        return part < 0 || static_cast<std::size_t>(part) >= space.parts.size() ||
+               space.parts[static_cast<std::size_t>(part)].kind != ParticleKind::rigid;
+    };
+    for (std::size_t n = 0; n < space.wall_planes.size(); ++n) {
+        const WallPlane& plane = space.wall_planes[n];
+        if (no_wall(plane.part)) return of("wall plane", n) + ": its part is no rigid part";
+        if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1) < 1e-12))
+            return of("wall plane", n) + ": its point is not finite, or its normal is not one long";
+    }
+    for (std::size_t n = 0; n < space.wall_corners.size(); ++n)
+        if (!space.wall_corners[n].allFinite()) return of("wall corner", n) + " is not finite";
+    const auto outside = [&](int corner) {
+        return corner < 0 || static_cast<std::size_t>(corner) >= space.wall_corners.size();
+    };
+    for (std::size_t n = 0; n < space.wall_triangles.size(); ++n) {
+        const WallTriangle& triangle = space.wall_triangles[n];
+        if (no_wall(triangle.part)) return of("wall triangle", n) + ": its part is no rigid part";
+        if (outside(triangle.a) || outside(triangle.b) || outside(triangle.c))
+            return of("wall triangle", n) + " has a corner that is not there";
+    }
     return "";
 }
 
@@ -63,12 +102,13 @@ std::string problem_with_particle(const ParticleSet& set, std::size_t i) {
         return "its part is number " + std::to_string(set.part[i]) + " of " + std::to_string(set.parts.size());
     if (set.body[i] < -1) return "its body is number " + std::to_string(set.body[i]);
     if (set.fixed[i] > 1 || set.seated[i] > 1) return "its fixed or seated is neither 0 nor 1";
-    return "";
+    return problem_with_sphere(set, i);
 }
 
 /// What makes a set one that nobody can use, or "".
 std::string problem_with(const ParticleSet& set) {
     std::string problem = problem_with_space(set);
+    if (problem.empty()) problem = problem_with_walls(set);
     if (problem.empty()) problem = problem_with_lengths(set);
     if (!problem.empty()) return problem;
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -130,6 +170,29 @@ void write_space(Hdf5Writer& to, const ParticleSpace& space) {
     for (const char* length : {"spacing", "box/low", "box/high"}) to.set_attribute(length, "unit", "m");
 }
 
+/// Walls for spheres, where there are any.
+void write_walls(Hdf5Writer& to, const ParticleSpace& space) {
+    if (!space.wall_planes.empty()) {
+        std::vector<Vec> points, normals;
+        for (const WallPlane& plane : space.wall_planes) {
+            points.push_back(plane.point);
+            normals.push_back(plane.normal);
+        }
+        to.write_array<std::int32_t>("wall_planes/part", column(space.wall_planes, &WallPlane::part));
+        to.write_array<double>("wall_planes/point", flat(points));
+        to.write_array<double>("wall_planes/normal", flat(normals));
+        to.set_attribute("wall_planes/point", "unit", "m");
+        to.set_attribute("wall_planes/normal", "unit", "1");
+    }
+    if (space.wall_triangles.empty()) return;
+    to.write_array<double>("wall_triangles/corners", flat(space.wall_corners));
+    to.write_array<std::int32_t>("wall_triangles/part", column(space.wall_triangles, &WallTriangle::part));
+    to.write_array<std::int32_t>("wall_triangles/a", column(space.wall_triangles, &WallTriangle::a));
+    to.write_array<std::int32_t>("wall_triangles/b", column(space.wall_triangles, &WallTriangle::b));
+    to.write_array<std::int32_t>("wall_triangles/c", column(space.wall_triangles, &WallTriangle::c));
+    to.set_attribute("wall_triangles/corners", "unit", "m");
+}
+
 void write_arrays(Hdf5Writer& to, const ParticleSet& set) {
     to.write_array<double>("particles/position", flat(set.position));
     to.write_array<double>("particles/volume", set.volume);
@@ -145,6 +208,13 @@ void write_arrays(Hdf5Writer& to, const ParticleSet& set) {
     to.set_attribute("particles/mass", "unit", "kg");
     to.set_attribute("particles/wall_normal", "unit", "1");
     to.set_attribute("particles/wall_distance", "unit", "m");
+    if (!set.has_spheres()) return;
+    to.write_array<double>("particles/radius", set.radius);
+    to.write_array<double>("particles/velocity", flat(set.velocity));
+    to.write_array<double>("particles/angular_velocity", flat(set.angular_velocity));
+    to.set_attribute("particles/radius", "unit", "m");
+    to.set_attribute("particles/velocity", "unit", "m/s");
+    to.set_attribute("particles/angular_velocity", "unit", "rad/s");
 }
 
 void write_springs(Hdf5Writer& to, const ParticleSet& set) {
@@ -224,6 +294,10 @@ void read_arrays(const Hdf5Reader& from, ParticleSet& set) {
     set.seated = from.array<std::uint8_t>("particles/seated");
     set.wall_normal = read_vectors(from, "particles/wall_normal");
     set.wall_distance = from.array<double>("particles/wall_distance");
+    if (!from.has("particles/radius")) return;
+    set.radius = from.array<double>("particles/radius");
+    set.velocity = read_vectors(from, "particles/velocity");
+    set.angular_velocity = read_vectors(from, "particles/angular_velocity");
 }
 
 /// One member of each bond or hinge, from its dataset; `items` has the right length already.
@@ -233,6 +307,27 @@ void read_column(const Hdf5Reader& from, const std::string& name, std::vector<It
     if (values.size() != items.size())
         from.refuse(name + " has " + std::to_string(values.size()) + " elements, not " + std::to_string(items.size()));
     for (std::size_t n = 0; n < values.size(); ++n) items[n].*member = values[n];
+}
+
+void read_walls(const Hdf5Reader& from, ParticleSpace& space) {
+    if (from.has("wall_planes/part")) {
+        const std::vector<Vec> points = read_vectors(from, "wall_planes/point");
+        const std::vector<Vec> normals = read_vectors(from, "wall_planes/normal");
+        space.wall_planes.resize(points.size());
+        read_column(from, "wall_planes/part", space.wall_planes, &WallPlane::part);
+        if (normals.size() != points.size()) from.refuse("wall_planes have not as many normals as points");
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            space.wall_planes[n].point = points[n];
+            space.wall_planes[n].normal = normals[n];
+        }
+    }
+    if (!from.has("wall_triangles/a")) return;
+    space.wall_corners = read_vectors(from, "wall_triangles/corners");
+    space.wall_triangles.resize(from.length("wall_triangles/a"));
+    read_column(from, "wall_triangles/part", space.wall_triangles, &WallTriangle::part);
+    read_column(from, "wall_triangles/a", space.wall_triangles, &WallTriangle::a);
+    read_column(from, "wall_triangles/b", space.wall_triangles, &WallTriangle::b);
+    read_column(from, "wall_triangles/c", space.wall_triangles, &WallTriangle::c);
 }
 
 void read_springs(const Hdf5Reader& from, ParticleSet& set) {
@@ -264,6 +359,7 @@ void write_particles(const fs::path& file, const ParticleSet& particles, std::sp
     if (!problem.empty()) throw std::invalid_argument("particles for '" + file.string() + "': " + problem);
     SealedWriter writer(file, particles_kind);
     write_space(writer.contents(), particles);
+    write_walls(writer.contents(), particles);
     write_arrays(writer.contents(), particles);
     write_springs(writer.contents(), particles);
     if (!made_from.empty()) writer.contents().write_texts("made_from", made_from);
@@ -275,6 +371,7 @@ StoredParticles read_particle_file(const fs::path& file) {
     const Hdf5Reader& from = reader.contents();
     StoredParticles stored;
     read_space(from, stored.particles);
+    read_walls(from, stored.particles);
     read_arrays(from, stored.particles);
     read_springs(from, stored.particles);
     const std::string problem = problem_with(stored.particles);

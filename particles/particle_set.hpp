@@ -11,7 +11,7 @@
 
 namespace dmp {
 
-enum class ParticleKind : std::uint8_t { fluid, rigid, springs };
+enum class ParticleKind : std::uint8_t { fluid, rigid, springs, spheres };
 
 /// A harmonic bond, U = stiffness (r - rest_length)^2 (no 1/2), between particles a and b.
 struct Bond {
@@ -36,6 +36,20 @@ struct Dihedral {
     double stiffness = 0;   ///< k_d [J]
 };
 
+/// A flat wall without an end, for spheres: they touch it from the side its normal points to.
+struct WallPlane {
+    int part = 0;               ///< index into parts
+    Vec point = Vec::Zero();    ///< on the wall, at the start [m]
+    Vec normal = Vec::UnitZ();  ///< unit vector into the side where spheres may be
+};
+
+/// A triangle of a wall for spheres, which touch it from both sides; the corners are indices into wall_corners,
+/// counter- clockwise seen from outside where the surface has an outside.
+struct WallTriangle {
+    int part = 0;  ///< index into parts
+    int a = 0, b = 0, c = 0;
+};
+
 /// The space that particles live in, and the parts they belong to: all of a particle set that does not grow with it.
 struct ParticleSpace {
     struct PartInfo {
@@ -50,6 +64,11 @@ struct ParticleSpace {
     /// By axis, low and high: whether that side of the box is a plane of symmetry; nothing lies beyond it.
     std::array<std::array<bool, 2>, 3> mirrored{};
     std::vector<PartInfo> parts;  ///< what the part numbers mean
+
+    // walls for spheres; their parts are rigid, and need have no particles
+    std::vector<WallPlane> wall_planes;
+    std::vector<Vec> wall_corners;  ///< of the triangles, each once, at the start [m]
+    std::vector<WallTriangle> wall_triangles;
 
     [[nodiscard]] bool is_mirrored(int axis) const { return mirrored[axis][0] || mirrored[axis][1]; }
     /// Twice the place of the plane of symmetry that x lies beyond, minus x: its mirror image; else x.
@@ -73,6 +92,11 @@ struct ParticleSet : ParticleSpace {
     std::vector<Vec> wall_normal;       ///< rigid: unit vector from the surface into the fluid; else 0
     std::vector<double> wall_distance;  ///< rigid: distance to the surface, > 0 behind it [m]; else 0
 
+    // one entry a particle where there are spheres, 0 for particles of other kinds; empty where there are none
+    std::vector<double> radius;         ///< of a sphere [m]; its moment of inertia is 2/5 mass radius^2
+    std::vector<Vec> velocity;          ///< with which a sphere starts [m/s]
+    std::vector<Vec> angular_velocity;  ///< with which a sphere starts, in the resting frame [rad/s]
+
     std::vector<Bond> bonds;
     std::vector<Hinge> hinges;
     std::vector<Dihedral> dihedrals;  ///< 3-D only
@@ -80,6 +104,7 @@ struct ParticleSet : ParticleSpace {
     [[nodiscard]] std::size_t size() const { return position.size(); }
     [[nodiscard]] ParticleKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }
     [[nodiscard]] std::size_t count(ParticleKind wanted) const;
+    [[nodiscard]] bool has_spheres() const { return !radius.empty(); }
 };
 
 }  // namespace dmp

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/frame_scene.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,21 +40,23 @@ Box nothing() {
 
 bool is_empty(const Box& box) { return box.low.x() > box.high.x(); }
 
-/// Grows the box around the group's particles; with a limit, only around those inside it.
-void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr) {
-    if (!group) return;
-    for (std::size_t i = 0; i < group->size(); ++i) {
-        const Vec p = point(group->position, i);
-        if (!is_finite(p) || (limit != nullptr && !contains(*limit, p))) continue;
-        box.low = box.low.cwiseMin(p);
-        box.high = box.high.cwiseMax(p);
-    }
-}
-
 const FrameField* find_field(const FrameGroup& group, const std::string& name) {
     const auto found = std::find_if(group.fields.begin(), group.fields.end(),
                                     [&](const FrameField& field) { return field.name == name; });
     return found == group.fields.end() ? nullptr : &*found;
+}
+
+/// Grows the box around the group's particles, spheres with their radius; with a limit, only around those inside it.
+void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr) {
+    if (!group) return;
+    const FrameField* radius = find_field(*group, "radius");
+    for (std::size_t i = 0; i < group->size(); ++i) {
+        const Vec p = point(group->position, i);
+        if (!is_finite(p) || (limit != nullptr && !contains(*limit, p))) continue;
+        const Vec reach = Vec::Constant(radius != nullptr ? static_cast<double>(radius->values[i]) : 0);
+        box.low = box.low.cwiseMin(p - reach);
+        box.high = box.high.cwiseMax(p + reach);
+    }
 }
 
 /// One number a particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
@@ -70,6 +73,17 @@ std::vector<float> scalars(const FrameField& field) {
     return magnitude;
 }
 
+/// To the right, up and towards the eye, as seen from the front, a little from the right and above.
+Eigen::Matrix3d aslant() {
+    const Vec towards = Vec(0.45, -1, 0.5).normalized();
+    const Vec right = Vec::UnitZ().cross(towards).normalized();
+    Eigen::Matrix3d view;
+    view.row(0) = right;
+    view.row(1) = towards.cross(right);
+    view.row(2) = towards;
+    return view;
+}
+
 ParticleLayer plain_layer(const FrameGroup& group, Colour colour, double radius) {
     ParticleLayer layer;
     layer.position = group.position;
@@ -78,22 +92,40 @@ ParticleLayer plain_layer(const FrameGroup& group, Colour colour, double radius)
     return layer;
 }
 
+void colour_by(ParticleLayer& layer, const FrameGroup& group, const std::string& name, const ColourScale& scale) {
+    const FrameField* found = find_field(group, name);
+    if (found == nullptr) return;
+    const std::vector<float> values = scalars(*found);
+    std::transform(values.begin(), values.end(), layer.colour.begin(), std::cref(scale.map));
+}
+
+ParticleLayer layer_of_spheres(const FrameGroup& spheres, const std::string& field, const ColourScale& scale) {
+    ParticleLayer layer = plain_layer(spheres, colours::plain_fluid, 0);
+    const FrameField* radius = find_field(spheres, "radius");
+    layer.radii = radius != nullptr ? radius->values : std::vector<float>(spheres.size(), 0.0F);
+    colour_by(layer, spheres, field, scale);
+    return layer;
+}
+
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     fluid_ = read_series(folder_ / "fluid.pvd");
     solid_ = read_series(folder_ / "solid.pvd");
+    spheres_ = read_series(folder_ / "spheres.pvd");
     moving_walls_ = read_series(folder_ / "moving_walls.pvd");
-    for (const auto* series : {&fluid_, &solid_})
+    for (const auto* series : {&fluid_, &solid_, &spheres_})
         for (const SeriesEntry& entry : *series) times_.push_back(entry.time);
     std::sort(times_.begin(), times_.end());
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
     if (times_.empty())
-        throw InputError("'" + folder_.string() + "' holds no frames (no fluid.pvd, no solid.pvd)",
+        throw InputError("'" + folder_.string() + "' holds no frames (no fluid.pvd, no solid.pvd, no spheres.pvd)",
                          "Name the output folder of a run.");
-    title_ = read_frame((fluid_.empty() ? solid_ : fluid_).back().file, "any").title;
-    if (fs::exists(folder_ / "walls.vtp"))
+    title_ = read_frame((!fluid_.empty() ? fluid_ : !solid_.empty() ? solid_ : spheres_).back().file, "any").title;
+    if (fs::exists(folder_ / "walls.vtp")) {
         walls_ = std::move(read_frame(folder_ / "walls.vtp", "walls").frame.groups[0]);
+        turn(*walls_);
+    }
 
     const RunFrame first = read(0);
     const RunFrame last = frames() > 1 ? read(frames() - 1) : first;
@@ -101,10 +133,12 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     include(area_, walls_);
     include(area_, first.fluid);
     include(area_, first.solid);
+    include(area_, first.spheres);
     include(area_, first.moving_walls);
     const Box limit = is_empty(area_) ? Box{} : Box{area_.low - area_.extent() / 2, area_.high + area_.extent() / 2};
     include(area_, last.fluid, &limit);
     include(area_, last.solid, &limit);
+    include(area_, last.spheres, &limit);
     include(area_, last.moving_walls, &limit);
     if (is_empty(area_))
         throw InputError("'" + folder_.string() + "': no particle of the first frame has a place",
@@ -112,6 +146,16 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     flat_ = area_.extent().z() <= 4 * first.spacing;
     const Vec margin = Vec::Constant(std::max(first.spacing, 1e-3 * area_.extent().maxCoeff()));
     area_ = {area_.low - margin, area_.high + margin};
+}
+
+void RunFolder::turn(FrameGroup& group) const {
+    if (!of_spheres()) return;
+    static const Eigen::Matrix3d view = aslant();
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        const Vec seen = view * point(group.position, i);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            group.position[3 * i + axis] = static_cast<float>(seen[static_cast<Eigen::Index>(axis)]);
+    }
 }
 
 RunFrame RunFolder::read(std::size_t frame) const {
@@ -124,17 +168,19 @@ RunFrame RunFolder::read(std::size_t frame) const {
         FrameFile file = read_frame(entry->file, name);
         result.spacing = file.frame.spacing;
         group = std::move(file.frame.groups[0]);
+        turn(*group);
     };
     take(fluid_, "fluid", result.fluid);
     take(solid_, "solid", result.solid);
+    take(spheres_, "spheres", result.spheres);
     take(moving_walls_, "moving_walls", result.moving_walls);
     return result;
 }
 
 void FieldRange::include(const RunFrame& frame, const std::string& field) {
     field_ = field;
-    if (!frame.fluid) return;
-    const FrameField* found = find_field(*frame.fluid, field);
+    if (!frame.coloured()) return;
+    const FrameField* found = find_field(*frame.coloured(), field);
     if (found == nullptr) {
         missing_ = true;
         return;
@@ -174,22 +220,42 @@ ColourScale FieldRange::scale() const {
     return with_ends(ColourMap::sequential(low, high), colours::solid);
 }
 
+namespace {
+
+/// The bonds that do not go round a periodic border: the ends of those are shown on opposite sides of the fluid.
+std::vector<std::int32_t> bonds_in_one_image(const RunFrame& frame) {
+    const FrameGroup& solid = *frame.solid;
+    if (!frame.fluid) return solid.bond_ends;
+    Box around = nothing();
+    include(around, frame.fluid);
+    std::vector<std::int32_t> shown;
+    for (std::size_t bond = 0; bond < solid.bonds(); ++bond) {
+        const std::int32_t a = solid.bond_ends[2 * bond], b = solid.bond_ends[2 * bond + 1];
+        const Vec apart = point(solid.position, a) - point(solid.position, b);
+        if ((apart.cwiseAbs().array() <= 0.5 * around.extent().array()).all()) shown.insert(shown.end(), {a, b});
+    }
+    return shown;
+}
+
+}  // namespace
+
 std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
                                      const std::string& field, const ColourScale& scale) {
     std::vector<ParticleLayer> layers;
     if (frame.fluid) {
         ParticleLayer layer = plain_layer(*frame.fluid, colours::plain_fluid, covering_radius_of_fluid * frame.spacing);
-        if (const FrameField* found = find_field(*frame.fluid, field)) {
-            const std::vector<float> values = scalars(*found);
-            std::transform(values.begin(), values.end(), layer.colour.begin(), std::cref(scale.map));
-        }
+        colour_by(layer, *frame.fluid, field, scale);
         layers.push_back(std::move(layer));
     }
-    for (const auto* rigid : {&walls, &frame.moving_walls})
-        if (*rigid) layers.push_back(plain_layer(**rigid, colours::wall, covering_radius_of_lattice * frame.spacing));
+    for (const auto* rigid : {&walls, &frame.moving_walls}) {
+        if (!*rigid) continue;
+        layers.push_back(plain_layer(**rigid, colours::wall, covering_radius_of_lattice * frame.spacing));
+        layers.back().triangles = (*rigid)->triangles;
+    }
+    if (frame.spheres) layers.push_back(layer_of_spheres(*frame.spheres, field, scale));
     if (frame.solid) {
         ParticleLayer layer = plain_layer(*frame.solid, scale.solid, 0.6 * frame.spacing);
-        layer.lines = frame.solid->bond_ends;
+        layer.lines = bonds_in_one_image(frame);
         layer.line_colour = scale.solid;
         layer.line_width = frame.spacing / 2;
         layers.push_back(std::move(layer));
@@ -199,7 +265,7 @@ std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<
 
 std::size_t count_outside(const RunFrame& frame, const Box& area) {
     std::size_t outside = 0;
-    for (const auto* group : {&frame.fluid, &frame.solid}) {
+    for (const auto* group : {&frame.fluid, &frame.solid, &frame.spheres}) {
         if (!*group) continue;
         for (std::size_t i = 0; i < (*group)->size(); ++i)
             if (const Vec p = point((*group)->position, i); !is_finite(p) || !contains(area, p)) ++outside;

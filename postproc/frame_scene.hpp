@@ -18,10 +18,13 @@ namespace dmp {
 struct RunFrame {
     double time = 0;     ///< [s]
     double spacing = 0;  ///< [m]
-    std::optional<FrameGroup> fluid, solid, moving_walls;
+    std::optional<FrameGroup> fluid, solid, spheres, moving_walls;
+    /// What is coloured by a field: the fluid, or the spheres where there is none.
+    [[nodiscard]] const std::optional<FrameGroup>& coloured() const { return fluid ? fluid : spheres; }
 };
 
-/// A finished run's folder.
+/// A finished run's folder. Scenes of spheres are seen aslant: their places are turned so that x runs to the right, y
+/// up and z towards the eye.
 class RunFolder {
   public:
     /// Reads the lists of frames, the walls and the title. Throws InputError when there are no frames.
@@ -33,15 +36,18 @@ class RunFolder {
     [[nodiscard]] const std::optional<FrameGroup>& walls() const { return walls_; }
     [[nodiscard]] const std::string& title() const { return title_; }
     [[nodiscard]] double end_time() const { return times_.back(); }
-    /// False when particles lie more than a few spacings apart in z.
+    /// False when particles lie more than a few spacings apart in z; spheres are drawn all the same.
     [[nodiscard]] bool flat() const { return flat_; }
+    [[nodiscard]] bool of_spheres() const { return !spheres_.empty(); }
     /// What the pictures show: the walls and the particles of the first and last frame, however far a stray
     /// particle of the last frame may be [m].
     [[nodiscard]] const Box& area() const { return area_; }
 
   private:
     std::filesystem::path folder_;
-    std::vector<SeriesEntry> fluid_, solid_, moving_walls_;
+    void turn(FrameGroup& group) const;
+
+    std::vector<SeriesEntry> fluid_, solid_, spheres_, moving_walls_;
     std::vector<double> times_;
     std::optional<FrameGroup> walls_;
     std::string title_;
@@ -74,7 +80,8 @@ class FieldRange {
     double lowest_ = 0, highest_ = 0;  ///< of all
 };
 
-/// Fluid below, walls over it, solids on top. Without the field the fluid has one plain colour.
+/// Fluid below, walls over it, solids on top; spheres of their size among walls that show what is behind. Without the
+/// field the fluid has one plain colour.
 std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
                                      const std::string& field, const ColourScale& scale);
 

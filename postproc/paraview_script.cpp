@@ -34,11 +34,36 @@ def show_particles(name, colour, height):
     return source, display
 
 
-view = GetActiveViewOrCreate("RenderView")
-view.InteractionMode = "2D"
+def show_spheres(name, colour):
+    shown = show_particles(name, colour, 0)
+    if shown:  # each as large as it is
+        display = shown[1]
+        display.ShaderPreset = "Sphere"
+        display.ScaleByArray = 1
+        display.SetScaleArray = ["POINTS", "radius"]
+        display.UseScaleFunction = 0
+        display.GaussianRadius = 1
+    return shown
 
-show_particles("walls.vtp", [0.6, 0.6, 0.6], -spacing)
-show_particles("moving_walls.pvd", [0.6, 0.6, 0.6], -spacing)
+
+def show_wall(name):
+    if not spheres:
+        show_particles(name, [0.6, 0.6, 0.6], -spacing)
+        return
+    path = os.path.join(here, name)
+    if os.path.exists(path):  # triangles
+        display = Show(OpenDataFile(path), view)
+        display.SetRepresentationType("Surface")
+        display.ColorArrayName = ["POINTS", ""]
+        display.Opacity = 0.4
+
+
+view = GetActiveViewOrCreate("RenderView")
+spheres = show_spheres("spheres.pvd", [0.2, 0.4, 0.8])
+view.InteractionMode = "3D" if spheres else "2D"
+
+show_wall("walls.vtp")
+show_wall("moving_walls.pvd")
 solid = show_particles("solid.pvd", [0.6, 0.05, 0.1], spacing)
 fluid = show_particles("fluid.pvd", [0.2, 0.4, 0.8], 0)
 GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
@@ -54,11 +79,12 @@ if solid:
     lines.ColorArrayName = ["POINTS", ""]
     lines.Position = [0, 0, spacing]
 
-if fluid and fluid[0].PointData.GetArray("velocity"):
-    ColorBy(fluid[1], ("POINTS", "velocity", "Magnitude"))
-    fluid[1].RescaleTransferFunctionToDataRangeOverTime()
+coloured = fluid or spheres
+if coloured and coloured[0].PointData.GetArray("velocity"):
+    ColorBy(coloured[1], ("POINTS", "velocity", "Magnitude"))
+    coloured[1].RescaleTransferFunctionToDataRangeOverTime()
     GetColorTransferFunction("velocity").ApplyPreset("Viridis (matplotlib)", True)
-    fluid[1].SetScalarBarVisibility(view, True)
+    coloured[1].SetScalarBarVisibility(view, True)
     bar = GetScalarBar(GetColorTransferFunction("velocity"), view)
     bar.Title, bar.ComponentTitle = "speed [m/s]", ""
 

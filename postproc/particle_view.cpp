@@ -2,6 +2,14 @@
 #include "postproc/particle_view.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -25,7 +33,8 @@ namespace dmp {
 namespace {
 
 constexpr double least_line_width = 2.2;  // [pixels], so that thin solids stay visible on large domains
-constexpr int oversampling = 2;           // drawn larger and averaged: smooth edges on every driver
+constexpr double wall_opacity = 0.4;
+constexpr int oversampling = 2;  // drawn larger and averaged: smooth edges on every driver
 
 /// A filled disc. The depth grows from its centre, so that where discs overlap the nearest centre wins
 /// and a dense set shows no scales and no gaps.
@@ -36,13 +45,33 @@ if (disc_distance2 > 1.0) { discard; }
 gl_FragDepth = gl_FragCoord.z + 0.02 * disc_distance2;
 )";
 
-vtkSmartPointer<vtkPoints> points_at_height(const std::vector<float>& position, float height) {
+/// A sphere's front, seen along parallel rays and lit from the upper left. The radius in pixels is the inverse of how
+/// fast the offset, 1 at the rim, changes.
+std::string sphere_shader(double depth_per_pixel) {
+    std::array<char, 640> text{};
+    std::snprintf(text.data(), text.size(), R"(
+//VTK::Color::Impl
+vec2 sphere_offset = offsetVCVSOutput.xy;
+float sphere_distance2 = dot(sphere_offset, sphere_offset);
+float sphere_pixels = 1.0 / max(length(vec2(dFdx(sphere_offset.x), dFdy(sphere_offset.x))), 1e-6);
+if (sphere_distance2 > 1.0) { discard; }
+float sphere_height = sqrt(1.0 - sphere_distance2);
+gl_FragDepth = gl_FragCoord.z - %.9e * sphere_height * sphere_pixels;
+ambientColor *= 0.4 + 0.6 * max(0.0, dot(vec3(sphere_offset, sphere_height), vec3(-0.35, 0.45, 0.82)));
+)",
+                  depth_per_pixel);
+    return text.data();
+}
+
+/// All at one height, or where they are.
+vtkSmartPointer<vtkPoints> points_at(const std::vector<float>& position, std::optional<float> height) {
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetNumberOfComponents(3);
     coordinates->SetNumberOfTuples(static_cast<vtkIdType>(position.size() / 3));
     float* values = coordinates->GetPointer(0);
     std::copy(position.begin(), position.end(), values);
-    for (std::size_t i = 2; i < position.size(); i += 3) values[i] = height;
+    if (height)
+        for (std::size_t i = 2; i < position.size(); i += 3) values[i] = *height;
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetData(coordinates);
     return points;
@@ -55,8 +84,8 @@ void set_flat(vtkProperty* property, Colour colour) {
     property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 
-void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, float height) {
-    vtkNew<vtkUnsignedCharArray> colours;
+vtkSmartPointer<vtkUnsignedCharArray> colours_of(const ParticleLayer& layer) {
+    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colours->SetName("colour");
     colours->SetNumberOfComponents(3);
     colours->SetNumberOfTuples(static_cast<vtkIdType>(layer.colour.size()));
@@ -66,9 +95,55 @@ void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, float height) 
         *value++ = colour.green;
         *value++ = colour.blue;
     }
+    return colours;
+}
+
+/// Spheres as discs that bulge: shaded by the way they face, as deep as they are.
+void add_spheres(vtkRenderer* renderer, const ParticleLayer& layer, double depth_per_pixel) {
+    vtkNew<vtkFloatArray> radii;
+    radii->SetName("radius");
+    radii->SetNumberOfTuples(static_cast<vtkIdType>(layer.radii.size()));
+    std::copy(layer.radii.begin(), layer.radii.end(), radii->GetPointer(0));
     vtkNew<vtkPolyData> data;
-    data->SetPoints(points_at_height(layer.position, height));
-    data->GetPointData()->SetScalars(colours);
+    data->SetPoints(points_at(layer.position, {}));
+    data->GetPointData()->SetScalars(colours_of(layer));
+    data->GetPointData()->AddArray(radii);
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetColorModeToDirectScalars();
+    mapper->EmissiveOff();
+    mapper->SetScaleArray("radius");
+    mapper->SetScaleFactor(1);
+    mapper->SetSplatShaderCode(sphere_shader(depth_per_pixel).c_str());
+    mapper->SetTriangleScale(1.0F);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    set_flat(actor->GetProperty(), colours::white);
+    renderer->AddActor(actor);
+}
+
+void add_triangles(vtkRenderer* renderer, const ParticleLayer& layer) {
+    vtkNew<vtkTypeInt32Array> corners;
+    corners->SetNumberOfValues(static_cast<vtkIdType>(layer.triangles.size()));
+    std::copy(layer.triangles.begin(), layer.triangles.end(), corners->GetPointer(0));
+    vtkNew<vtkCellArray> triangles;
+    triangles->SetData(3, corners);
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points_at(layer.position, {}));
+    data->SetPolys(triangles);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    set_flat(actor->GetProperty(), layer.colour.empty() ? colours::wall : layer.colour.front());
+    actor->GetProperty()->SetOpacity(wall_opacity);
+    renderer->AddActor(actor);
+}
+
+void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<float> height) {
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points_at(layer.position, height));
+    data->GetPointData()->SetScalars(colours_of(layer));
     vtkNew<vtkPointGaussianMapper> mapper;
     mapper->SetInputData(data);
     mapper->SetColorModeToDirectScalars();
@@ -82,14 +157,15 @@ void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, float height) 
     renderer->AddActor(actor);
 }
 
-void add_lines(vtkRenderer* renderer, const ParticleLayer& layer, float height, double pixels_per_metre) {
+void add_lines(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<float> height,
+               double pixels_per_metre) {
     vtkNew<vtkTypeInt32Array> ends;
     ends->SetNumberOfValues(static_cast<vtkIdType>(layer.lines.size()));
     std::copy(layer.lines.begin(), layer.lines.end(), ends->GetPointer(0));
     vtkNew<vtkCellArray> lines;
     lines->SetData(2, ends);
     vtkNew<vtkPolyData> data;
-    data->SetPoints(points_at_height(layer.position, height));
+    data->SetPoints(points_at(layer.position, height));
     data->SetLines(lines);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(data);
@@ -99,6 +175,19 @@ void add_lines(vtkRenderer* renderer, const ParticleLayer& layer, float height, 
     actor->GetProperty()->SetLineWidth(
         static_cast<float>(std::max(layer.line_width * pixels_per_metre, least_line_width * oversampling)));
     renderer->AddActor(actor);
+}
+
+/// The lowest and the highest z of all there is, spheres counted with their radius.
+std::pair<double, double> depth_of(const std::vector<ParticleLayer>& layers) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const ParticleLayer& layer : layers)
+        for (std::size_t i = 0; 3 * i < layer.position.size(); ++i) {
+            const double z = layer.position[3 * i + 2], radius = layer.radii.empty() ? 0 : layer.radii[i];
+            if (!std::isfinite(z)) continue;
+            low = std::min(low, z - radius);
+            high = std::max(high, z + radius);
+        }
+    return low > high ? std::pair(0.0, 0.0) : std::pair(low, high);
 }
 
 /// Averages squares of pixels; VTK counts rows from below.
@@ -137,20 +226,32 @@ Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& ar
     renderer->SetBackground(1, 1, 1);
     const double step = area.extent().y();  // between layers: any length will do, this one has the right magnitude
     const double pixels_per_metre = oversampling * height / area.extent().y();
-    double z = 0;
+    const bool in_space = std::ranges::any_of(layers, [](const ParticleLayer& layer) { return !layer.radii.empty(); });
+    double bottom = 0, z = 0;
+    if (in_space) std::tie(bottom, z) = depth_of(layers);
+    const double top = in_space ? z : 2 * step * static_cast<double>(layers.size()), depth = top - bottom + 1.5 * step;
+    const auto next_height = [&] {
+        const double before = std::exchange(z, z + step);
+        return in_space ? std::nullopt : std::optional(static_cast<float>(before));
+    };
     for (const ParticleLayer& layer : layers) {
-        if (!layer.position.empty()) add_discs(renderer, layer, static_cast<float>(z));
-        z += step;
-        if (!layer.lines.empty()) add_lines(renderer, layer, static_cast<float>(z), pixels_per_metre);
-        z += step;
+        const auto height_of_discs = next_height();
+        if (!layer.radii.empty())
+            add_spheres(renderer, layer, 1 / (pixels_per_metre * depth));
+        else if (!layer.triangles.empty())
+            add_triangles(renderer, layer);
+        else if (!layer.position.empty())
+            add_discs(renderer, layer, height_of_discs);
+        const auto height_of_lines = next_height();
+        if (!layer.lines.empty()) add_lines(renderer, layer, height_of_lines, pixels_per_metre);
     }
     const Vec centre = (area.low + area.high) / 2;
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(area.extent().y() / 2);
-    camera->SetFocalPoint(centre.x(), centre.y(), 0);
-    camera->SetPosition(centre.x(), centre.y(), z + step);
-    camera->SetClippingRange(step / 2, z + 2 * step);
+    camera->SetFocalPoint(centre.x(), centre.y(), bottom);
+    camera->SetPosition(centre.x(), centre.y(), top + step);
+    camera->SetClippingRange(step / 2, step / 2 + depth);
 
     vtkRenderWindow* window = window_->window;
     window->AddRenderer(renderer);

@@ -11,12 +11,15 @@
 
 namespace dmp {
 
-/// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order.
+/// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order, unless one
+/// of them has spheres: then all stand where they are, and the nearer hides the farther.
 struct ParticleLayer {
-    std::vector<float> position;      ///< x, y, z of each particle [m]; z is not seen
-    std::vector<Colour> colour;       ///< one a particle
-    double radius = 0;                ///< of the discs [m]
-    std::vector<std::int32_t> lines;  ///< two particles a line
+    std::vector<float> position;          ///< x, y, z of each particle [m]; z is seen of spheres and triangles only
+    std::vector<Colour> colour;           ///< one a particle
+    double radius = 0;                    ///< of the discs [m]
+    std::vector<float> radii;             ///< one a particle: shaded spheres instead of discs [m]
+    std::vector<std::int32_t> triangles;  ///< three particles a triangle, seen through, instead of discs
+    std::vector<std::int32_t> lines;      ///< two particles a line
     Colour line_colour;
     double line_width = 0;  ///< [m]
 };

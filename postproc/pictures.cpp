@@ -61,7 +61,7 @@ class RunPainter {
                                            time_text(frame.time, run_.end_time()) + " lie outside the picture");
         }
         if (range.missing())
-            warn(pictures.warning, "the frames hold no field '" + options_.field + "' to colour the fluid with");
+            warn(pictures.warning, "the frames hold no field '" + options_.field + "' to colour the particles with");
         sheet.finish(scale);
         sheet.save(run_.folder() / file);
         pictures.files.push_back(file);
@@ -74,7 +74,7 @@ class RunPainter {
 };
 
 void write_frames(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
-    if (!run.flat()) {
+    if (!run.flat() && !run.of_spheres()) {
         warn(pictures.warning,
              "no pictures of the frames: they are three-dimensional; see them in ParaView with "
              "open_in_paraview.py");

@@ -134,6 +134,7 @@ vtkSmartPointer<vtkPolyData> to_polydata(const Frame& frame, const FrameGroup& g
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = static_cast<std::int32_t>(i);
     data->SetVerts(cells(vertices, 1));
     if (group.bonds() > 0) data->SetLines(cells(group.bond_ends, 2));
+    if (!group.triangles.empty()) data->SetPolys(cells(group.triangles, 3));
 
     data->GetPointData()->AddArray(named_array<vtkTypeInt64Array>("id", 1, group.id));
     data->GetPointData()->AddArray(named_array<vtkTypeInt32Array>("part", 1, group.part));
@@ -160,6 +161,7 @@ Frame to_frame(vtkPolyData& data, const std::string& group_name) {
     group.part = values_of<std::int32_t>(data.GetPointData()->GetArray("part"));
     group.fields = fields_of(*data.GetPointData(), label, 0);
     if (data.GetNumberOfLines() > 0) group.bond_ends = values_of<std::int32_t>(data.GetLines()->GetConnectivityArray());
+    if (data.GetNumberOfPolys() > 0) group.triangles = values_of<std::int32_t>(data.GetPolys()->GetConnectivityArray());
     group.bond_fields = fields_of(*data.GetCellData(), label, data.GetNumberOfVerts());
     frame.groups.push_back(std::move(group));
     return frame;

@@ -12,7 +12,8 @@
 
 namespace dmp {
 
-/// A group as VTK sees it. One vertex cell a particle (Threshold needs cells), then one line cell a bond.
+/// A group as VTK sees it. One vertex cell a particle (Threshold needs cells), then one line cell a bond,
+/// then the triangles of walls for spheres.
 ///   points:  id, part, the group's fields in float32
 ///   cells:   is_bond (0 vertex, 1 bond) and the bond fields, 0 at the vertices; only in groups that have bonds
 ///            or are called "solid", so that a series keeps its arrays when the last bond breaks

@@ -209,6 +209,21 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         json["implicit_viscosity"] = {{"solves", viscous.solves},
                                       {"iterations_mean", viscous.mean_iterations()},
                                       {"iterations_most", viscous.most_iterations}};
+    for (const SpeciesBalance& species : summary.species)
+        json["species"][species.name] = {{"unit", species.unit},
+                                         {"start", species.start},
+                                         {"end", species.end},
+                                         {"from_walls", species.from_walls},
+                                         {"residual", species.residual()}};
+    const ViscousSolves& diffusion = summary.species_solves;
+    if (diffusion.solves > 0)
+        json["implicit_diffusion"] = {{"solves", diffusion.solves},
+                                      {"iterations_mean", diffusion.mean_iterations()},
+                                      {"iterations_most", diffusion.most_iterations}};
+    for (const Aggregate& of : summary.aggregates)
+        json["aggregates"][of.name] = {{"particles", of.particles},   {"mass", of.mass},
+                                       {"pieces", of.pieces},         {"largest", of.largest},
+                                       {"bonds_made", of.bonds_made}, {"bonds_broken", of.bonds_broken}};
     make_folder(folder);
     write_file(folder / summary_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/vtk_sink.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* frames_folder = "frames";
+constexpr std::array series_names{"fluid", "solid", "spheres", "moving_walls"};
 
 /// The shortest text that reads back as the same number.
 std::string exact_text(double value) {
@@ -74,15 +76,16 @@ std::string vtp_text(vtkPolyData* data, const fs::path& file) {
 
 bool is_own_frame(const fs::path& file) {
     const std::string name = file.filename().string();
-    return file.extension() == ".vtp" &&
-           (name.starts_with("fluid_") || name.starts_with("solid_") || name.starts_with("moving_walls_"));
+    return file.extension() == ".vtp" && std::ranges::any_of(series_names, [&](const char* series) {
+               return name.starts_with(std::string(series) + "_");
+           });
 }
 
 /// Series first: no .pvd may name a file that is gone.
 void remove_earlier_run(const fs::path& folder) {
     std::error_code failed;
-    for (const char* name : {"fluid.pvd", "solid.pvd", "moving_walls.pvd", "walls.vtp"})
-        fs::remove(folder / name, failed);
+    for (const char* name : series_names) fs::remove(folder / (std::string(name) + ".pvd"), failed);
+    fs::remove(folder / "walls.vtp", failed);
     std::vector<fs::path> old_frames;
     for (const auto& entry : fs::directory_iterator(folder / frames_folder, failed))
         if (is_own_frame(entry.path())) old_frames.push_back(entry.path());
@@ -97,7 +100,7 @@ VtkSink::VtkSink(fs::path folder, RunLabel label) : folder_(std::move(folder)), 
 }
 
 void VtkSink::go_on(long frames) {
-    for (const char* name : {"fluid", "solid", "moving_walls"}) {
+    for (const char* name : series_names) {
         std::ifstream file(folder_ / (std::string(name) + ".pvd"));
         static const std::regex entry("timestep=\"([^\"]+)\".* file=\"([^\"]+)\"");
         std::smatch match;
@@ -113,7 +116,13 @@ void VtkSink::go_on(long frames) {
                                  "A run can only go on where its frames are; start it anew in another folder.");
             series_[name].push_back({std::stod(match[1]), frame});
         }
-        if (series_.contains(name) && static_cast<long>(series_[name].size()) != frames)
+        // There may be no solids at first; all others are there from the beginning.
+        const auto& entries = series_.contains(name) ? series_[name] : std::vector<Entry>{};
+        const long first = frames - static_cast<long>(entries.size());
+        bool complete = entries.empty() || first == 0 || (first > 0 && std::string_view(name) == "solid");
+        for (std::size_t k = 0; complete && k < entries.size(); ++k)
+            complete = entries[k].file == frame_file(name, first + static_cast<long>(k));
+        if (!complete)
             throw InputError({(folder_ / (std::string(name) + ".pvd")).string()},
                              "the series names fewer frames than the run has written",
                              "A run can only go on where its frames are; start it anew in another folder.");

@@ -13,11 +13,12 @@ namespace dmp {
 
 /// Writes frames for ParaView into one folder:
 ///
-///     fluid.pvd, solid.pvd           the series, rewritten after each frame
+///     fluid.pvd, solid.pvd, spheres.pvd   the series, rewritten after each frame
 ///     frames/fluid_000012.vtp        particles as vertex cells
 ///     frames/solid_000012.vtp        particles as vertex cells, bonds as line cells
-///     walls.vtp                      once; walls that move: moving_walls.pvd and a frame each
-///     open_in_paraview.py            opens them all with sensible settings
+///     frames/spheres_000012.vtp      spheres as vertex cells, with their radius
+///     walls.vtp                      once, those of spheres as triangles; walls that move: moving_walls.pvd and a
+///     frame each open_in_paraview.py            opens them all with sensible settings
 ///
 /// A folder holds one run: the first frame removes the frames an earlier run left there.
 /// A .pvd never names a file that is not whole, so a killed run opens up to its last frame.

@@ -5,7 +5,12 @@
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "scene/driving_keys.hpp"
 #include "scene/quantity.hpp"
+#include "scene/schema.hpp"
+#include "scene/solidify_checks.hpp"
+#include "scene/species_checks.hpp"
+#include "scene/sphere_checks.hpp"
 
 namespace dmp {
 
@@ -38,11 +43,34 @@ void refuse_equal_names(const std::vector<Item>& items, const std::string& what)
 }
 
 void need_something_to_move(const Scene& scene) {
-    if (!scene.parts_of(PartKind::fluid).empty() || !scene.parts_of(PartKind::springs).empty()) return;
+    for (const PartKind kind : {PartKind::fluid, PartKind::springs, PartKind::spheres})
+        if (!scene.parts_of(kind).empty()) return;
     const Place place = scene.parts.empty() ? Place{scene.file, 0, 0} : scene.parts.front().kind.place;
     throw InputError(first_known(scene, {&place}),
-                     "no enabled part is of kind 'fluid' or 'springs': nothing would move",
-                     "add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+                     "no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move",
+                     "add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
+}
+
+/// What is drawn needs a drawing, and particles of one spacing.
+void need_what_drawn_parts_need(const Scene& scene, const TomlNode& document) {
+    const auto is_drawn = [](const Part& part) {
+        return *part.kind != PartKind::spheres && !part.is_wall_for_spheres();
+    };
+    const auto need = [&](bool given, const char* section, const std::string& key) {
+        if (given) return;
+        const Place* table = place_of(document, section);
+        const auto facts = schema().facts();
+        const auto found = std::ranges::find(facts, key, &KeyFacts::path);
+        throw InputError(first_known(scene, {table}), "missing key: " + key,
+                         "add " + shown_key(key) + ": " + found->type);
+    };
+    if (std::ranges::any_of(scene.parts, is_drawn) || scene.parts.empty()) {
+        need(!scene.geometry.file->empty(), "geometry", "geometry.file");
+        need(*scene.particles.spacing > 0, "particles", "particles.spacing");
+    } else if (scene.geometry.file.given()) {
+        throw InputError(scene.geometry.file.place, "geometry.file: no part of the scene is drawn",
+                         "leave [geometry] out");
+    }
 }
 
 void need_largest_speed(const Scene& scene, const TomlNode& document) {
@@ -63,7 +91,7 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
             "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
             "accuracy.viscous_law = \"monaghan_approaching\" is none",
             "write viscous_law = \"monaghan\" or \"morris\"");
-    if (*accuracy.spring_stepping == SpringStepping::subcycled && !scene.parts_of(PartKind::springs).empty())
+    if (*accuracy.spring_stepping == SpringStepping::subcycled && scene.may_have_springs())
         throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
                          "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
                          "accuracy.spring_stepping = \"subcycled\" moves apart from it",
@@ -266,13 +294,15 @@ void need_regions(const Scene& scene, const TomlNode& document) {
 
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
-        need_plane_point(*point);
+        if (scene.dimension == 2) need_plane_point(*point);
     }
     if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
         throw InputError(measure.to.place,
                          "the line of measure '" + *measure.name + "' starts and ends at the same point",
                          "give two different points");
     }
+    check_sphere_measure(scene, measure);
+    if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
     if (*measure.kind != MeasureKind::gap) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {
@@ -295,26 +325,36 @@ void check_measure(const Scene& scene, const Measure& measure) {
 
 void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
+    refuse_equal_names(scene.species, "species");
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
+    refuse_equal_names(scene.solidify, "solidify");
+    refuse_equal_names(scene.breaking, "break");
     need_something_to_move(scene);
+    need_what_drawn_parts_need(scene, document);
+    check_spheres(scene, document);
+    check_driving(scene);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
     need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_arrangement_in_plane(scene);
     need_thick_walls(scene);
-    need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
-    need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
+    if (scene.dimension == 2) {
+        need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
+        need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
+        need_plane_walls(scene);
+    }
     need_start_without_time(scene);
-    need_plane_walls(scene);
     check_walls(scene);
     check_symmetry(scene);
     need_regions(scene, document);
+    check_species(scene);
     for (const auto& region : scene.regions) check_region(scene, region);
     for (const Part& part : scene.parts)
         if (*part.kind == PartKind::springs) need_one_stiffness(part);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
+    check_solidify(scene);
 }
 
 void switch_off_what_gives_way(Scene& scene) {

@@ -132,7 +132,7 @@ Item read_item(const TomlNode& table, const std::string& what, const std::vector
         const bool first_two = key.facts.name() == "name" || key.facts.name() == "kind";
         if (!first_two && !key.facts.is_for(kind_of(item))) continue;
         read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.place, quality);
-        if (key.facts.name() == "name") prefix = what + "." + *item.name;
+        if (key.facts.name() == "name" && !item.name->empty()) prefix = what + "." + *item.name;
         if constexpr (requires { item.kind; }) {
             if (key.facts.name() != "kind") continue;
             for (const auto& node : table.children) need_fitting_key(item, node, what, keys);
@@ -185,8 +185,14 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
                  *scene.quality);  // the quality itself comes before what depends on it
     }
     scene.parts = read_items(document, "part", schema().part, *scene.quality);
+    scene.species = read_items(document, "species", schema().species, *scene.quality);
+    scene.contact_pairs = read_items(document, "contact_pair", schema().contact_pair, *scene.quality);
+    scene.forces = read_items(document, "force", schema().force, *scene.quality);
+    scene.moving_shapes = read_items(document, "moving_shape", schema().moving_shape, *scene.quality);
     scene.regions = read_items(document, "region", schema().region, *scene.quality);
     scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
+    scene.solidify = read_items(document, "solidify", schema().solidify, *scene.quality);
+    scene.breaking = read_items(document, "break", schema().breaking, *scene.quality);
     check_scene(scene, document);
     switch_off_what_gives_way(scene);
     scene.hash = fnv1a(resolved_scene(scene));

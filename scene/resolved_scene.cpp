@@ -27,17 +27,26 @@ void write_items(std::string& text, const std::vector<Item>& items, const std::s
 
 std::string resolved_scene(const Scene& scene) {
     std::string text;
-    std::string section;
+    std::string opened;
     for (const auto& key : schema().scene) {
-        if (key.facts.section() != section) {
-            section = key.facts.section();
+        std::string line;
+        write_key(line, scene, key);
+        if (line.empty()) continue;
+        if (const std::string section = key.facts.section(); section != opened) {
             text += "\n[" + section + "]\n";
+            opened = section;
         }
-        write_key(text, scene, key);
+        text += line;
     }
     write_items(text, scene.parts, "part", schema().part);
+    write_items(text, scene.species, "species", schema().species);
+    write_items(text, scene.contact_pairs, "contact_pair", schema().contact_pair);
+    write_items(text, scene.forces, "force", schema().force);
+    write_items(text, scene.moving_shapes, "moving_shape", schema().moving_shape);
     write_items(text, scene.regions, "region", schema().region);
     write_items(text, scene.measures, "measure", schema().measure);
+    write_items(text, scene.solidify, "solidify", schema().solidify);
+    write_items(text, scene.breaking, "break", schema().breaking);
     return text;
 }
 

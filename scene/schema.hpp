@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <string>
@@ -68,6 +69,18 @@ void assign(T& member, T value, const Place& /*a plain member keeps no place*/) 
 template <class T>
 bool is_nothing(const T& value) {
     if constexpr (std::is_arithmetic_v<T> || std::same_as<T, std::string>) return value == T{};
+    if constexpr (std::same_as<T, Expression>) return value.is_zero();
+    if constexpr (std::same_as<T, Vec>) return value == Vec::Zero();
+    if constexpr (std::same_as<T, std::array<Expression, 3>>)
+        return std::ranges::all_of(value, &Expression::is_zero);
+    else if constexpr (requires { value.empty(); })
+        return value.empty();
+    return false;
+}
+
+template <class Member>
+bool is_given(const Member& member) {
+    if constexpr (requires { member.given(); }) return member.given();
     return false;
 }
 
@@ -105,7 +118,8 @@ struct Key {
               const auto& type_now = type_for(owner);
               using T = std::decay_t<decltype(type_now.read(TomlNode{}, ""))>;
               const T& value = owner.*member;
-              return optional && detail::is_nothing(value) ? std::string{} : type_now.write(value);
+              const bool left_out = optional && !detail::is_given(owner.*member) && detail::is_nothing(value);
+              return left_out ? std::string{} : type_now.write(value);
           }) {}
 
     Key(KeyFacts f, decltype(read) r, decltype(write) w)
@@ -117,8 +131,14 @@ struct Key {
 struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Part>> part;
+    std::vector<Key<Species>> species;
+    std::vector<Key<ContactPair>> contact_pair;
+    std::vector<Key<ForceOnPart>> force;
+    std::vector<Key<MovingShape>> moving_shape;
     std::vector<Key<ResidenceRegion>> region;
     std::vector<Key<Measure>> measure;
+    std::vector<Key<Solidify>> solidify;
+    std::vector<Key<Breaking>> breaking;
 
     /// A key that differs between kinds appears once for each.
     [[nodiscard]] std::vector<KeyFacts> facts() const;

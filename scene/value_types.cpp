@@ -62,12 +62,17 @@ double read_number(const TomlNode& node, const std::string& path, const Range& r
     return node.number;
 }
 
-/// A key as TOML wants it.
-std::string bare_key_or_quoted(const std::string& key) {
-    const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
-        return std::isalnum(c) != 0 || c == '_' || c == '-';
-    });
-    return bare ? key : toml_quoted(key);
+/// The same formula in other words where the unit is none: a bare number says it all.
+ValueType<Expression> formula_or_number(const std::string& example) {
+    const ValueType<Expression> formulas_only = formula(example);
+    if (!Expected(example).dimension().none()) return formulas_only;
+    return {"a number or a formula for one",
+            [formulas_only](const TomlNode& node, const std::string& path) {
+                if (!node.is_number()) return formulas_only.read(node, path);
+                const std::string number = exact_text(node.number);
+                return Expression(number, number);
+            },
+            formulas_only.write};
 }
 
 ValueType<std::string> checked_text(const std::string& description,
@@ -308,13 +313,36 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit) {
             [](const std::map<std::string, Value<double>>& values) {
                 std::string table;
                 for (const auto& [key, value] : values) {
-                    table += (table.empty() ? " " : ", ") + bare_key_or_quoted(key) + " = " + exact_text(value);
+                    table += (table.empty() ? " " : ", ") + detail::bare_key_or_quoted(key) + " = " + exact_text(value);
                 }
                 return "{" + table + (table.empty() ? "}" : " }");
             }};
 }
 
+ValueType<Expression> concentration_formula(SpeciesUnit unit) {
+    return formula_or_number(unit == SpeciesUnit::none ? "1" : "1 " + word(unit));
+}
+
+ValueType<Expression> flux_formula(SpeciesUnit unit) {
+    switch (unit) {
+        case SpeciesUnit::mass:
+            return formula("1e-6 kg/m^2/s");
+        case SpeciesUnit::moles:
+            return formula("1e-6 mol/m^2/s");
+        case SpeciesUnit::none:
+            break;
+    }
+    return formula("1e-6 m/s");
+}
+
 namespace detail {
+
+std::string bare_key_or_quoted(const std::string& key) {
+    const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '-';
+    });
+    return bare ? key : toml_quoted(key);
+}
 
 std::size_t index_of_word(const TomlNode& node, const std::string& path, const std::vector<std::string>& words) {
     const std::string expected = "one of " + quoted_list(words);

@@ -64,6 +64,16 @@ ValueType<std::string> text_not_empty();
 ValueType<std::string> name();
 /// A point of two or three lengths; a bare 0 needs no unit.
 ValueType<Vec> point();
+/// A quantity, or a list of them.
+ValueType<std::vector<double>> quantity_or_list(const std::string& example, const Range& range = any_number);
+/// A list of points.
+ValueType<std::vector<Vec>> points();
+/// Three plain numbers, not all 0.
+ValueType<Vec> direction();
+/// A list of at least one name, all different.
+ValueType<std::vector<std::string>> names();
+/// A list of two names.
+ValueType<std::array<std::string, 2>> two_names();
 /// One to three formulas of t, x, y, z; a bare 0 needs no unit.
 ValueType<std::array<Expression, 3>> formulas(const std::string& example);
 /// One formula of t, x, y, z; a bare 0 needs no unit.
@@ -77,8 +87,18 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit);
 InputError wrong_kind(const TomlNode& node, const std::string& path, const std::string& expected,
                       const std::string& advice = {});
 
+/// `one` for all parts, or a table of them by part.
+template <class T>
+ValueType<ByPart<T>> by_part(const ValueType<T>& one);
+/// A formula for a concentration of a species of this unit, or for an amount per area and time of it. Of the unit "1"
+/// bare numbers will do.
+ValueType<Expression> concentration_formula(SpeciesUnit unit);
+ValueType<Expression> flux_formula(SpeciesUnit unit);
+
 namespace detail {
 
+/// A key as TOML wants it.
+std::string bare_key_or_quoted(const std::string& key);
 /// The position in `words` of the word in `node`.
 std::size_t index_of_word(const TomlNode& node, const std::string& path, const std::vector<std::string>& words);
 const std::vector<TomlNode>& list_items(const TomlNode& node, const std::string& path, const std::string& expected);
@@ -93,6 +113,30 @@ std::vector<std::string> word_list() {
 }
 
 }  // namespace detail
+
+template <class T>
+ValueType<ByPart<T>> by_part(const ValueType<T>& one) {
+    const std::string description = one.description + ", or a table of them by part";
+    return {description,
+            [one](const TomlNode& node, const std::string& path) {
+                ByPart<T> value;
+                if (!node.is_table()) {
+                    value.all = Value<T>(one.read(node, path), node.place);
+                    return value;
+                }
+                for (const auto& entry : node.children)
+                    value.parts[entry.key] = Value<T>(one.read(entry, path + "." + entry.key), entry.key_place);
+                return value;
+            },
+            [one](const ByPart<T>& value) {
+                if (value.all) return one.write(**value.all);
+                std::string table;
+                for (const auto& [part, of_part] : value.parts)
+                    table +=
+                        (table.empty() ? " " : ", ") + detail::bare_key_or_quoted(part) + " = " + one.write(*of_part);
+                return "{" + table + (table.empty() ? "}" : " }");
+            }};
+}
 
 /// One word of an enumeration's words.
 template <class Enumeration>

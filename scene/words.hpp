@@ -22,6 +22,18 @@ const Words<Quality>& words_of();
 template <>
 const Words<PartKind>& words_of();
 template <>
+const Words<ContactLawKind>& words_of();
+template <>
+const Words<AdhesionKind>& words_of();
+template <>
+const Words<RollingKind>& words_of();
+template <>
+const Words<ForceAmount>& words_of();
+template <>
+const Words<ShapeKind>& words_of();
+template <>
+const Words<PushedSide>& words_of();
+template <>
 const Words<Arrangement>& words_of();
 template <>
 const Words<KernelKind>& words_of();
@@ -40,7 +52,19 @@ const Words<SpringStepping>& words_of();
 template <>
 const Words<ViscosityStepping>& words_of();
 template <>
+const Words<SpeciesStepping>& words_of();
+template <>
+const Words<SpeciesUnit>& words_of();
+template <>
+const Words<Axis>& words_of();
+template <>
 const Words<MeasureKind>& words_of();
+template <>
+const Words<SolidifyRule>& words_of();
+template <>
+const Words<SeedActivity>& words_of();
+template <>
+const Words<BondTo>& words_of();
 template <>
 const Words<FluidField>& words_of();
 template <>

@@ -17,13 +17,14 @@ struct FrameField {
 
 /// Particles that are looked at together: the fluid, the solids, the walls.
 struct FrameGroup {
-    std::string name;             ///< "fluid", "solid", "walls" (at rest) or "moving_walls"
+    std::string name;             ///< "fluid", "solid", "spheres", "walls" (at rest) or "moving_walls"
     std::vector<float> position;  ///< x, y, z of each particle [m]
     std::vector<std::int64_t> id;
     std::vector<std::int32_t> part;  ///< index into Frame::parts
     std::vector<FrameField> fields;
     std::vector<std::int32_t> bond_ends;  ///< two indices into this group a bond
     std::vector<FrameField> bond_fields;
+    std::vector<std::int32_t> triangles{};  ///< three indices into this group a triangle: walls of spheres
 
     [[nodiscard]] std::size_t size() const { return id.size(); }
     [[nodiscard]] std::size_t bonds() const { return bond_ends.size() / 2; }

@@ -33,6 +33,8 @@ inline std::string problem_with(const FrameGroup& group) {
     const auto outside = [&](std::int32_t end) { return end < 0 || static_cast<std::size_t>(end) >= group.size(); };
     if (problem.empty() && std::any_of(group.bond_ends.begin(), group.bond_ends.end(), outside))
         problem = "frame group '" + group.name + "': a bond names a particle outside the group";
+    if (problem.empty() && (group.triangles.size() % 3 != 0 || std::ranges::any_of(group.triangles, outside)))
+        problem = "frame group '" + group.name + "': a triangle names a particle outside the group";
     return problem;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/errors.hpp"
+#include "solver/output/species_measures.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp {
@@ -39,6 +40,14 @@ std::vector<Omission> omissions(const Scene& scene) {
     leave_out(solid && *scene.contact.range > 0, "short-range repulsion", [](Scene& s) { s.contact.range = 0.0; });
     leave_out(!scene.regions.empty() && scene.asks_for(FluidField::residence_time), "residence times",
               [](Scene& s) { std::erase(s.output.fields, FluidField::residence_time); });
+    leave_out(!scene.species.empty(), "diffusion of species", [](Scene& s) {
+        s.species.clear();
+        std::erase(s.output.fields, FluidField::concentration);
+        std::erase_if(s.measures, [](const Measure& measure) {
+            return is_of_species(*measure.kind) ||
+                   (*measure.kind == MeasureKind::probe && *measure.field == FluidField::concentration);
+        });
+    });
     return all;
 }
 
@@ -83,6 +92,7 @@ class Trial {
 
 MeasuredTime fastest_of(const std::string& of, const std::vector<Trial::Round>& rounds) {
     std::vector<double> ns;
+    ns.reserve(rounds.size());
     for (const Trial::Round& round : rounds) ns.push_back(round.ns);
     std::ranges::sort(ns);
     return {of, ns.front(), ns[std::min<std::size_t>(2, ns.size() - 1)] - ns.front()};

@@ -2,12 +2,14 @@
 #include "solver/setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <tuple>
 
 #include <omp.h>
 
+#include "base/nearest_name.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/free_surface.hpp"
 #include "solver/models/contact/repulsion.hpp"
@@ -81,6 +83,26 @@ ModelUse viscous_model(const Scene& scene, const PairSettings& settings, const P
             std::string("Morris, Fox & Zhu 1997, eq. 22") +
                 (harmonic ? ", harmonic mean between fluids (Cleary & Monaghan 1999); " : "; ") + on_the_lattice(found),
             because(fluid.viscosity, "viscosity")};
+}
+
+/// What binds, with which probability, when.
+std::string solidify_rule_text(const Solidify& rule) {
+    std::string text;
+    switch (*rule.rule) {
+        case SolidifyRule::per_pair:
+            text = "each pair of seed and liquid";
+            break;
+        case SolidifyRule::per_candidate:
+            text = "each liquid particle near a seed";
+            break;
+        case SolidifyRule::mutually_closest:
+            text = "mutually closest pairs, as LAMMPS' fix bond/create";
+    }
+    text += " within " + three_digits(rule.reach) + " m, with probability " + three_digits(rule.probability) +
+            " every " + three_digits(rule.interval) + " s";
+    if (*rule.active == SeedActivity::once) text += "; a seed acts once";
+    if (*rule.active == SeedActivity::one_in) text += "; a seed acts once in " + std::to_string(*rule.one_in);
+    return text + (rule.spreads ? "" : "; what turned solid is no seed");
 }
 
 double largest_density(const Scene& scene) {
@@ -203,12 +225,23 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.implicit_viscosity = settings.implicit_viscosity;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
+    scales.implicit_species = *scene.accuracy.species_stepping == SpeciesStepping::implicitly;
+    for (const Species& species : scene.species)
+        for (const Part& part : scene.parts)
+            if (const Value<double>* diffusivity = species.diffusivity_in(part);
+                diffusivity != nullptr && *part.enabled)
+                scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
     if (settings.repulsion_strength > 0 && set.size() > 0) {
         const double lightest = *std::min_element(set.mass.begin(), set.mass.end());
         const double range = scene.contact.range * scene.particles.spacing;
         scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
     }
     return scales;
+}
+
+double new_bond_limit(const Scene& scene, const Solidify& rule) {
+    const double mass = part_named(scene, rule.liquid).density * std::pow(scene.particles.spacing, scene.dimension);
+    return 2 / std::sqrt(2 * rule.bond_stiffness / (mass / 2));
 }
 
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps) {
@@ -267,6 +300,15 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
         if (!axis.is_zero()) {
             models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
         }
+    for (const ForceOnPart& force : scene.forces)
+        models.push_back({"force on '" + *force.part + "'",
+                          *force.amount == ForceAmount::total ? "total, spread evenly over its particles"
+                                                              : "on each of its particles",
+                          "force '" + *force.name + "' at " + force.name.place.text()});
+    for (const MovingShape& shape : scene.moving_shapes)
+        models.push_back({"moving " + word(*shape.kind),
+                          "f = K (1 + cos(pi d / r*)), felt by " + quoted_list(*shape.parts),
+                          "moving_shape '" + *shape.name + "' at " + shape.name.place.text()});
     if (!scene.parts_of(PartKind::rigid).empty())
         models.push_back({scene.accuracy.walls == WallModel::plain ? "plain walls" : "extrapolated no-slip walls",
                           scene.accuracy.walls == WallModel::plain ? "Monaghan 1994"
@@ -295,14 +337,35 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
         }
         if (part->drag > 0) models.push_back({"lab-frame drag", "F = -k_v v", because(part->drag, "drag")});
     }
-    const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();
+    for (const Species& species : scene.species)
+        models.push_back({"diffusion of '" + *species.name + "'",
+                          "Cleary & Monaghan 1999, harmonic mean where diffusivities meet",
+                          "species at " + species.name.place.text()});
+    if (!scene.species.empty() && *scene.accuracy.species_stepping == SpeciesStepping::implicitly)
+        models.push_back({"implicit diffusion", "backward Euler, conjugate gradients",
+                          because(scene.accuracy.species_stepping, "accuracy.species_stepping")});
+    for (const Solidify& rule : scene.solidify) {
+        models.push_back({"liquid turning solid as '" + *rule.name + "'", solidify_rule_text(rule),
+                          "solidify '" + *rule.name + "' at " + rule.name.place.text()});
+        models.push_back(
+            {"bonds of '" + *rule.name + "'",
+             "U = k_b (r - r0)^2, r0 " + (*rule.rest_length > 0 ? three_digits(rule.rest_length) + " m"
+                                                                : std::string("the distance when a bond is made")),
+             because(rule.bond_stiffness, "bond_stiffness")});
+    }
+    for (const Breaking& rule : scene.breaking)
+        models.push_back({"breaking bonds of '" + *rule.part + "'",
+                          rule.force_above > 0 ? "2 k_b (r - r0) > " + three_digits(rule.force_above) + " N"
+                                               : "(r - r0) / r0 > " + three_digits(rule.strain_above),
+                          "break '" + *rule.name + "' at " + rule.name.place.text()});
+    const bool has_solids = !scene.parts_of(PartKind::rigid).empty() || scene.may_have_springs();
     if (scene.contact.range > 0 && has_solids)
         models.push_back(
             {"short-range repulsion", "Monaghan 1994, cut at r*", because(scene.contact.range, "contact.range")});
     if (scene.asks_for(FluidField::residence_time) && !scene.regions.empty())
         models.push_back({"residence times", "time in each region",
-                          "'residence_time' asked for, region '" + *scene.regions.front().name + "' at " +
-                              scene.regions.front().name.place.text()});
+                          "'residence_time' asked for, or waited for by a solidify; region '" +
+                              *scene.regions.front().name + "' at " + scene.regions.front().name.place.text()});
     if (scene.asks_for(SolidField::mean_displacement) && !scene.parts_of(PartKind::springs).empty())
         models.push_back(
             {"mean displacement", "average over time", because(scene.output.average_from, "output.average_from")});

@@ -31,6 +31,9 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
 /// What the fluid step depends on.
 StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit);
 
+/// Largest stable explicit step of two liquid particles with a bond that the rule makes [s].
+double new_bond_limit(const Scene& scene, const Solidify& rule);
+
 /// Which models run and why.
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps);
 

@@ -2,16 +2,19 @@
 #include "solver/simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "particles/apart.hpp"
+#include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
+#include "solver/run_loop.hpp"
 #include "solver/setup.hpp"
+#include "solver/solidify/body_events.hpp"
 #include "solver/sound_speed.hpp"
+#include "solver/spheres/sphere_run.hpp"
 #include "solver/starting_state.hpp"
 #include "solver/state/checkpoints.hpp"
 #include "solver/state/state_hash.hpp"
@@ -23,16 +26,19 @@ namespace dmp {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 constexpr int steps_between_looks = 50;
 
 /// The set itself, of which no two particles lie at one place.
 const ParticleSet& checked(const ParticleSet& set) {
     check_apart(set);
     return set;
+}
+
+void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t) {
+    if (driving.empty()) return;
+    const double dt = driving.step_limit(length, t);
+    if (std::isfinite(dt))
+        limits.push_back({"driving", dt, "0.25 sqrt(R / 2a) of its forces, half of 2 / omega of shapes"});
 }
 
 /// Of the ranks' texts, the lowest rank's that is not empty.
@@ -46,7 +52,7 @@ std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text)
 
 }  // namespace
 
-struct Simulation::State {
+struct Simulation::State final : Steps {
     State(Scene s, const ParticleSet& set, const Resources& resources)
         : sound(choose_sound_speed(s, set)),
           scene(with_sound_speed(std::move(s), sound)),
@@ -58,31 +64,38 @@ struct Simulation::State {
           residence_times(scene, particles),
           mean_displacement(scene, fluid.springs()),
           measures(scene, set, settings, ranks),
+          events(scene, set, ranks),
           watch(scene, particles.space(), rest_densities(scene, set), settings.sound_speed, settings.support),
           frame_times(scene.output.every),
           measure_times(scene.output.measure_every > 0 ? scene.output.measure_every.value : scene.output.every / 4) {
         for (std::size_t i = 0; i < set.size(); ++i) ++count[word(static_cast<PartKind>(set.kind(i)))];
         fill_store(scene, set, particles);
         fluid.take_speed();
+        scales.diffusion_limit = fluid.sweeps().diffusion_limit();
         at_start = conserved();
     }
 
-    void archive(Archive& file);
+    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] std::int64_t step() const override { return step_; }
+    void archive(Archive& file) override;
+    [[nodiscard]] RunProgress progress(double until) const override;
     [[nodiscard]] RankShares shares(std::int64_t steps) const;
 
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
     [[nodiscard]] double next_step(double target, double largest_speed) const;
-    void write_frame(FrameSink* sink);
+    /// The time at which what drives the scene changes, if that is before the target, else the target.
+    [[nodiscard]] double next_change(double target) const;
+    void write_frame(FrameSink* sink) override;
     /// The same for a state that may hold anything: no neighbours are searched.
     void write_as_it_is(FrameSink* sink);
     void write_what_is_due(FrameSink* sink);
     [[noreturn]] void diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do);
-    void stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes);
+    void stop_if_diverged(FrameSink* sink);
     /// Does nothing where no rank found anything.
     void stop_for_all(FrameSink* sink, const std::optional<Watch::Finding>& finding);
     /// One step, towards `until` or the next time at which something is due.
-    void advance(const RunOptions& options, double until, FluidExtremes& extremes);
+    void advance(const RunOptions& options, double until) override;
     [[nodiscard]] RunSummary summary() const;
 
     SoundSpeed sound;
@@ -96,10 +109,12 @@ struct Simulation::State {
     ResidenceTimes residence_times;
     MeanDisplacement mean_displacement;
     Measures measures;
+    BodyEvents events;
     Watch watch;
 
-    double time = 0;  ///< [s]
-    std::int64_t step = 0;
+    double time_ = 0;  ///< [s]
+    std::int64_t step_ = 0;
+    FluidExtremes extremes{};  ///< of the last step
     Schedule frame_times, measure_times;
     std::int64_t frames = 0;
     double last_frame = 0;                                                           ///< time of the last frame [s]
@@ -133,19 +148,29 @@ Conserved Simulation::State::conserved() const {
 
 std::vector<StepLimit> Simulation::State::limits_now(double largest_speed) const {
     double g = 0;
-    for (const double axis : fluid.body_acceleration(time)) g = std::hypot(g, axis);
-    return fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time)), g);
+    for (const double axis : fluid.body_acceleration(time_)) g = std::hypot(g, axis);
+    auto limits = fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time_)), g);
+    add_driving_limit(limits, fluid.driving(), scales.support, time_);
+    return limits;
 }
 
 double Simulation::State::next_step(double target, double largest_speed) const {
     const double longest = ruling_limit(limits_now(largest_speed)).dt;
     // Equal steps up to the next time something has to be written.
-    return (target - time) / std::max(1.0, std::ceil((target - time) / longest * (1 - 1e-12)));
+    return (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+}
+
+double Simulation::State::next_change(double target) const {
+    if (fluid.driving().empty()) return target;
+    // Times that are alike but for their last digits are one.
+    const double slack = 1e-6 * ruling_limit(limits_now(extremes.largest_speed)).dt;
+    const double change = fluid.driving().next_change(time_ + slack);
+    return change < target - slack ? change : target;
 }
 
 void Simulation::State::archive(Archive& file) {
-    file("time", time);
-    file("step", step);
+    file("time", time_);
+    file("step", step_);
     frame_times.archive(file, "frames_due");
     measure_times.archive(file, "measures_due");
     file("frames", frames);
@@ -155,6 +180,7 @@ void Simulation::State::archive(Archive& file) {
     file("mass_at_start", at_start.mass);
     file("momentum_at_start", at_start.momentum);
     measures.archive(file);
+    events.archive(file);
     for (ParticleGroup& group : particles.groups()) file(std::string(word(static_cast<PartKind>(group.kind()))), group);
     fluid.archive(file);
     mean_displacement.archive(file);
@@ -167,28 +193,28 @@ void Simulation::State::write_frame(FrameSink* sink) {
 }
 
 void Simulation::State::write_as_it_is(FrameSink* sink) {
-    if (frames > 0 && time <= last_frame) return;  // no time twice
+    if (frames > 0 && time_ <= last_frame) return;  // no time twice
     if (ranks.any(sink != nullptr)) {
         const bool in_pieces = ranks.any(sink != nullptr && sink->takes_pieces());
         const Frame frame =
-            make_frame(scene, particles, fluid, mean_displacement, time, step, {frames == 0, in_pieces});
+            make_frame(scene, particles, fluid, mean_displacement, time_, step_, {frames == 0, in_pieces});
         if (sink != nullptr) sink->write(frame);
     }
     ++frames;
-    last_frame = time;
+    last_frame = time_;
 }
 
 void Simulation::State::write_what_is_due(FrameSink* sink) {
-    if (measure_times.due(time)) {
+    if (measure_times.due(time_)) {
         fluid.update_pressure();
         if (measures.need_neighbours()) fluid.refresh_neighbours();
-        measures.take(time, particles, fluid);
+        measures.take(time_, particles, fluid);
     }
-    if (frame_times.due(time)) write_frame(sink);
+    if (frame_times.due(time_)) write_frame(sink);
 }
 
-void Simulation::State::stop_if_diverged(FrameSink* sink, const FluidExtremes& extremes) {
-    stop_for_all(sink, watch.look(particles, fluid, extremes, time));
+void Simulation::State::stop_if_diverged(FrameSink* sink) {
+    stop_for_all(sink, watch.look(particles, fluid, extremes, time_));
 }
 
 void Simulation::State::stop_for_all(FrameSink* sink, const std::optional<Watch::Finding>& finding) {
@@ -202,17 +228,22 @@ void Simulation::State::stop_for_all(FrameSink* sink, const std::optional<Watch:
 
 void Simulation::State::diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do) {
     write_as_it_is(sink);
-    throw DivergenceError(
-        "the simulation diverged at t = " + std::to_string(time) + " s, step " + std::to_string(step) + ": " + problem,
-        what_to_do);
+    throw DivergenceError("the simulation diverged at t = " + std::to_string(time_) + " s, step " +
+                              std::to_string(step_) + ": " + problem,
+                          what_to_do);
 }
 
-Simulation::Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources)
-    : state_(std::make_unique<State>(scene, particles, resources)) {}
+Simulation::Simulation(const Scene& scene, const ParticleSet& particles, const Resources& resources) {
+    if (particles.has_spheres())
+        spheres_ = std::make_unique<SphereRun>(scene, particles, resources);
+    else
+        state_ = std::make_unique<State>(scene, particles, resources);
+}
 
 Simulation::~Simulation() = default;
 
 Plan Simulation::plan() const {
+    if (spheres_) return spheres_->plan();
     const State& s = *state_;
     Plan plan;
     plan.particles = s.count;
@@ -228,6 +259,7 @@ Plan Simulation::plan() const {
         g = std::max(g, here);
     }
     plan.limits = fluid_step_limits(s.scales, plan.largest_speed, g);
+    add_driving_limit(plan.limits, s.fluid.driving(), s.scales.support, s.time_);
     const StepLimit ruling = ruling_limit(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
@@ -237,10 +269,19 @@ Plan Simulation::plan() const {
         plan.limits.push_back(viscous_step_limit(s.scales));
         plan.limits.back().formula += "; not binding, stepped implicitly";
     }
+    if (s.scales.implicit_species && s.scales.diffusivity > 0) {
+        plan.limits.push_back(species_step_limit(s.scales));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
     for (const auto& limit : s.fluid.springs().step_limits())
         plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
                                std::string("2 / omega_max of the drawn lattice; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
+    for (const Solidify& rule : s.scene.solidify)
+        plan.limits.push_back({"springs (" + *rule.name + ")", new_bond_limit(s.scene, rule),
+                               std::string("2 / omega of one new bond alone; ") +
+                                   (s.fluid.springs().implicit() ? "not binding, stepped implicitly"
+                                                                 : "sub-cycled, by the stiffest body there is")});
     plan.models = models_in_use(s.scene, s.settings, s.fluid.sweeps());
     plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {
@@ -265,90 +306,78 @@ Plan Simulation::plan() const {
 }
 
 long Simulation::resume(const std::filesystem::path& checkpoint) {
-    State& s = *state_;
     // The first rank has checked the file's seal before it was chosen.
     const Hdf5Reader file(checkpoint);
+    if (spheres_) return spheres_->resume(file);
+    State& s = *state_;
     Archive archive(s.ranks, file);
     s.archive(archive);
     return static_cast<long>(s.frames);
 }
 
-void Simulation::State::advance(const RunOptions& options, double until, FluidExtremes& extremes) {
-    const double target = std::min({until, frame_times.next(), measure_times.next()});
+void Simulation::State::advance(const RunOptions& options, double until) {
+    const double target = next_change(std::min({until, frame_times.next(), measure_times.next(), events.next()}));
     const double dt = next_step(target, extremes.largest_speed);
     try {
-        extremes = fluid.advance(time, dt);
+        extremes = fluid.advance(time_, dt);
         residence_times.add(particles, dt, settings.threads);
-        mean_displacement.add(fluid.springs(), time, dt);
+        mean_displacement.add(fluid.springs(), time_, dt);
     } catch (const DivergenceError& error) {
-        time += dt;
-        ++step;
+        time_ += dt;
+        ++step_;
         // The fluid may have gone first; if not, the springs are to blame, or viscosity speaks for itself.
-        stop_if_diverged(options.sink, fluid.extremes());
-        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr)
-            stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time));
+        extremes = fluid.extremes();
+        stop_if_diverged(options.sink);
+        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr &&
+            dynamic_cast<const UnsolvedSpecies*>(&error) == nullptr)
+            stop_for_all(options.sink, watch.stuck_springs(particles, fluid, error.problem(), time_));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
-    time = target - time <= 1.5 * dt ? target : time + dt;
-    ++step;
+    time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
+    ++step_;
 
     watch.walls_have_moved(fluid.walls().farthest());
     density_low = std::min(density_low, extremes.density_low);
     density_high = std::max(density_high, extremes.density_high);
-    if (!watch.fluid_is_well(extremes) || step % steps_between_looks == 0) stop_if_diverged(options.sink, extremes);
+    if (!watch.fluid_is_well(extremes) || step_ % steps_between_looks == 0) stop_if_diverged(options.sink);
+    // The next step follows from what there is after it, as it does after a restart.
+    if (events.act(time_, particles, fluid)) extremes = fluid.extremes();
     write_what_is_due(options.sink);
 }
 
+RunProgress Simulation::State::progress(double until) const {
+    return {time_,
+            until,
+            static_cast<long>(step_),
+            ruling_limit(limits_now(extremes.largest_speed)).dt,
+            extremes.largest_speed,
+            static_cast<long>(frames)};
+}
+
 RunSummary Simulation::run(const RunOptions& options) {
+    if (spheres_) return spheres_->run(options);
     State& s = *state_;
     const double until = options.until > 0 ? options.until : s.scene.run.duration.value;
     Checkpoints checkpoints(s.ranks, options.checkpoints);
-    const auto save = [&] { checkpoints.save(s.step, [&](Archive& file) { s.archive(file); }); };
-    const std::int64_t first_step = s.step;
-    const auto start = Clock::now();
-    auto last_progress = start;
-    bool interrupted = false, out_of_time = false;
-
+    const std::int64_t first_step = s.step_;
     s.fluid.refresh_neighbours();
-    FluidExtremes extremes = s.fluid.extremes();
-    if (s.step == 0) s.write_what_is_due(options.sink);
-    const double end = until * (1 - 1e-12);
-    while (s.time < end) {
-        // Whatever one rank wants, all do.
-        std::array<double, 3> wishes{options.stop != nullptr && *options.stop ? 1.0 : 0.0,
-                                     options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
-                                     checkpoints.due() ? 1.0 : 0.0};
-        s.ranks.largest(wishes);
-        interrupted = wishes[0] > 0;
-        out_of_time = wishes[1] > 0;
-        if (interrupted || out_of_time) {
-            if (checkpoints.wanted()) save();
-            s.write_frame(options.sink);
-            break;
-        }
-        if (wishes[2] > 0) save();
-        s.advance(options, until, extremes);
-        if (options.progress && s.ranks.is_first() && seconds_since(last_progress) > 0.2) {
-            last_progress = Clock::now();
-            const double dt = ruling_limit(s.limits_now(extremes.largest_speed)).dt;
-            options.progress(
-                {s.time, until, static_cast<long>(s.step), dt, extremes.largest_speed, static_cast<long>(s.frames)});
-        }
-    }
-    const double wall = seconds_since(start);
+    if (s.step_ == 0) s.events.act(s.time_, s.particles, s.fluid);
+    s.extremes = s.fluid.extremes();
+    if (s.step_ == 0) s.write_what_is_due(options.sink);
+    const RunEnd end = run_steps(s, s.ranks, checkpoints, options, until);
     s.fluid.refresh_neighbours();
     RunSummary summary = s.summary();
     const Plan plan = this->plan();
     summary.limits = plan.limits;
     summary.ruling_limit = plan.ruling_limit;
-    summary.wall_s = wall;
+    summary.wall_s = end.wall;
     std::size_t all = 0;
     for (const auto& [kind, count] : s.count) all += count;
-    summary.particle_steps_per_s = static_cast<double>(s.step - first_step) * static_cast<double>(all) / wall;
-    summary.interrupted = interrupted || out_of_time;
-    summary.out_of_time = out_of_time;
+    summary.particle_steps_per_s = static_cast<double>(s.step_ - first_step) * static_cast<double>(all) / end.wall;
+    summary.interrupted = end.interrupted;
+    summary.out_of_time = end.out_of_time;
     summary.first_step = static_cast<long>(first_step);
-    summary.shares = s.shares(s.step - first_step);
+    summary.shares = s.shares(s.step_ - first_step);
     return summary;
 }
 
@@ -365,9 +394,11 @@ RankShares Simulation::State::shares(std::int64_t steps) const {
 RunSummary Simulation::State::summary() const {
     RunSummary summary;
     summary.start = at_start;
-    summary.particles = count;
-    summary.steps = static_cast<long>(step);
-    summary.simulated_s = time;
+    for (const ParticleGroup& group : particles.groups())
+        if (const auto all = ranks.sum(static_cast<std::int64_t>(group.owned())); all > 0)
+            summary.particles[word(static_cast<PartKind>(group.kind()))] = static_cast<std::size_t>(all);
+    summary.steps = static_cast<long>(step_);
+    summary.simulated_s = time_;
     summary.threads = settings.threads;
     summary.ranks = ranks.size();
     summary.vector_unit = word(chosen_vector_unit(settings.vector_unit));
@@ -398,7 +429,14 @@ RunSummary Simulation::State::summary() const {
     summary.state_hash = state_hash(particles, ranks);
     summary.seconds_by_stage = fluid.timer().seconds();
     if (fluid.viscous_solves() != nullptr) summary.viscous_solves = *fluid.viscous_solves();
+    if (const SpeciesTransport* species = fluid.species()) {
+        summary.species = species->balances(particles);
+        summary.species_solves = species->solves();
+    }
     summary.measures = measures.series();
+    const SpringBodies& springs = fluid.springs();
+    for (int origin = 0; scene.changes_bodies() && origin < static_cast<int>(springs.names().size()); ++origin)
+        summary.aggregates.push_back(aggregate_of(springs, origin));
     return summary;
 }
 

@@ -1,12 +1,15 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,12 +71,48 @@ struct ViscousSolves {
     }
 };
 
+/// Where a species has come from and gone.
+struct SpeciesBalance {
+    std::string name, unit;     ///< of amounts
+    double start = 0, end = 0;  ///< in all particles that carry it
+    double from_walls = 0;      ///< given off by walls that are held at a concentration or give off a flux
+    /// What is unaccounted for, over the larger of what was there.
+    [[nodiscard]] double residual() const {
+        const double scale = std::max(std::abs(start), std::abs(end));
+        return scale > 0 ? (end - start - from_walls) / scale : 0;
+    }
+};
+
 /// How the ranks shared the work.
 struct RankShares {
     double imbalance = 1;         ///< the busiest rank's load over the mean, at the last list [-]
     double copies_per_owned = 0;  ///< copies of particles, periodic images included, for each particle [-]
     /// What the rank that sends most has sent to others for copies in a step, on average.
     double messages_per_step = 0, bytes_per_step = 0;
+};
+
+/// Mechanical energy of spheres.
+struct SphereEnergy {
+    double translation = 0, rotation = 0;  ///< of free spheres [J]
+    [[nodiscard]] double kinetic() const { return translation + rotation; }
+};
+
+/// How a run of spheres went.
+struct SphereSummary {
+    SphereEnergy start, end;
+    std::size_t contacts = 0;    ///< of spheres that touch each other, at the end
+    double largest_overlap = 0;  ///< at the end, over the smaller radius; with walls too [-]
+    double still_since = 0;      ///< [s]; when nothing changed any more; 0: that was not asked for, or did not come
+};
+
+/// How large the solid of one springs part or [[solidify]] is now, and what has happened to its bonds.
+struct Aggregate {
+    std::string name;
+    std::int64_t particles = 0;
+    double mass = 0;           ///< [kg]
+    std::int64_t pieces = 0;   ///< bodies that hold some of it
+    std::int64_t largest = 0;  ///< most of its particles in one body
+    std::int64_t bonds_made = 0, bonds_broken = 0;
 };
 
 struct RunSummary {
@@ -100,10 +139,14 @@ struct RunSummary {
     MeasureSeries measures;
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
+    std::optional<SphereSummary> spheres;
     ViscousSolves viscous_solves;  ///< none where viscosity is explicit
-    long first_step = 0;           ///< that this process made; 0 unless it resumed
-    bool interrupted = false;      ///< left before its end
-    bool out_of_time = false;      ///< by the wall time's limit
+    std::vector<SpeciesBalance> species;
+    ViscousSolves species_solves;       ///< none where diffusion is explicit
+    std::vector<Aggregate> aggregates;  ///< where bodies may change
+    long first_step = 0;                ///< that this process made; 0 unless it resumed
+    bool interrupted = false;           ///< left before its end
+    bool out_of_time = false;           ///< by the wall time's limit
 };
 
 struct RunProgress {
@@ -122,6 +165,8 @@ struct RunOptions {
     double wall_limit = 0;                             ///< wall time after which to write and leave [s]; 0: none
     CheckpointOptions checkpoints;
 };
+
+class SphereRun;
 
 /// A scene's particles in motion.
 class Simulation {
@@ -144,7 +189,8 @@ class Simulation {
 
   private:
     struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<State> state_;        ///< fluid and springs
+    std::unique_ptr<SphereRun> spheres_;  ///< or spheres
 };
 
 }  // namespace dmp

@@ -58,6 +58,7 @@ bool has_starting_state(const Scene& scene) { return has_velocity(scene) || !sce
 ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                                  const Ranks& ranks) {
     std::vector<double> rest_density;
+    rest_density.reserve(states.size());
     for (const LiquidState& state : states) rest_density.push_back(state.rest_density);
     ParticleStore particles(set, rest_density, ranks);
     ParticleGroup& fluid = particles.fluid();

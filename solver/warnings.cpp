@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/output/species_measures.hpp"
+
 namespace dmp {
 
 namespace {
@@ -14,7 +16,7 @@ class Warnings {
           bodies_(bodies),
           fluid_(!scene.parts_of(PartKind::fluid).empty()),
           walls_(!scene.parts_of(PartKind::rigid).empty()),
-          springs_(!scene.parts_of(PartKind::springs).empty()) {}
+          springs_(scene.may_have_springs()) {}
 
     std::vector<Warning> all() && {
         about_drive();
@@ -22,6 +24,8 @@ class Warnings {
         about_fluid_models();
         about_walls();
         about_springs();
+        about_species();
+        about_solidify();
         about_measures();
         about_output();
         return std::move(found_);
@@ -112,6 +116,42 @@ class Warnings {
                           springs_ ? "springs are stepped implicitly" : "no part has springs");
     }
 
+    void about_species() {
+        const auto& accuracy = scene_.accuracy;
+        if (scene_.species.empty()) {
+            has_no_effect("accuracy.species_stepping", accuracy.species_stepping, "the scene has no [[species]]");
+            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "the scene has no [[species]]");
+        } else if (*accuracy.species_stepping == SpeciesStepping::explicitly) {
+            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "diffusion is stepped explicitly");
+        }
+        const bool measured =
+            std::ranges::any_of(scene_.measures, [](const Measure& measure) { return is_of_species(*measure.kind); });
+        for (const Species& species : scene_.species) {
+            const std::string key = "species." + *species.name;
+            if (!measured && !scene_.asks_for(FluidField::concentration))
+                add(key, species.name.place,
+                    "is not shown: 'concentration' is not among output.fields and no measure "
+                    "asks for it",
+                    "add it there");
+            if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
+                add(key, species.name.place, "is nowhere: it starts at 0 and no wall gives any of it",
+                    "give a concentration at the start or at a wall");
+        }
+    }
+
+    void about_solidify() {
+        for (const Solidify& rule : scene_.solidify) {
+            const std::string key = "solidify." + *rule.name + ".";
+            if (*rule.reach < *scene_.particles.spacing)
+                add(key + "reach", rule.reach.place,
+                    "is less than the spacing: only liquid that happens to be compressed is ever within reach",
+                    "write 1.1 to 1.4 spacings, for the nearest neighbours");
+            if (*rule.from >= *scene_.run.duration)
+                add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
+                    "lower it, or run for longer");
+        }
+    }
+
     void about_measures() {
         for (const Measure& measure : scene_.measures) {
             if (*measure.kind != MeasureKind::gap) continue;
@@ -128,10 +168,16 @@ class Warnings {
 
     void about_output() {
         const auto& output = scene_.output;
+        const auto is_named = [this](const ResidenceRegion& region) {
+            return std::ranges::any_of(scene_.solidify, [&](const Solidify& rule) {
+                return *rule.seed_region == *region.name || *rule.region == *region.name;
+            });
+        };
         if (!scene_.asks_for(FluidField::residence_time))
             for (const ResidenceRegion& region : scene_.regions)
-                has_no_effect("region." + *region.name, region.name,
-                              "'residence_time' is not among output.fields and no probe reads it");
+                if (!is_named(region))
+                    has_no_effect("region." + *region.name, region.name,
+                                  "'residence_time' is not among output.fields and no probe reads it");
         const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
         if (!averages)
             has_no_effect("output.average_from", output.average_from,

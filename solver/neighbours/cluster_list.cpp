@@ -25,8 +25,9 @@ struct Bounds {
     }
 };
 
-/// Kinds that clusters of `kind` may have to do with: walls do not act on walls.
-bool may_meet(ParticleKind own, ParticleKind other) {
+/// Kinds that clusters of `own` may have to do with: walls do not act on walls.
+bool may_meet(ParticleKind own, ParticleKind other, Pairs pairs) {
+    if (pairs == Pairs::within_solids) return own == other && own != ParticleKind::fluid;
     return own != ParticleKind::rigid || other != ParticleKind::rigid;
 }
 
@@ -65,8 +66,9 @@ void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, c
 }
 
 template <int D>
-void ClusterList::find(const ParticleStore& particles, double reach, int threads) {
+void ClusterList::find(const ParticleStore& particles, double reach, int threads, Pairs pairs) {
     std::vector<SearchGrid> grids;
+    grids.reserve(all_kinds.size());
     for (const ParticleKind kind : all_kinds) grids.emplace_back(particles.of(kind), 2 * particles.space().spacing);
 
     for (const ParticleKind own : all_kinds) {
@@ -87,14 +89,15 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
                 const Bounds bounds(group, clusters[c]);
                 for (const ParticleKind other : all_kinds) {
                     part.first.push_back(part.listed.size());
-                    if (!may_meet(own, other)) continue;
+                    if (!may_meet(own, other, pairs)) continue;
                     grids[static_cast<std::size_t>(other)].append_near<D>(bounds.low, bounds.high, reach, part.listed);
                     drop_far<D>(group, clusters[c], particles.of(other), reach, part);
                     if (own != ParticleKind::springs || other != own) continue;
                     const std::int32_t body = group.tags()[clusters[c].first].body;
-                    const auto mine = [&](std::int32_t j) { return group.tags()[j].body == body; };
+                    const bool within = pairs == Pairs::within_solids;
+                    const auto not_of_list = [&](std::int32_t j) { return (group.tags()[j].body == body) != within; };
                     const auto begin = part.listed.begin() + static_cast<std::ptrdiff_t>(part.first.back());
-                    part.listed.erase(std::remove_if(begin, part.listed.end(), mine), part.listed.end());
+                    part.listed.erase(std::remove_if(begin, part.listed.end(), not_of_list), part.listed.end());
                 }
             }
         }
@@ -134,13 +137,13 @@ void ClusterList::find_border(const ParticleStore& particles) {
 }
 
 void ClusterList::build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach,
-                        int threads) {
+                        int threads, Pairs pairs) {
     clusters_ = std::move(clusters);
     longest_ = 0;
     if (particles.dimension() == 3) {
-        find<3>(particles, reach, threads);
+        find<3>(particles, reach, threads, pairs);
     } else {
-        find<2>(particles, reach, threads);
+        find<2>(particles, reach, threads, pairs);
     }
     find_border(particles);
     built_ = true;

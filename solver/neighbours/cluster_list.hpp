@@ -15,7 +15,11 @@ namespace dmp {
 /// Clusters by what is listed for them: only particles that this rank owns, or copies too.
 enum class ClusterChoice { all, inner, border };
 
-/// Which particles each cluster may meet: for each kind, every owned particle or copy within the support radius plus a
+/// Which pairs a list is of: those that meet, or those within solids, which the others leave out.
+enum class Pairs { meeting, within_solids };
+
+/// Which particles each cluster may meet (or, of pairs within solids, those of its own body, and of rigid clusters all
+/// rigid ones): for each kind, every owned particle or copy within the support radius plus a
 /// skin of one of its members. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the
 /// support are in the list too: kernels vanish there. In no particular order: sums over neighbours do not depend on it
 /// (OrderFree).
@@ -24,7 +28,8 @@ enum class ClusterChoice { all, inner, border };
 class ClusterList {
   public:
     /// `reach` = support radius + skin [m]; clusters by kind, as sort_in_space made them.
-    void build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach, int threads);
+    void build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach, int threads,
+               Pairs pairs = Pairs::meeting);
 
     [[nodiscard]] std::span<const Cluster> clusters(ParticleKind kind) const {
         return clusters_[static_cast<std::size_t>(kind)];
@@ -65,7 +70,7 @@ class ClusterList {
     static void drop_far(const ParticleGroup& group, const Cluster& cluster, const ParticleGroup& others, double reach,
                          List& list);
     template <int D>
-    void find(const ParticleStore& particles, double reach, int threads);
+    void find(const ParticleStore& particles, double reach, int threads, Pairs pairs);
     void find_border(const ParticleStore& particles);
 
     bool built_ = false;

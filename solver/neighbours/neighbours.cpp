@@ -56,6 +56,7 @@ void Neighbours::renew(ParticleStore& particles) {
         clusters[kind] = sort_in_space(group, spacing_, threads_);
         halos_[kind].build(group, domain_, reach);
     }
+    if (within_solids_) within_solids_->build(particles, clusters, reach, threads_, Pairs::within_solids);
     list_.build(particles, std::move(clusters), reach, threads_);
     if (ranks_->size() > 1) {
         weights_ = measured_weights(particles);
@@ -84,13 +85,13 @@ void Neighbours::balance(const GroupList& groups) {
 
 /// A kind's share of the work is its share of the pairs.
 KindWeights Neighbours::measured_weights(const ParticleStore& particles) const {
-    const auto weight_of = [&](ParticleKind kind) {
+    const auto weight_of = [&](ParticleKind own_kind) {
         std::int64_t pairs = 0;
-        for (std::size_t c = 0; c < list_.clusters(kind).size(); ++c)
-            for (const ParticleKind other : all_kinds)
-                pairs += static_cast<std::int64_t>(list_.neighbours(kind, c, other).size());
+        for (std::size_t c = 0; c < list_.clusters(own_kind).size(); ++c)
+            for (const ParticleKind kind : all_kinds)
+                pairs += static_cast<std::int64_t>(list_.neighbours(own_kind, c, kind).size());
         const std::int64_t all_pairs = ranks_->sum(pairs);
-        const std::int64_t owned = ranks_->sum(static_cast<std::int64_t>(particles.of(kind).owned()));
+        const std::int64_t owned = ranks_->sum(static_cast<std::int64_t>(particles.of(own_kind).owned()));
         return std::max(0.05, static_cast<double>(all_pairs) / static_cast<double>(std::max<std::int64_t>(1, owned)));
     };
     return {weight_of(ParticleKind::fluid), weight_of(ParticleKind::rigid), weight_of(ParticleKind::springs)};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/parallel/domain.hpp"
@@ -39,6 +40,10 @@ class Neighbours {
     [[nodiscard]] bool near_outdated() const { return moved_since_look_ >= near_skin_ / 2; }
     /// Particles are no longer those that were listed.
     void forget() { list_ = {}; }
+    /// From the next list on, pairs within solids are listed as well.
+    void list_within_solids() { within_solids_.emplace(); }
+    /// Those pairs; null where nobody asked for them.
+    [[nodiscard]] const ClusterList* within_solids() const { return within_solids_ ? &*within_solids_ : nullptr; }
     /// Sorts, sends particles to their ranks, copies and lists anew. Indices of particles change.
     void renew(ParticleStore& particles);
     /// Gives copies the present values of these fields, where their group has them.
@@ -76,6 +81,7 @@ class Neighbours {
     Domain domain_;
     std::array<Halo, 3> halos_;
     ClusterList list_;
+    std::optional<ClusterList> within_solids_;
     double moved_ = 0;             ///< since the list was made [m]
     double moved_since_look_ = 0;  ///< since it was looked through [m]
     double near_skin_ = 0;         ///< with which it was looked through [m]

@@ -56,6 +56,18 @@ std::vector<FluidValues> FluidFields::residence_times() const {
     return times;
 }
 
+std::vector<FluidValues> FluidFields::concentrations() const {
+    const ParticleGroup& fluid = particles_.fluid();
+    std::vector<FluidValues> all;
+    for (std::size_t s = 0; s < scene_.species.size(); ++s) {
+        const std::string which = scene_.species.size() > 1 ? "_" + *scene_.species[s].name : "";
+        all.push_back({"concentration" + which, scene_.species[s].concentration_unit(), 1, {}});
+        for (std::size_t i = 0; i < fluid.owned(); ++i)
+            all.back().values.push_back(step_.species()->concentration(fluid, i, s));
+    }
+    return all;
+}
+
 const std::vector<Eigen::Matrix3d>& FluidFields::gradient() {
     if (gradient_) return *gradient_;
     gradient_ = velocity_gradient(particles_, step_);
@@ -111,6 +123,8 @@ std::vector<FluidValues> FluidFields::of(FluidField field) {
             if (particles_.dimension() == 3) return {each("vorticity", "1/s", 3, curl)};
             return {each("vorticity", "1/s", 1, [&](std::size_t i) { return std::array{curl(i)[2]}; })};
         }
+        case FluidField::concentration:
+            return concentrations();
         case FluidField::residence_time:
             break;
     }

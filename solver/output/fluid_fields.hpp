@@ -35,6 +35,7 @@ bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& spac
 ///   von_mises      of sigma [Pa]
 ///   vorticity      curl v [1/s]; in 2-D its z alone
 ///   residence_time in each region [s], an array a region
+///   concentration  of each species, an array a species
 /// All as they are where the particle is shown.
 /// The velocity gradient is worked out once for all that need it.
 class FluidFields {
@@ -51,6 +52,7 @@ class FluidFields {
   private:
     [[nodiscard]] FluidValues stored(Field field) const;
     [[nodiscard]] std::vector<FluidValues> residence_times() const;
+    [[nodiscard]] std::vector<FluidValues> concentrations() const;
     [[nodiscard]] const std::vector<Eigen::Matrix3d>& gradient();
     [[nodiscard]] std::array<double, 6> stress(std::size_t i);
     /// values_of(i) gives the components of particle i.

@@ -72,6 +72,7 @@ void write_group(Hdf5Writer& to, const FrameGroup& group) {
     to.write_array<std::int64_t>(place + "id", group.id);
     to.write_array<std::int32_t>(place + "part", group.part);
     to.write_array<std::int32_t>(place + "bond_ends", group.bond_ends);
+    if (!group.triangles.empty()) to.write_array<std::int32_t>(place + "triangles", group.triangles);
     write_fields(to, place + "field", group.fields);
     write_fields(to, place + "bond_field", group.bond_fields);
 }
@@ -95,6 +96,7 @@ FrameGroup read_group(const Hdf5Reader& from, const std::string& name) {
     group.id = from.array<std::int64_t>(place + "id");
     group.part = from.array<std::int32_t>(place + "part");
     group.bond_ends = from.array<std::int32_t>(place + "bond_ends");
+    if (from.has(place + "triangles")) group.triangles = from.array<std::int32_t>(place + "triangles");
     group.fields = read_fields(from, place + "field");
     group.bond_fields = read_fields(from, place + "bond_field");
     const std::string problem = problem_with(group);

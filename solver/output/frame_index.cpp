@@ -43,6 +43,7 @@ nlohmann::ordered_json json_of(const FrameEntry& entry) {
 std::vector<fs::path> FrameEntry::files(const fs::path& folder) const {
     if (pieces == 0) return {folder / place};
     std::vector<fs::path> paths;
+    paths.reserve(static_cast<std::size_t>(pieces));
     for (int rank = 0; rank < pieces; ++rank) paths.push_back(folder / place / piece_name(rank));
     return paths;
 }

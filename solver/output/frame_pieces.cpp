@@ -41,6 +41,7 @@ void append_group(FrameGroup& group, const FrameGroup& more) {
     append_fields(group.fields, more.fields);
     for (const std::int32_t end : more.bond_ends) group.bond_ends.push_back(before + end);
     append_fields(group.bond_fields, more.bond_fields);
+    for (const std::int32_t corner : more.triangles) group.triangles.push_back(before + corner);
 }
 
 }  // namespace
@@ -57,7 +58,8 @@ void sort_by_id(FrameGroup& group) {
 
     std::vector<std::int32_t> place(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::int32_t>(k);
-    for (std::int32_t& end : group.bond_ends) end = place[static_cast<std::size_t>(end)];
+    for (auto* corners : {&group.bond_ends, &group.triangles})
+        for (std::int32_t& corner : *corners) corner = place[static_cast<std::size_t>(corner)];
 }
 
 std::string add_piece(Frame& frame, Frame&& piece) {

@@ -7,7 +7,9 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
+#include "solver/output/species_measures.hpp"
 
 namespace dmp {
 
@@ -23,6 +25,8 @@ const char* unit_of(FluidField field) {
             return "1/s";
         case FluidField::residence_time:
             return "s";
+        case FluidField::concentration:
+            return "1";
         case FluidField::pressure:
         case FluidField::shear_stress:
         case FluidField::stress:
@@ -53,6 +57,8 @@ std::vector<std::string> column_endings(const Scene& scene, FluidField field, in
             endings.push_back("_" + std::string(tensor_components[c]));
     if (field == FluidField::residence_time && scene.regions.size() > 1)
         for (const ResidenceRegion& region : scene.regions) endings.push_back("_" + *region.name);
+    if (field == FluidField::concentration && scene.species.size() > 1)
+        for (const Species& species : scene.species) endings.push_back("_" + *species.name);
     if (endings.empty()) endings.emplace_back();
     return endings;
 }
@@ -71,6 +77,11 @@ void check_two_bodies(const Measure& measure, const ParticleSet& set) {
                      "leave the measure out, or draw the part as two curves");
 }
 
+/// Units of a probe's columns; of concentrations each species has its own.
+std::string unit_of_column(const Scene& scene, FluidField field, std::size_t column) {
+    return field == FluidField::concentration ? scene.species[column].concentration_unit() : unit_of(field);
+}
+
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (measure.kind.value != MeasureKind::gap) return true;
     const auto parts = scene.parts_of(PartKind::springs);
@@ -81,10 +92,10 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
 }  // namespace
 
 Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
-    : scene_(scene), space_(set), settings_(settings), ranks_(ranks) {
-    const auto column = [&](const std::string& name, const char* unit) {
+    : scene_(scene), space_(static_cast<const ParticleSpace&>(set)), settings_(settings), ranks_(ranks) {
+    const auto column = [&](const std::string& name, const std::string& unit) {
         series_.names.push_back(name);
-        series_.units.emplace_back(unit);
+        series_.units.push_back(unit);
     };
     for (const Measure& measure : scene.measures) {
         if (!is_about_enabled_parts(scene, measure)) continue;  // the part was left out, and so is what is asked of it
@@ -108,9 +119,16 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
             case MeasureKind::kinetic_energy:
                 column(name, "J");
                 break;
+            case MeasureKind::aggregate:
+                for (const AggregateColumn& each : aggregate_columns()) column(name + "_" + each.ending, each.unit);
+                break;
             case MeasureKind::probe:
-                for (const std::string& ending : column_endings(scene, measure.field, set.dimension))
-                    column(name + ending, unit_of(measure.field));
+                for (std::size_t k = 0; const std::string& ending : column_endings(scene, measure.field, set.dimension))
+                    column(name + ending, unit_of_column(scene, measure.field, k++));
+                break;
+            default:
+                for (const auto& [of_species, unit] : SpeciesMeasures(scene, space_, ranks).columns(measure))
+                    column(of_species, unit);
         }
     }
 }
@@ -137,6 +155,13 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
             case MeasureKind::kinetic_energy:
                 row.push_back(kinetic_energy(particles.fluid()));
                 break;
+            case MeasureKind::aggregate: {
+                const auto& names = fluid.springs().names();
+                const auto origin = std::ranges::find(names, *measure->part) - names.begin();
+                const Aggregate aggregate = aggregate_of(fluid.springs(), static_cast<int>(origin));
+                for (const AggregateColumn& each : aggregate_columns()) row.push_back(each.value(aggregate));
+                break;
+            }
             case MeasureKind::probe: {
                 const auto values = probe(*measure, particles, fluid);
                 if (series_.rows.empty() && std::isnan(values[0]))
@@ -144,27 +169,19 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
                                      "the probe '" + measure->name.value + "' stands where there is no fluid",
                                      "move its point into the fluid: no particle is within the kernel's support of it");
                 row.insert(row.end(), values.begin(), values.end());
+                break;
             }
+            default:
+                for (const double value : SpeciesMeasures(scene_, space_, ranks_)
+                                              .values(*measure, time, particles, fluid, series_, row.size()))
+                    row.push_back(value);
         }
     }
     series_.time.push_back(time);
     series_.rows.push_back(std::move(row));
 }
 
-void Measures::archive(Archive& file) {
-    std::vector<double> values;
-    for (const auto& row : series_.rows) values.insert(values.end(), row.begin(), row.end());
-    file("measures/time", series_.time);
-    file("measures/values", values);
-    if (!file.loading()) return;
-    const std::size_t columns = series_.names.size();
-    if (values.size() != columns * series_.time.size())
-        throw InputError("the checkpoint's measures are not those of the scene", "start the run anew");
-    series_.rows.clear();
-    for (std::size_t row = 0; row < series_.time.size(); ++row)
-        series_.rows.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(row * columns),
-                                  values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
-}
+void Measures::archive(Archive& file) { archive_series(file, series_); }
 
 Vec Measures::nearest(Vec offset) const {
     for (int axis = 0; axis < space_.dimension; ++axis) {

@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/output/measure_series.hpp"
 #include "solver/time/fluid_step.hpp"
 
 namespace dmp {
@@ -15,7 +16,8 @@ namespace dmp {
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
 ///   probe          a fluid field at a point (Shepard interpolation); vectors and tensors have one column a component,
-///                  residence_time one a region
+///                  residence_time one a region, concentration one a species
+/// Those of a species: SpeciesMeasures.
 class Measures {
   public:
     Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks);

@@ -19,10 +19,10 @@ class SolidFields {
     }
 
     void add_bonds() {
-        for (const auto& body : springs_.bodies())
-            for (const Bond& bond : body->bonds())
-                for (const int end : {bond.a, bond.b})
-                    group_.bond_ends.push_back(static_cast<std::int32_t>(index_of_.at(body->ids()[end])));
+        for_each_bond([this](const SpringBody& body, const Bond& bond) {
+            for (const int end : {bond.a, bond.b})
+                group_.bond_ends.push_back(static_cast<std::int32_t>(index_of_.at(body.ids()[end])));
+        });
     }
 
     void add(SolidField field) {
@@ -54,6 +54,14 @@ class SolidFields {
     }
 
   private:
+    /// But for those to a wall's particle, which is shown with the walls.
+    template <class Visit>
+    void for_each_bond(const Visit& visit) const {
+        for (const auto& body : springs_.bodies())
+            for (const Bond& bond : body->bonds())
+                if (!body->of_wall(bond.a) && !body->of_wall(bond.b)) visit(*body, bond);
+    }
+
     std::array<double, 6> stress(std::size_t body, std::size_t node) {
         if (virial_.empty())
             for (const auto& each : springs_.bodies()) virial_.push_back(each->virial());
@@ -70,6 +78,7 @@ class SolidFields {
         for (std::size_t body = 0; body < springs_.bodies().size(); ++body) {
             const auto& ids = springs_.bodies()[body]->ids();
             for (std::size_t node = 0; node < ids.size(); ++node) {
+                if (springs_.bodies()[body]->of_wall(node)) continue;
                 const auto values = values_of(body, node);
                 for (std::size_t c = 0; c < width; ++c)
                     out.values[width * index_of_.at(ids[node]) + c] = static_cast<float>(values[c]);
@@ -81,9 +90,9 @@ class SolidFields {
     template <class ValueOf>
     void add_bond_field(const char* name, const char* unit, const ValueOf& value_of) {
         FrameField out{name, unit, 1, {}};
-        for (const auto& body : springs_.bodies())
-            for (const Bond& bond : body->bonds())
-                out.values.push_back(static_cast<float>(value_of(bond, body->stretch(bond))));
+        for_each_bond([&](const SpringBody& body, const Bond& bond) {
+            out.values.push_back(static_cast<float>(value_of(bond, body.stretch(bond))));
+        });
         group_.bond_fields.push_back(std::move(out));
     }
 

@@ -13,6 +13,6 @@ namespace dmp {
 /// Exact for linear fields, however the particles lie (kernel-gradient correction of Bonet & Lok 1999). It uses fluid
 /// neighbours alone, so it is one-sided at walls. Particles with too few neighbours for a gradient (a droplet of one or
 /// two) have none: 0. The same bits for any order of neighbours; all ranks take part.
-std::vector<Eigen::Matrix3d> velocity_gradient(const ParticleStore& particles, const FluidStep& fluid);
+std::vector<Eigen::Matrix3d> velocity_gradient(const ParticleStore& particles, const FluidStep& step);
 
 }  // namespace dmp

@@ -24,8 +24,8 @@ struct Halo::Requests {
     std::vector<MPI_Request> all;
 };
 
-Halo::Halo(Ranks ranks, const ParticleSpace& space, int threads)
-    : ranks_(std::move(ranks)), space_(space), threads_(threads), requests_(std::make_unique<Requests>()) {}
+Halo::Halo(Ranks ranks, ParticleSpace space, int threads)
+    : ranks_(std::move(ranks)), space_(std::move(space)), threads_(threads), requests_(std::make_unique<Requests>()) {}
 
 Halo::~Halo() = default;
 Halo::Halo(Halo&&) noexcept = default;
@@ -160,6 +160,37 @@ void Halo::copy_values(const Outgoing& outgoing, const ParticleGroup& group, Fie
 #pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
             for (std::size_t k = begin; k < run.end; ++k) to[k] = from[sources[k]] + shift;
         begin = run.end;
+    }
+}
+
+void Halo::exchange_rows(double* rows, std::size_t width) {
+    refuse(!fields_.empty(), "an exchange is under way");
+    post_receives(width);
+    for (Outgoing& outgoing : outgoing_) {
+        outgoing.buffer.resize(outgoing.sources.size() * width);
+        copy_rows(outgoing, rows, width, outgoing.buffer.data());
+        MPI_Isend(outgoing.buffer.data(), static_cast<int>(outgoing.buffer.size()), MPI_DOUBLE, outgoing.rank, halo_tag,
+                  ranks_.communicator().handle, &requests_->all.emplace_back());
+        ++traffic_.messages;
+        traffic_.bytes += static_cast<std::int64_t>(outgoing.buffer.size() * sizeof(double));
+    }
+    copy_rows(own_, rows, width, rows + owned_ * width);
+    std::vector<MPI_Request>& requests = requests_->all;
+    if (!requests.empty()) MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    requests.clear();
+    for (const Incoming& incoming : incoming_) std::ranges::copy(incoming.buffer, rows + incoming.first * width);
+}
+
+void Halo::copy_rows(const Outgoing& outgoing, const double* rows, std::size_t width, double* to) {
+    std::size_t k = 0;
+    for (const Run& run : outgoing.runs) {
+        for (const bool mirrored : run.image.mirrored) refuse(mirrored, "rows have no images in a mirror");
+        for (; k < run.end; ++k) {
+            double* row = to + k * width;
+            std::copy_n(rows + static_cast<std::size_t>(outgoing.sources[k]) * width, width, row);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (run.image.shift[axis] != 0) row[axis] += run.image.shift[axis];
+        }
     }
 }
 

@@ -25,7 +25,7 @@ struct HaloTraffic {
 /// groups in the same order. One rank alone calls no MPI.
 class Halo {
   public:
-    Halo(Ranks ranks, const ParticleSpace& space, int threads = 1);
+    Halo(Ranks ranks, ParticleSpace space, int threads = 1);
     ~Halo();
     Halo(const Halo&) = delete;
     Halo& operator=(const Halo&) = delete;
@@ -48,6 +48,10 @@ class Halo {
     /// Values are those at the start. Several Halos may be under way at once.
     void start(ParticleGroup& group, const FieldList& fields);
     void finish(ParticleGroup& group);
+
+    /// The same at once for values that lie side by side, `width` doubles a particle in the order of the group: a place
+    /// and then whatever does not change from image to image. Not for images in a mirror.
+    void exchange_rows(double* rows, std::size_t width);
 
     /// Of values, since it was made; making copies known is not counted.
     [[nodiscard]] const HaloTraffic& traffic() const { return traffic_; }
@@ -80,6 +84,7 @@ class Halo {
                                                       double reach) const;
     void make_room(ParticleGroup& group);
     void post_receives(std::size_t arrays);
+    static void copy_rows(const Outgoing& outgoing, const double* rows, std::size_t width, double* to);
     void copy_values(const Outgoing& outgoing, const ParticleGroup& group, Field field, int axis, double* to) const;
 
     Ranks ranks_;

@@ -46,16 +46,21 @@ std::uint64_t hash_of(const ParticleGroup& group, const ParticleSpace& space, st
         hash.add(std::bit_cast<std::uint64_t>(shown));
         hash.add(std::bit_cast<std::uint64_t>(space.is_mirrored(axis) && shown != x ? -v : v));
     }
+    if (group.has(Field::angular_velocity))
+        for (int axis = 0; axis < 3; ++axis)
+            hash.add(std::bit_cast<std::uint64_t>(group.data(Field::angular_velocity, axis)[i]));
     if (group.has(Field::density)) hash.add(std::bit_cast<std::uint64_t>(group.data(Field::density)[i]));
+    for (int s = 0; group.has(Field::species_amount) && s < group.axes(Field::species_amount); ++s)
+        hash.add(std::bit_cast<std::uint64_t>(group.data(Field::species_amount, s)[i]));
     return hash.stirred();
 }
 
 }  // namespace
 
-std::string state_hash(const ParticleStore& particles, const Ranks& ranks) {
+std::string state_hash(std::span<const ParticleGroup> groups, const ParticleSpace& space, const Ranks& ranks) {
     std::uint64_t own = 0;
-    for (const ParticleGroup& group : particles.groups())
-        for (std::size_t i = 0; i < group.owned(); ++i) own += hash_of(group, particles.space(), i);
+    for (const ParticleGroup& group : groups)
+        for (std::size_t i = 0; i < group.owned(); ++i) own += hash_of(group, space, i);
     std::uint64_t hash = 0;
     for (const std::uint64_t part : ranks.gather_to_first(std::vector{own})) hash += part;
     std::array<char, 17> text{};

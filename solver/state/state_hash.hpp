@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "solver/parallel/ranks.hpp"
@@ -12,6 +13,9 @@ namespace dmp {
 /// hash of each particle, which needs no order and no memory. Positions as they are in the box, along periodic axes and
 /// between planes of symmetry.
 /// All ranks take part; the first one gets the hash.
-std::string state_hash(const ParticleStore& particles, const Ranks& ranks);
+std::string state_hash(std::span<const ParticleGroup> groups, const ParticleSpace& space, const Ranks& ranks);
+inline std::string state_hash(const ParticleStore& particles, const Ranks& ranks) {
+    return state_hash(particles.groups(), particles.space(), ranks);
+}
 
 }  // namespace dmp

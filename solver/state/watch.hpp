@@ -12,10 +12,9 @@ namespace dmp {
 class Watch {
   public:
     /// Rest densities by part number [kg/m^3]; the scene is for naming likely causes.
-    Watch(const Scene& scene, const ParticleSpace& space, std::vector<double> rest_density, double sound_speed,
-          double support)
+    Watch(const Scene& scene, ParticleSpace space, std::vector<double> rest_density, double sound_speed, double support)
         : scene_(scene),
-          space_(space),
+          space_(std::move(space)),
           rest_density_(std::move(rest_density)),
           sound_speed_(sound_speed),
           support_(support) {}

@@ -36,6 +36,18 @@ enum class Field {
     viscous_residual,
     viscous_direction,
     viscous_diagonal,
+    species_amount,
+    concentration,
+    species_diffusivity,
+    species_wall,
+    species_change,
+    species_residual,
+    species_direction,
+    species_diagonal,
+    radius,
+    angular_velocity,
+    contact_force,
+    contact_torque,
     count  // how many there are
 };
 
@@ -81,6 +93,19 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"viscous_residual", "N", true, false, "implicit viscosity"},
     {"viscous_direction", "m/s", true, false, "implicit viscosity"},
     {"viscous_diagonal", "kg/s", true, false, "implicit viscosity"},
+    // Of species, an array each, in units of the species.
+    {"species_amount", "1", false, true, "diffusion of"},
+    {"concentration", "1", false, false, "diffusion of"},
+    {"species_diffusivity", "m^2/s", false, true, "diffusion of"},
+    {"species_wall", "1", false, true, "diffusion of"},
+    {"species_change", "1", false, false, "diffusion of"},
+    {"species_residual", "1", false, false, "implicit diffusion"},
+    {"species_direction", "1", false, false, "implicit diffusion"},
+    {"species_diagonal", "m^3/s", false, false, "implicit diffusion"},
+    {"radius", "m", false, true, "spheres"},
+    {"angular_velocity", "rad/s", true, true, "spheres"},
+    {"contact_force", "N", true, true, "spheres"},
+    {"contact_torque", "N*m", true, true, "spheres"},
 }};
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }

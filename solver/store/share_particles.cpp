@@ -18,10 +18,28 @@ Vec vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 void share(std::vector<Vec>& vectors, const Ranks& ranks) {
     std::vector<std::array<double, 3>> plain;
+    plain.reserve(vectors.size());
     for (const Vec& v : vectors) plain.push_back(three(v));
     ranks.broadcast(plain);
     vectors.clear();
     for (const auto& v : plain) vectors.push_back(vec(v));
+}
+
+void share_walls(ParticleSpace& space, const Ranks& ranks) {
+    std::vector<int> of_part;
+    std::vector<Vec> points, normals;
+    for (const WallPlane& plane : space.wall_planes) {
+        of_part.push_back(plane.part);
+        points.push_back(plane.point);
+        normals.push_back(plane.normal);
+    }
+    ranks.broadcast(of_part);
+    share(points, ranks);
+    share(normals, ranks);
+    space.wall_planes.clear();
+    for (std::size_t n = 0; n < of_part.size(); ++n) space.wall_planes.push_back({of_part[n], points[n], normals[n]});
+    share(space.wall_corners, ranks);
+    ranks.broadcast(space.wall_triangles);
 }
 
 void share_space(ParticleSpace& space, const Ranks& ranks) {
@@ -42,6 +60,7 @@ void share_space(ParticleSpace& space, const Ranks& ranks) {
         space.parts[k].kind = kinds[k];
         ranks.broadcast(space.parts[k].name);
     }
+    share_walls(space, ranks);
 }
 
 }  // namespace
@@ -58,6 +77,9 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.fixed);
     ranks.broadcast(particles.seated);
     ranks.broadcast(particles.wall_distance);
+    ranks.broadcast(particles.radius);
+    share(particles.velocity, ranks);
+    share(particles.angular_velocity, ranks);
     ranks.broadcast(particles.bonds);
     ranks.broadcast(particles.hinges);
     ranks.broadcast(particles.dihedrals);

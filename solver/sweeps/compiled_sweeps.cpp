@@ -18,6 +18,7 @@
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/near_sweep.hpp"
+#include "solver/sweeps/species_sweep.hpp"
 #include "solver/sweeps/summation_sweep.hpp"
 #include "solver/sweeps/transport_sweep.hpp"
 #include "solver/sweeps/viscous_sweep.hpp"
@@ -146,6 +147,15 @@ class Sweeps final : public PairSweeps {
         with_viscous_sweep(particles, list, rounding, Field::velocity, 0, [&](auto sweep) { sweep.diagonal(choice); });
     }
 
+    void species(ParticleStore& particles, const SpeciesPairs& pairs, const SpeciesSums& sums) const override {
+        const SpeciesDiffusion diffusion{0.5 * settings_.spacing};
+        with_flag(sums.diffusivity >= 0, [&](auto alike) {
+            SpeciesSweep<L, D, Kernel, decltype(alike)::value>(particles, pairs, kernel_, sums, diffusion,
+                                                               settings_.threads)
+                .run();
+        });
+    }
+
     void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
         NearSweep<L, D>(particles, list, reach, settings_.threads).run();
     }
@@ -157,6 +167,7 @@ class Sweeps final : public PairSweeps {
                          Kernel::viscous_limit
                    : Kernel::viscous_limit;
     }
+    [[nodiscard]] double diffusion_limit() const override { return Kernel::viscous_limit; }
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double largest_speed, double dt) const override {

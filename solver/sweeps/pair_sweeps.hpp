@@ -51,6 +51,33 @@ struct ViscousMotion {
     double largest_term = 0;           ///< of one pair [N]; sums stay exact up to 128 times that
 };
 
+/// The pairs that a species diffuses between.
+struct SpeciesPairs {
+    const ClusterList& meeting;
+    const ClusterList* within_solids;  ///< null: no solid conducts
+};
+
+/// What is wanted of the diffusion of one species.
+struct SpeciesSums {
+    enum class Of {
+        amounts,      ///< what a particle takes from its neighbours
+        conductances  ///< of all its pairs: by how much its own concentration counts in that
+    };
+    Of of = Of::amounts;
+    int species = 0;                      ///< its number
+    Field values = Field::concentration;  ///< taken for concentrations; of copies too
+    int array_of_values = 0;
+    Field result = Field::species_amount;
+    int array_of_result = 0;
+    bool adds = false;                              ///< to what the result field has
+    double time = 1;                                ///< during which amounts are taken [s]
+    double largest_term = 0;                        ///< of one pair; sums stay exact up to 128 times that
+    bool with_rigid = false, with_springs = false;  ///< some of these particles take part
+    double shift_per_sum = 0;                       ///< displacement for a unit of Field::shift [m^2]; 0: none
+    double longest_shift = 0;                       ///< [m]
+    double diffusivity = -1;                        ///< of all fluid particles [m^2/s]; negative: by particle
+};
+
 /// The sweeps over all pairs that one step makes: two, and one more for each that a scene asks for. Each sweep visits
 /// every pair of a cluster and a neighbour once and applies all pair terms of its stage.
 class PairSweeps {
@@ -83,12 +110,17 @@ class PairSweeps {
     virtual void corrections(ParticleStore& particles, const ClusterList& list,
                              ClusterChoice choice = ClusterChoice::all) const = 0;
 
+    /// Diffusion of a species, of fluid and of the solids that take part.
+    virtual void species(ParticleStore& particles, const SpeciesPairs& pairs, const SpeciesSums& sums) const = 0;
+
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
     virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;
 
     /// Largest stable c dt / support and nu dt / support^2 of the kernel (linear theory).
     [[nodiscard]] virtual double sound_limit() const = 0;
     [[nodiscard]] virtual double viscous_limit() const = 0;
+    /// The same of the diffusion of species, D dt / support^2.
+    [[nodiscard]] virtual double diffusion_limit() const = 0;
     /// W at distance r [1/m^D], for interpolation at points.
     [[nodiscard]] virtual double kernel_value(double r) const = 0;
     /// (1/r) dW/dr at distance r [1/m^(D+2)].

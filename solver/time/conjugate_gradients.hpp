@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace dmp {
@@ -40,6 +41,13 @@ ConjugateGradientsEnd conjugate_gradients(System& system, double target, long mo
         now = next;
     }
     return end;
+}
+
+/// Iterations after which conjugate gradients should long have converged: the number for a matrix of condition kappa,
+/// sqrt(kappa) / 2 ln(2 sqrt(kappa) / tolerance), twice, and some for small systems.
+inline long patience(double kappa, double tolerance) {
+    const double root = std::sqrt(std::min(kappa, 1e15));
+    return 100 + static_cast<long>(root * std::log(2 * root / tolerance));
 }
 
 }  // namespace dmp

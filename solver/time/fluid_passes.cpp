@@ -60,12 +60,13 @@ double root(double square) { return std::sqrt(square); }
 }  // namespace
 
 FluidPasses::FluidPasses(std::vector<LiquidState> state_of_part, int threads)
-    : state_of_part_(std::move(state_of_part)), threads_(threads) {
-    one_state_ = std::all_of(state_of_part_.begin(), state_of_part_.end(), [&](const LiquidState& state) {
-        return state.rest_density == state_of_part_.front().rest_density &&
-               state.sound_speed == state_of_part_.front().sound_speed;
-    });
-}
+    : state_of_part_(std::move(state_of_part)),
+      one_state_(std::all_of(state_of_part_.begin(), state_of_part_.end(),
+                             [&](const LiquidState& state) {
+                                 return state.rest_density == state_of_part_.front().rest_density &&
+                                        state.sound_speed == state_of_part_.front().sound_speed;
+                             })),
+      threads_(threads) {}
 
 void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
     ParticleGroup& fluid = particles.fluid();

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particles/periodic_images.hpp"
+#include "solver/solidify/turn_solid.hpp"
+
 namespace dmp {
 
 namespace {
@@ -24,6 +27,7 @@ ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
 
 std::vector<double> rest_densities_of(const std::vector<LiquidState>& state_of_part) {
     std::vector<double> densities;
+    densities.reserve(state_of_part.size());
     for (const LiquidState& state : state_of_part) densities.push_back(state.rest_density);
     return densities;
 }
@@ -40,10 +44,12 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       passes_(std::move(state_of_part), settings.threads),
       springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
       walls_(scene, set, particles),
+      driving_(scene, set),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
-                                    [](const Expression& axis) { return axis.depends_on_place(); })) {
+                                    [](const Expression& axis) { return axis.depends_on_place(); })),
+      solidifies_(!scene.solidify.empty()) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
@@ -53,6 +59,10 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     fluid_mass_ = mass.value();
     if (settings.implicit_viscosity)
         viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
+    if (!scene.species.empty()) {
+        species_.emplace(scene, set, particles, settings, rest_density_, ranks);
+        if (species_->conducts_in_solids()) neighbours_.list_within_solids();
+    }
 }
 
 FluidExtremes FluidStep::advance(double t, double dt) {
@@ -66,16 +76,26 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
+    if (solidifies_) drive_what_turned_solid(t + dt / 2, dt);
     if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
+    if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + dt / 2, dt); });
     if (viscosity_) add_viscous_forces(t + dt / 2, dt);
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
     timer_.timed("springs", [&] { advance_springs(dt); });
     walls_.show_velocities(particles_);
-    sweep("density", {Field::velocity}, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
+    FieldList at_rates{Field::velocity};
+    if (species_) {
+        timer_.timed("species", [&] { species_->show(particles_, t + dt / 2); });
+        at_rates.push_back(Field::concentration);
+    }
+    sweep("density", at_rates, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
     });
+    if (species_)
+        timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt)); });
     FluidExtremes extremes;
     timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
+    bodies_ahead_ = dt / 2;
     return extremes;
 }
 
@@ -95,6 +115,11 @@ void FluidStep::add_viscous_forces(double t, double dt) {
     timer_.timed("viscosity", [&] {
         viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_acceleration(t), swept);
     });
+}
+
+void FluidStep::drive(double t, double dt) {
+    const std::array<double, 3> total = driving_.add_forces(particles_, ranks_, t, settings_.threads);
+    for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces.at(axis) += dt * total.at(axis);
 }
 
 void FluidStep::find_densities() {
@@ -145,6 +170,18 @@ void FluidStep::renew_list() {
     passes_.update_pressure(particles_);
 }
 
+void FluidStep::change_bodies(const BodyChange& change) {
+    std::vector<std::int64_t> turning;
+    for (const BodyParts::Node& node : change.nodes)
+        if (!node.of_wall) turning.push_back(node.id);
+    std::ranges::sort(turning);
+    if (!turning.empty()) turn_solid(particles_, turning, bodies_ahead_, neighbours_.list());
+    springs_.change(change, particles_.space());
+    springs_.number_particles(particles_);
+    neighbours_.forget();
+    refresh_neighbours();
+}
+
 std::array<double, 3> FluidStep::body_acceleration(double t) const {
     std::array<double, 3> g{};
     for (int axis = 0; axis < 3; ++axis) g[axis] = acceleration_[axis].depends_on_place() ? 0 : acceleration_[axis](t);
@@ -164,6 +201,11 @@ void FluidStep::kick(double t, double dt) {
     add_impulses(dt, g);
 }
 
+double FluidStep::place_in_box(double x, int axis) const {
+    const ParticleSpace& space = particles_.space();
+    return space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : space.mirrored_back(x, axis);
+}
+
 void FluidStep::kick_by_place(double t, double dt) {
     ParticleGroup& fluid = particles_.fluid();
     const double* mass = fluid.data(Field::mass);
@@ -175,8 +217,8 @@ void FluidStep::kick_by_place(double t, double dt) {
             std::array<double, 3> p{};
             // Beyond a plane of symmetry the image is driven.
             const double x = fluid.data(Field::position, axis)[i];
-            for (int a = 0; a < particles_.dimension(); ++a)
-                p[a] = particles_.space().mirrored_back(fluid.data(Field::position, a)[i], a);
+            // Wherever it was wrapped last, a formula has the place in the box.
+            for (int a = 0; a < particles_.dimension(); ++a) p[a] = place_in_box(fluid.data(Field::position, a)[i], a);
             const double sign = particles_.space().is_mirrored(axis) && p[axis] != x ? -1 : 1;
             const double local = sign * acceleration_[axis](t, p[0], p[1], p[2]);
             v[i] += dt * local;
@@ -184,6 +226,31 @@ void FluidStep::kick_by_place(double t, double dt) {
         }
         ranks_.sum(mass_times_g);
         impulses_.of_body_forces[axis] += dt * mass_times_g.value();
+    }
+}
+
+/// The body acceleration of the fluid goes on to act on what was fluid.
+void FluidStep::drive_what_turned_solid(double t, double dt) {
+    ParticleGroup& springs = particles_.of(ParticleKind::springs);
+    const double* mass = springs.data(Field::mass);
+    const auto g = body_acceleration(t);
+    for (int axis = 0; axis < particles_.dimension(); ++axis) {
+        if (acceleration_[axis].is_zero()) continue;
+        const bool by_place = acceleration_[axis].depends_on_place();
+        double* force = springs.data(Field::force, axis);
+        ExactSum driven;
+        for (std::size_t i = 0; i < springs.owned(); ++i) {
+            if (particles_.space().parts[springs.tags()[i].part].kind != ParticleKind::fluid) continue;
+            std::array<double, 3> p{};
+            for (int a = 0; by_place && a < particles_.dimension(); ++a)
+                p[a] = place_in_box(springs.data(Field::position, a)[i], a);
+            const double weight = mass[i] * (by_place ? acceleration_[axis](t, p[0], p[1], p[2]) : g[axis]);
+            force[i] += weight;
+            if (by_place) driven.add(weight);
+        }
+        if (!by_place) continue;  // counted with the fluid's
+        ranks_.sum(driven);
+        impulses_.of_body_forces[axis] += dt * driven.value();
     }
 }
 
@@ -201,11 +268,14 @@ void FluidStep::drift_to_middle(double dt) {
     neighbours_.moved(std::max(dt / 2 * largest_speed_, walls_.move_to_middle(particles_)));
 }
 
+ShiftStep FluidStep::shift_step(double dt) const {
+    if (settings_.shifting == 0 && !settings_.transport_velocity) return {};
+    return {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+}
+
 FluidExtremes FluidStep::drift_to_end(double dt) {
-    ShiftStep shift;
     const bool transports = settings_.transport_velocity;
-    if (settings_.shifting > 0 || transports)
-        shift = {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+    const ShiftStep shift = shift_step(dt);
     const PassExtremes here = passes_.drift_to_end(particles_, dt / 2, shift);
     std::array<double, 3> largest{here.longest_shift, -here.density_low, here.density_high};
     ranks_.largest(largest);
@@ -224,6 +294,8 @@ void FluidStep::archive(Archive& file) {
     springs_.archive(file);
     if (viscosity_) viscosity_->archive(file);
     walls_.archive(file);
+    if (species_) species_->archive(file);
+    driving_.archive(file);
     if (file.loading()) neighbours_.forget();
 }
 

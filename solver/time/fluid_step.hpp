@@ -9,18 +9,16 @@
 #include "scene/scene.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/driving.hpp"
 #include "solver/time/fluid_passes.hpp"
 #include "solver/time/implicit_viscosity.hpp"
+#include "solver/time/outside_impulses.hpp"
+#include "solver/time/species_transport.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/time/wall_motion.hpp"
 
 namespace dmp {
-
-/// Impulses that moving particles have been given from outside [N s].
-struct OutsideImpulses {
-    std::array<double, 3> of_body_forces{}, of_fixed{}, of_drag{};
-};
 
 /// The state of the fluid after a step, as the step-size controller and the watch want it.
 struct FluidExtremes {
@@ -50,6 +48,12 @@ class FluidStep {
     /// Brings pressure (and volume) up to the present density, of copies too.
     void update_pressure();
 
+    /// Liquid turns solid, bonds are made and break. New nodes that are no walls' are particles of the liquid still.
+    /// Pressures, neighbours and copies must be up to date, and are afterwards.
+    void change_bodies(const BodyChange& change);
+    /// By how much the nodes of spring bodies are ahead of the liquid [s].
+    [[nodiscard]] double bodies_ahead() const { return bodies_ahead_; }
+
     /// All that the next steps depend on besides the particles.
     void archive(Archive& file);
 
@@ -64,6 +68,9 @@ class FluidStep {
     /// Null where viscosity is explicit.
     [[nodiscard]] const ViscousSolves* viscous_solves() const { return viscosity_ ? &viscosity_->solves() : nullptr; }
     [[nodiscard]] const WallMotion& walls() const { return walls_; }
+    /// Null where the scene has no species.
+    [[nodiscard]] const SpeciesTransport* species() const { return species_ ? &*species_ : nullptr; }
+    [[nodiscard]] const Driving& driving() const { return driving_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
     [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
@@ -77,10 +84,15 @@ class FluidStep {
     void find_densities();
     void find_corrections();
     void advance_springs(double dt);
+    [[nodiscard]] ShiftStep shift_step(double dt) const;
+    void drive_what_turned_solid(double t, double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
     void kick_by_place(double t, double dt);
+    /// A coordinate as formulas have it: wrapped, mirrored back.
+    [[nodiscard]] double place_in_box(double x, int axis) const;
     void add_viscous_forces(double t, double dt);
+    void drive(double t, double dt);
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
     void add_impulses(double dt, const std::array<double, 3>& g);
@@ -96,10 +108,14 @@ class FluidStep {
     std::optional<ImplicitViscosity> viscosity_;
     SpringBodies springs_;
     WallMotion walls_;
+    std::optional<SpeciesTransport> species_;
+    Driving driving_;
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;  ///< the acceleration
-    double fluid_mass_;      ///< of all ranks [kg]
+    bool solidifies_;        ///< liquid may turn solid
+    double fluid_mass_;      ///< of all ranks, what turned solid included [kg]
+    double bodies_ahead_ = 0;
     double largest_speed_ = 0;
     OutsideImpulses impulses_;
     StageTimer timer_;

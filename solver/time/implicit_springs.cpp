@@ -88,7 +88,7 @@ bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
         Vectors residual(nodes, Point{});
         for (std::size_t n = 0; n < nodes; ++n)
             if (!fixed_[n])
-                residual[n] = (dt / 2) * (force_[n] - drag_ * middle_velocity[n]) -
+                residual[n] = (dt / 2) * (force_[n] - drag_[n] * middle_velocity[n]) -
                               mass_[n] * (middle_velocity[n] - velocity_[n]);
         const double largest = system_->correct(residual, dt, middle, middle_velocity);
         if (largest < tolerance * spacing_) break;

@@ -69,7 +69,7 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
     for (std::size_t node = 0; node < unknown_.size(); ++node)
         for (int i = 0; i < D && unknown_[node] >= 0; ++i)
-            entry(unknown_[node] + i, unknown_[node] + i) += body.mass_[node] + dt / 2 * body.drag_;
+            entry(unknown_[node] + i, unknown_[node] + i) += body.mass_[node] + dt / 2 * body.drag_[node];
     body.for_each_spring([&](const auto& spring) {
         const auto arms = spring.arms(position);
         add(spring, spring.law.deviation(arms).gradient,

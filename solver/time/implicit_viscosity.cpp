@@ -15,13 +15,6 @@ namespace {
 /// after the first few times only while that halves the error.
 constexpr int most_cycles = 30, cycles_to_settle = 3;
 
-/// Iterations after which conjugate gradients should long have converged: the number for a matrix of condition kappa,
-/// sqrt(kappa) / 2 ln(2 sqrt(kappa) / tolerance), twice, and some for small systems.
-long patience(double kappa, double tolerance) {
-    const double root = std::sqrt(std::min(kappa, 1e15));
-    return 100 + static_cast<long>(root * std::log(2 * root / tolerance));
-}
-
 }  // namespace
 
 ImplicitViscosity::ImplicitViscosity(const PairSweeps& sweeps, const Ranks& ranks, double tolerance, int threads)

@@ -13,6 +13,20 @@ constexpr double skin = 0.4;  ///< beyond the range, in ranges
 
 }  // namespace
 
+std::vector<std::pair<int, int>> pairs_within(const std::vector<Vec>& points, int dimension, double distance) {
+    std::vector<std::pair<int, int>> pairs;
+    Coordinates places;
+    for (int axis = 0; axis < dimension; ++axis)
+        for (const Vec& point : points) places[axis].push_back(point[axis]);
+    const CellGrid grid(places, points.size(), dimension, distance);
+    for (int i = 0; i < static_cast<int>(points.size()); ++i)
+        grid.for_each_near({points[i][0], points[i][1], points[i][2]}, distance, [&](int j) {
+            if (j > i && (points[i] - points[j]).squaredNorm() <= distance * distance) pairs.emplace_back(i, j);
+        });
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
 template <int D>
 bool SelfContact<D>::moved_far(const Vectors& position) const {
     if (looked_at_.size() != position.size()) return true;
@@ -42,8 +56,9 @@ void SelfContact<D>::look_around(const Vectors& position) {
         for (int axis = 0; axis < D; ++axis) here[axis] = position[i][axis];
         grid.for_each_near(here, reach, [&](int j) {
             if (j <= i) return;
-            const auto apart = position[i] - position[j], drawn_apart = drawn_[i] - drawn_[j];
-            if (dot(apart, apart) < reach * reach && dot(drawn_apart, drawn_apart) > neighbourhood_square_)
+            if (!left_out_.empty() && (left_out_[i] != 0 || left_out_[j] != 0)) return;
+            const auto apart = position[i] - position[j];
+            if (dot(apart, apart) < reach * reach && !std::ranges::binary_search(held_apart_, std::pair(i, j)))
                 pairs_.emplace_back(i, j);
         });
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -19,21 +20,30 @@ struct SpringContact {
     [[nodiscard]] bool on() const { return repulsion.strength > 0 && range > 0; }
 };
 
+/// How near nodes must have been drawn not to repel, for bonds no longer than this: both ends of a bond, and the
+/// corners of a square of bonds.
+inline double neighbourhood_of_contact(double range, double longest_bond) {
+    return 1.5 * std::max(range, longest_bond);
+}
+
+/// Numbers of the points that are no farther apart than `distance`, the lower one first, in order.
+std::vector<std::pair<int, int>> pairs_within(const std::vector<Vec>& points, int dimension, double distance);
+
 /// Short-range repulsion between the nodes of one spring body, so that it does not pass through itself where it folds.
-/// Nodes that were drawn within `neighbourhood` of each other do not repel: their distance is their springs' business,
-/// and a body at rest feels nothing. (Bodies, walls and fluid meet in the sweeps; a body and its own periodic image do
-/// not.) Every rank moves every body, and so does this: no node is in the sweeps' lists for its own body.
+/// Nodes that are held apart do not repel: their distance is their springs' business, and a body as drawn feels
+/// nothing. (Bodies, walls and fluid meet in the sweeps; a body and its own periodic image do not.) Every rank moves
+/// every body, and so does this: no node is in the sweeps' lists for its own body.
 template <int D>
 class SelfContact {
   public:
     using Vectors = std::vector<Vector<double, D>>;
 
-    SelfContact(const SpringContact& contact, const Vectors& drawn, double neighbourhood)
-        : contact_(contact), drawn_(drawn), neighbourhood_square_(neighbourhood * neighbourhood) {}
+    /// `held_apart` as of BodyParts; `left_out` by node: 1 for those that the sweeps keep apart (none given: none).
+    SelfContact(const SpringContact& contact, std::vector<std::pair<int, int>> held_apart,
+                std::vector<std::uint8_t> left_out = {})
+        : contact_(contact), held_apart_(std::move(held_apart)), left_out_(std::move(left_out)) {}
 
-    /// How near nodes must have been drawn not to repel, for bonds no longer than this: both ends of a bond, and the
-    /// corners of a square of bonds.
-    static double neighbourhood(double range, double longest_bond) { return 1.5 * std::max(range, longest_bond); }
+    [[nodiscard]] const std::vector<std::pair<int, int>>& held_apart() const { return held_apart_; }
 
     /// Adds the forces of nodes at these places [N], in the order of the nodes' numbers: it does not matter when pairs
     /// were looked for.
@@ -45,8 +55,8 @@ class SelfContact {
     void look_around(const Vectors& position);
 
     SpringContact contact_;
-    Vectors drawn_;
-    double neighbourhood_square_;
+    std::vector<std::pair<int, int>> held_apart_;
+    std::vector<std::uint8_t> left_out_;
     std::vector<std::pair<int, int>> pairs_;  ///< sorted
     Vectors looked_at_;                       ///< where nodes were then
 };

@@ -5,42 +5,100 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <set>
 
 namespace dmp {
 
 SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact)
     : ranks_(ranks),
       dimension_(set.dimension),
-      implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit) {
+      space_(set),
+      contact_(contact),
+      names_(body_names(scene)),
+      tally_(names_.size()),
+      changes_(scene.changes_bodies()),
+      implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit),
+      step_factor_(scene.accuracy.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
-    double shortest = std::numeric_limits<double>::infinity();
+    const auto parts = scene.parts_of(PartKind::springs);
     for (int body = 0; body < count; ++body) {
         const auto node = std::find(set.body.begin(), set.body.end(), body) - set.body.begin();
         const std::string& name = set.parts[set.part[node]].name;
-        const auto parts = scene.parts_of(PartKind::springs);
         const auto part =
             std::find_if(parts.begin(), parts.end(), [&](const Part* p) { return p->name.value == name; });
         if (part == parts.end())
             throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
                              "mesh the scene again");
-        bodies_.push_back(SpringBody::make(set, **part, body, contact));
-        const double limit = bodies_.back()->step_limit();
+        bodies_.push_back(made_of(
+            drawn_body(set, **part, body, static_cast<int>(part - parts.begin()), contact.on() ? contact.range : 0)));
+    }
+    note_step_limits();
+    number_nodes();
+}
+
+/// Named after the first of names() that a node of it comes from: a springs part, if there is one.
+std::unique_ptr<SpringBody> SpringBodies::made_of(const BodyParts& parts) const {
+    std::size_t origin = names_.size();
+    for (const BodyParts::Node& node : parts.nodes)
+        if (!node.of_wall) origin = std::min(origin, static_cast<std::size_t>(node.origin));
+    return SpringBody::make(parts, names_.at(origin), space_, contact_);
+}
+
+void SpringBodies::number_nodes() {
+    by_id_.clear();
+    first_node_.assign(1, 0);
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+        const auto& ids = bodies_[body]->ids();
+        for (std::size_t n = 0; n < ids.size(); ++n) by_id_[ids[n]] = {static_cast<int>(body), static_cast<int>(n)};
+        first_node_.push_back(first_node_.back() + ids.size());
+    }
+}
+
+void SpringBodies::note_step_limits() {
+    limits_.clear();
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& body : bodies_) {
+        const double limit = body->step_limit();
         shortest = std::min(shortest, limit);
         const auto known =
-            std::find_if(limits_.begin(), limits_.end(), [&](const PartLimit& l) { return l.part == name; });
+            std::find_if(limits_.begin(), limits_.end(), [&](const PartLimit& l) { return l.part == body->part(); });
         if (known == limits_.end()) {
-            limits_.push_back({name, limit});
+            limits_.push_back({body->part(), limit});
         } else {
             known->dt = std::min(known->dt, limit);
         }
     }
-    largest_step_ = shortest * scene.accuracy.spring_step_factor;
-    first_node_.push_back(0);
-    for (int body = 0; body < count; ++body) {
-        const auto& ids = bodies_[body]->ids();
-        for (std::size_t n = 0; n < ids.size(); ++n) by_id_[ids[n]] = {body, static_cast<int>(n)};
-        first_node_.push_back(first_node_.back() + ids.size());
+    largest_step_ = shortest * step_factor_;
+}
+
+void SpringBodies::change(const BodyChange& change, const ParticleSpace& space) {
+    std::set<std::size_t> touched;
+    const auto touch = [&](int id) {
+        if (const auto found = by_id_.find(id); found != by_id_.end()) touched.insert(found->second.body);
+    };
+    for (const BodyChange::Bond& bond : change.bonds) {
+        touch(bond.a);
+        touch(bond.b);
     }
+    for (const auto& ends : change.broken) touch(ends[0]);
+    std::vector<BodyParts> before;
+    for (const std::size_t body : touched) before.push_back(bodies_[body]->parts());
+    const ChangedBodies changed = change_bodies(before, change, space);
+
+    std::vector<std::unique_ptr<SpringBody>> all;
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
+        if (!touched.contains(body)) all.push_back(std::move(bodies_[body]));
+    for (const BodyParts& parts : changed.bodies) all.push_back(made_of(parts));
+    std::ranges::sort(all, {}, [](const auto& body) { return body->ids().front(); });
+    bodies_ = std::move(all);
+    for (const int origin : changed.made) ++tally_[origin].made;
+    for (const int origin : changed.broken) ++tally_[origin].broken;
+    number_nodes();
+    if (!implicit_) note_step_limits();
+}
+
+void SpringBodies::number_particles(ParticleStore& particles) const {
+    for (ParticleTag& tag : particles.of(ParticleKind::springs).tags()) tag.body = by_id_.at(tag.id).body;
 }
 
 int SpringBodies::substeps(double dt) const {
@@ -48,7 +106,23 @@ int SpringBodies::substeps(double dt) const {
     return implicit_ ? 1 : std::max(1, static_cast<int>(std::ceil(dt / largest_step_)));
 }
 
+void SpringBodies::archive_parts(Archive& file) {
+    std::vector<BodyParts> parts;
+    for (const auto& body : bodies_) parts.push_back(body->parts());
+    dmp::archive(file, "springs/bodies", parts);
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+        file("springs/bonds_made_" + names_[k], tally_[k].made);
+        file("springs/bonds_broken_" + names_[k], tally_[k].broken);
+    }
+    if (!file.loading()) return;
+    bodies_.clear();
+    for (const BodyParts& body : parts) bodies_.push_back(made_of(body));
+    number_nodes();
+    note_step_limits();
+}
+
 void SpringBodies::archive(Archive& file) {
+    if (changes_) archive_parts(file);
     for (std::size_t body = 0; body < bodies_.size(); ++body)
         bodies_[body]->archive(file, "springs/body_" + std::to_string(body));
 }

@@ -11,11 +11,17 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/time/body_change.hpp"
 #include "solver/time/spring_body.hpp"
 
 namespace dmp {
 
-/// All spring bodies of a scene.
+/// What has happened to the bonds of one springs part or [[solidify]] so far.
+struct BondTally {
+    std::int64_t made = 0, broken = 0;
+};
+
+/// All spring bodies of a scene. They may be cut, joined and made while it runs (change).
 class SpringBodies {
   public:
     /// Every rank holds all bodies and moves them alike: they are few, and no rank then waits for another.
@@ -33,10 +39,28 @@ class SpringBodies {
 
     /// Finds which particles of the store are which nodes. Needed when the store was sorted.
     void find_nodes(const ParticleStore& particles);
+    /// Tells the store's particles the numbers of their bodies.
+    void number_particles(ParticleStore& particles) const;
     /// Kicks all bodies by the forces in the store, then moves them over dt; the store sees their mean velocities.
     SpringImpulses advance(ParticleStore& particles, double dt, int threads);
     /// Hands the positions after the last advance to the store. Returns the longest way a node went [m].
     double show_positions(ParticleStore& particles) const;
+
+    /// Makes, joins and cuts bodies. Bodies, and the numbers of nodes, are then others: nodes have to be found anew,
+    /// and particles are told of their body by that. Bodies that the change does not touch stay as they are, with all
+    /// they remember of their past. `space` with the periods that positions have.
+    void change(const BodyChange& change, const ParticleSpace& space);
+    /// By number of body_names().
+    [[nodiscard]] const std::vector<BondTally>& tally() const { return tally_; }
+    /// What nodes and bonds may come from: springs parts, then [[solidify]].
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+    /// Whether a particle is a node of a body, or a wall's that one is bonded to.
+    [[nodiscard]] bool holds(std::int64_t id) const { return by_id_.contains(id); }
+    /// The body, and the node of it, that a particle is.
+    [[nodiscard]] std::pair<const SpringBody*, std::size_t> node_of(std::int64_t id) const {
+        const Node& node = by_id_.at(id);
+        return {bodies_[node.body].get(), static_cast<std::size_t>(node.index)};
+    }
 
     void archive(Archive& file);
 
@@ -49,6 +73,10 @@ class SpringBodies {
     void show_in(ParticleStore& particles, Field field, const std::vector<Vec>& values) const;
 
   private:
+    [[nodiscard]] std::unique_ptr<SpringBody> made_of(const BodyParts& parts) const;
+    void number_nodes();
+    void note_step_limits();
+    void archive_parts(Archive& file);
     template <class ValueOf>
     void show(ParticleStore& particles, Field field, const ValueOf& value_of) const;
 
@@ -62,7 +90,13 @@ class SpringBodies {
     std::unordered_map<std::int64_t, Node> by_id_;
     std::vector<Node> nodes_;  ///< by index in the store's group, copies too
     std::vector<PartLimit> limits_;
+    ParticleSpace space_;
+    SpringContact contact_;
+    std::vector<std::string> names_;
+    std::vector<BondTally> tally_;
+    bool changes_;  ///< bodies may, in this scene
     bool implicit_;
+    double step_factor_;       ///< explicit: of the largest stable step [-]
     double largest_step_ = 0;  ///< explicit: the shortest limit times the scene's spring_step_factor [s]
 };
 

@@ -11,6 +11,7 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/state/archive.hpp"
+#include "solver/time/body_parts.hpp"
 #include "solver/time/self_contact.hpp"
 
 namespace dmp {
@@ -24,12 +25,20 @@ struct SpringImpulses {
 /// One connected piece of a springs part as the rest of the solver sees it, in the plane (z = 0) or in space.
 class SpringBody {
   public:
+    SpringBody(const SpringBody&) = delete;
+    SpringBody& operator=(const SpringBody&) = delete;
     virtual ~SpringBody() = default;
 
     /// The body of this number, with the springs that are among its nodes. Throws InputError for one in the plane that
     /// has dihedrals.
     static std::unique_ptr<SpringBody> make(const ParticleSet& set, const Part& part, int body,
                                             const SpringContact& contact = {});
+    /// The body that is made of these parts, under a name.
+    static std::unique_ptr<SpringBody> make(const BodyParts& parts, const std::string& name, const ParticleSpace& space,
+                                            const SpringContact& contact);
+
+    /// What it is made of, as it is now.
+    [[nodiscard]] virtual BodyParts parts() const = 0;
 
     /// Kicks the nodes by forces from outside [N] and by contact of the body with itself; then moves them over dt under
     /// the springs' forces: in so many equal explicit steps, or in one implicit one (0).
@@ -67,8 +76,13 @@ class SpringBody {
     virtual void archive(Archive& file, const std::string& name) = 0;
 
     [[nodiscard]] const std::string& part() const { return part_; }
-    [[nodiscard]] const std::vector<int>& ids() const { return ids_; }             ///< particle ids of the nodes
-    [[nodiscard]] const std::vector<Bond>& bonds() const { return drawn_bonds_; }  ///< by node of this body
+    [[nodiscard]] const std::vector<int>& ids() const { return ids_; }           ///< particle ids of the nodes
+    [[nodiscard]] const std::vector<Bond>& bonds() const { return bond_list_; }  ///< by node of this body
+    /// What a node, and what a bond came from (body_names).
+    [[nodiscard]] int origin(std::size_t node) const { return origin_[node]; }
+    [[nodiscard]] int bond_origin(std::size_t bond) const { return bond_origin_[bond]; }
+    /// Whether the node is a wall's particle that the body is bonded to.
+    [[nodiscard]] bool of_wall(std::size_t node) const { return of_wall_[node] != 0; }
     [[nodiscard]] std::size_t nodes() const { return ids_.size(); }
     [[nodiscard]] bool fixed(std::size_t node) const { return fixed_[node] != 0; }
     [[nodiscard]] double mass(std::size_t node) const { return mass_[node]; }  ///< [kg]
@@ -83,14 +97,13 @@ class SpringBody {
     explicit SpringBody(std::string part) : part_(std::move(part)) {}
     SpringBody(SpringBody&&) noexcept = default;
     SpringBody& operator=(SpringBody&&) noexcept = default;
-    SpringBody(const SpringBody&) = delete;
-    SpringBody& operator=(const SpringBody&) = delete;
 
     std::string part_;
     std::vector<int> ids_;
-    std::vector<Bond> drawn_bonds_;
-    std::vector<std::uint8_t> fixed_;
-    std::vector<double> mass_;
+    std::vector<Bond> bond_list_;
+    std::vector<std::uint8_t> fixed_, of_wall_;
+    std::vector<double> mass_, drag_;
+    std::vector<int> origin_, bond_origin_;
 };
 
 }  // namespace dmp

@@ -1,9 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "base/errors.hpp"
 #include "solver/time/implicit_system.hpp"
@@ -16,61 +14,66 @@ std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part&
     return std::make_unique<SpringNetwork<2>>(set, part, body, contact);
 }
 
+std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::string& name,
+                                             const ParticleSpace& space, const SpringContact& contact) {
+    if (space.dimension == 3) return std::make_unique<SpringNetwork<3>>(parts, name, space.spacing, contact);
+    return std::make_unique<SpringNetwork<2>>(parts, name, space.spacing, contact);
+}
+
 template <int D>
 SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
-    : SpringBody(part.name), drag_(part.drag), spacing_(set.spacing) {
-    std::unordered_map<int, int> local;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.body[i] != body) continue;
-        local[static_cast<int>(i)] = static_cast<int>(ids_.size());
-        ids_.push_back(static_cast<int>(i));
-        fixed_.push_back(set.fixed[i]);
-        mass_.push_back(set.mass[i]);
-        position_.push_back(of_space(set.position[i]));
-    }
-    velocity_.assign(ids_.size(), {});
-    force_.assign(ids_.size(), {});
-    position_before_ = position_at_rest_ = position_;
+    : SpringNetwork(drawn_body(set, part, body, 0, contact.on() ? contact.range : 0), part.name, set.spacing, contact) {
+}
 
-    const double damping = part.bond_damping;
-    const auto reduced = [](double a, double b) { return a * b / (a + b); };
-    for (const Bond& bond : set.bonds) {
-        if (set.body[bond.a] != body) continue;
-        const std::array<int, 2> nodes{local.at(bond.a), local.at(bond.b)};
-        bonds_.push_back({nodes, BondForce<D>(bond.rest_length, bond.stiffness, damping,
-                                              reduced(set.mass[bond.a], set.mass[bond.b]))});
-        drawn_bonds_.push_back({nodes[0], nodes[1], bond.rest_length, bond.stiffness});
+template <int D>
+SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,
+                                const SpringContact& contact)
+    : SpringBody(name), spacing_(spacing) {
+    for (const BodyParts::Node& node : parts.nodes) {
+        ids_.push_back(node.id);
+        fixed_.push_back(node.fixed ? 1 : 0);
+        of_wall_.push_back(node.of_wall ? 1 : 0);
+        origin_.push_back(node.origin);
+        mass_.push_back(node.mass);
+        drag_.push_back(node.drag);
+        position_.push_back(of_space(node.place));
+        velocity_.push_back(of_space(node.velocity));
+        position_before_.push_back(of_space(node.place_before));
+        position_at_rest_.push_back(of_space(node.place_at_rest));
     }
-    for (const Hinge& hinge : set.hinges) {
-        if (set.body[hinge.centre] != body) continue;
-        const auto inertia = [&](int end) {
-            return set.mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
-        };
-        hinges_.push_back(
-            {{local.at(hinge.a), local.at(hinge.centre), local.at(hinge.b)},
-             HingeForce<D>(hinge.rest_angle, hinge.stiffness, damping, reduced(inertia(hinge.a), inertia(hinge.b)))});
+    force_.assign(ids_.size(), {});
+    for (const auto& bond : parts.bonds) {
+        bonds_.push_back({bond.node, BondForce<D>(bond.rest, {bond.stiffness, bond.dashpot})});
+        bond_list_.push_back({bond.node[0], bond.node[1], bond.rest, bond.stiffness});
+        bond_origin_.push_back(bond.origin);
     }
-    for (const Dihedral& dihedral : set.dihedrals) {
-        if (set.body[dihedral.b] != body) continue;
-        if constexpr (D == 3) {
-            const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
-            const auto inertia = [&](int end) {
-                return set.mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
-            };
-            dihedrals_.push_back(
-                {{local.at(dihedral.a), local.at(dihedral.b), local.at(dihedral.c), local.at(dihedral.d)},
-                 DihedralForce(dihedral.rest_angle, dihedral.stiffness, damping,
-                               reduced(inertia(dihedral.a), inertia(dihedral.d)))});
-        } else {
-            throw InputError("'" + part.name.value + "' has dihedrals, and there are none in the plane",
-                             "write dimension = 3, or leave them out");
-        }
+    for (const auto& hinge : parts.hinges)
+        hinges_.push_back({hinge.node, HingeForce<D>(hinge.rest, {hinge.stiffness, hinge.dashpot})});
+    if constexpr (D == 3)
+        for (const auto& dihedral : parts.dihedrals)
+            dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot})});
+    if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, parts.held_apart, of_wall_);
+}
+
+template <int D>
+BodyParts SpringNetwork<D>::parts() const {
+    BodyParts parts;
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        parts.nodes.push_back({ids_[n], fixed_[n] != 0, of_wall_[n] != 0, origin_[n], mass_[n], drag_[n],
+                               in_space(position_[n]), in_space(velocity_[n]), in_space(position_before_[n]),
+                               in_space(position_at_rest_[n])});
+    for (std::size_t b = 0; b < bonds_.size(); ++b) {
+        const auto& law = bonds_[b].law;
+        parts.bonds.push_back({bonds_[b].node, law.rest_length, law.stiffness, law.dashpot, bond_origin_[b]});
     }
-    if (!contact.on()) return;
-    double longest = 0;
-    for (const Bond& bond : drawn_bonds_) longest = std::max(longest, bond.rest_length);
-    self_contact_ = std::make_unique<SelfContact<D>>(contact, position_at_rest_,
-                                                     SelfContact<D>::neighbourhood(contact.range, longest));
+    const auto add_angle = [](auto& angles, const auto& spring) {
+        angles.push_back({spring.node, spring.law.rest_angle, spring.law.stiffness, spring.law.dashpot, 0});
+    };
+    for (const auto& hinge : hinges_) add_angle(parts.hinges, hinge);
+    if constexpr (D == 3)
+        for (const auto& dihedral : dihedrals_) add_angle(parts.dihedrals, dihedral);
+    if (self_contact_) parts.held_apart = self_contact_->held_apart();
+    return parts;
 }
 
 template <int D>
@@ -141,7 +144,7 @@ void SpringNetwork<D>::kick(double h, const Vectors& force, const Vectors& drag_
             impulses.of_anchors -= h * force[n];
             continue;
         }
-        const auto drag = -drag_ * drag_velocity[n];
+        const auto drag = -drag_[n] * drag_velocity[n];
         impulses.of_drag += h * drag;
         velocity_[n] += (h / mass_[n]) * (force[n] + drag);
     }

@@ -47,6 +47,7 @@ class SpringNetwork final : public SpringBody {
     using Vectors = std::vector<Point>;
 
     SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact = {});
+    SpringNetwork(const BodyParts& parts, const std::string& name, double spacing, const SpringContact& contact);
     ~SpringNetwork() override;
     SpringNetwork(SpringNetwork&& other) noexcept;
     SpringNetwork& operator=(SpringNetwork&& other) noexcept;
@@ -58,6 +59,7 @@ class SpringNetwork final : public SpringBody {
         Point of_drag{};     ///< by lab-frame drag [N s]
     };
 
+    [[nodiscard]] BodyParts parts() const override;
     SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
 
     [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
@@ -145,7 +147,6 @@ class SpringNetwork final : public SpringBody {
     std::vector<LocalSpring<BondForce<D>>> bonds_;
     std::vector<LocalSpring<HingeForce<D>>> hinges_;
     [[no_unique_address]] Dihedrals dihedrals_;
-    double drag_;
     double spacing_;                       ///< scale of the nodes' distances [m]
     Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
     Vectors position_before_;              ///< before the last advance

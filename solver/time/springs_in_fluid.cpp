@@ -15,7 +15,7 @@ std::vector<Vec> SpringNetwork<D>::balance(std::span<const Vec> w, double dt) co
     sum.reserve(ids_.size());
     for (std::size_t n = 0; n < ids_.size(); ++n)
         sum.push_back(
-            in_space(0.5 * (force[n] - drag_ * velocity[n]) - (mass_[n] / dt) * (velocity[n] - velocity_[n])));
+            in_space(0.5 * (force[n] - drag_[n] * velocity[n]) - (mass_[n] / dt) * (velocity[n] - velocity_[n])));
     return sum;
 }
 

@@ -20,19 +20,19 @@ class StageTimer {
   private:
     using Clock = std::chrono::steady_clock;
     struct Lap {
-        Lap(double& total_seconds, Lap*& innermost) : total(total_seconds), current(innermost), around(innermost) {
-            current = this;
+        Lap(double& total_seconds, Lap*& innermost) : total(total_seconds), current(&innermost), around(innermost) {
+            *current = this;
         }
         ~Lap() {
             const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
             total += seconds - inside;
             if (around != nullptr) around->inside += seconds;
-            current = around;
+            *current = around;
         }
         Lap(const Lap&) = delete;
         Lap& operator=(const Lap&) = delete;
         double& total;
-        Lap*& current;
+        Lap** current;  ///< where the innermost stage is noted
         Lap* around;
         double inside = 0;  ///< seconds of other stages within this one
         Clock::time_point start = Clock::now();

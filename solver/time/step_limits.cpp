@@ -12,11 +12,18 @@ StepLimit viscous_step_limit(const StepScales& scales) {
             "half of the kernel's linear limit of nu dt / R^2"};
 }
 
+StepLimit species_step_limit(const StepScales& scales) {
+    // Half of the linear limit, as for viscosity: surfaces that are held at a concentration raise the eigenvalue.
+    return {"species", 0.5 * scales.diffusion_limit * scales.support * scales.support / scales.diffusivity,
+            "half of the kernel's linear limit of D dt / R^2"};
+}
+
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration) {
     std::vector<StepLimit> limits;
     limits.push_back({"sound", scales.step_factor * scales.support / (scales.sound_speed + largest_speed),
                       "step_factor R / (c0 + U)"});
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
+    if (scales.diffusivity > 0 && !scales.implicit_species) limits.push_back(species_step_limit(scales));
     if (acceleration > 0)
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)

@@ -17,10 +17,15 @@ struct StepScales {
     double shifting = 0;             ///< s [-]
     double contact_limit = 0;        ///< [s]; 0: no contact
     bool implicit_viscosity = false;
+    double diffusivity = 0;      ///< largest of any species [m^2/s]
+    double diffusion_limit = 0;  ///< of the kernel, D dt / R^2 [-]
+    bool implicit_species = false;
 };
 
 /// Of explicit viscosity.
 StepLimit viscous_step_limit(const StepScales& scales);
+/// Of the explicit diffusion of species.
+StepLimit species_step_limit(const StepScales& scales);
 
 /// Largest fluid step by each model, at the given speed [m/s] and body acceleration [m/s^2] of the moment.
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/parallel/sums_over.hpp"
+
 namespace dmp {
 
 namespace {
@@ -16,25 +18,6 @@ Axes axes_of(ParticleGroup& group, Field field) {
     for (int axis = 0; axis < group.dimension(); ++axis) axes[axis] = group.data(field, axis);
     return axes;
 }
-
-/// Calls visit(i, sums) for the owned particles, and adds up what it adds to `sums` without rounding.
-template <std::size_t Count, class Visit>
-std::array<ExactSum, Count> sums_over(const ParticleGroup& group, int threads, const Visit& visit) {
-    const auto count = static_cast<std::ptrdiff_t>(group.owned());
-    std::array<ExactSum, Count> all;
-#pragma omp parallel num_threads(threads)
-    {
-        std::array<ExactSum, Count> own;
-#pragma omp for schedule(static) nowait
-        for (std::ptrdiff_t i = 0; i < count; ++i) visit(i, own);
-#pragma omp critical(dmp_viscous_sums)
-        for (std::size_t k = 0; k < Count; ++k) all[k].add(own[k]);
-    }
-    return all;
-}
-
-/// A number that OrderFree can be made for.
-double at_least_something(double value) { return std::max(value, 1e-280); }
 
 }  // namespace
 

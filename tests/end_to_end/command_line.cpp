@@ -46,6 +46,22 @@ TEST(CommandLine, NoColoursInAFile) {
     EXPECT_THAT(run_here({"doctor"}).output, testing::Not(HasSubstr("\033")));
 }
 
+TEST(CommandLine, EscapeWritesItsTable) {
+    const TemporaryFolder folder;
+    const auto printed =
+        run_dmp(folder.path(), {"escape", "--printed", "--friction", "0.3", "--speed", "5 m/s", "--angle", "90 deg"});
+    EXPECT_EQ(printed.code, 0) << printed.errors;
+    EXPECT_THAT(printed.output, testing::EndsWith("eta\n0.3,5,90,89.976,80.307,0.4998,0.4158,0.4929,0.9156\n"));
+    const auto written = run_dmp(folder.path(), {"escape", "--out", "there/eta.csv"});
+    EXPECT_EQ(written.code, 0) << written.errors;
+    EXPECT_THAT(written.output, HasSubstr("corrected: there/eta.csv"));
+    EXPECT_THAT(written.output, HasSubstr("first escape at v sin(theta) = 0.1044 m/s"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "there/eta.csv"));
+    const auto wrong = run_dmp(folder.path(), {"escape", "--pull-off-force", "3"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.errors, HasSubstr("missing unit: --pull-off-force"));
+}
+
 TEST(CommandLine, OutputThatIsLostIsAnError) {
     // The output's own file is limited, so that the help does not fit.
     const auto outcome = run_here({"--help"}, {.largest_file = 10});

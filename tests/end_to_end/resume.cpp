@@ -10,7 +10,6 @@ namespace {
 
 using namespace dmp::end_to_end;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;

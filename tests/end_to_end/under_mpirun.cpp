@@ -22,7 +22,7 @@ std::size_t times(const std::string& text, const std::string& words) {
 
 class SomeRanks : public SmallValve {
   protected:
-    Words briefly(Words more = {}) const {
+    [[nodiscard]] Words briefly(Words more = {}) const {
         more.insert(more.end(), {"--until", "0.03 s"});
         return more;
     }

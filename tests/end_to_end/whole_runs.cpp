@@ -205,4 +205,23 @@ TEST(BentChannel, ADifferentDrawingNeedsNoNewCode) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "particles/solid.pvd"));
 }
 
+TEST(Carrier, ShedsItsDrugOnAWallAndLeavesSpheresToLookAt) {
+    const TemporaryFolder folder;
+    folder.copy_case("carrier");
+    const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "out", "--until", "2 us"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("883 spheres"), HasSubstr("adhesion bradley")));
+    for (const char* file : {"spheres.pvd", "walls.vtp", "measures.csv", "cycle.png", "frames/spheres_000004.vtp"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / file)) << file;
+    const auto summary = nlohmann::json::parse(folder.read("out/summary.json"));
+    EXPECT_EQ(summary["particles"]["spheres"], 883);
+    EXPECT_EQ(summary["lost"], 0);
+    const auto on_two =
+        run_dmp(folder.path(),
+                {"run", ".", "--out", "two", "--until", "2 us", "--threads", "1", "--set", "output.pictures=false"},
+                {.ranks = 2});
+    ASSERT_EQ(on_two.code, 0) << on_two.errors;
+    EXPECT_EQ(nlohmann::json::parse(folder.read("two/summary.json"))["state_hash"], summary["state_hash"]);
+}
+
 }  // namespace

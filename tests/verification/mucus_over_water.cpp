@@ -49,10 +49,11 @@ TEST(MucusOverWater, is_the_same_bits_on_one_rank_and_on_four) {
     const TemporaryFolder folder;
     const auto summary_on = [&](int ranks) {
         const std::string out = "out" + std::to_string(ranks);
-        const auto outcome = run_dmp(folder.path(),
-                                     {"run", DMP_SOURCE_DIR "/cases/verification/mucus_over_water", "--out", out,
-                                      "--set", "output.pictures=false", "--until", "0.5 us", "--threads", "1"},
-                                     {.ranks = ranks});
+        const std::string scene = DMP_SOURCE_DIR "/cases/verification/mucus_over_water";
+        const auto outcome = run_dmp(
+            folder.path(),
+            {"run", scene, "--out", out, "--set", "output.pictures=false", "--until", "0.5 us", "--threads", "1"},
+            {.ranks = ranks});
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
         return nlohmann::json::parse(folder.read(out + "/summary.json"));
     };

@@ -8,7 +8,7 @@ namespace dmp {
 /// A term that is not there: what it is added to stays as it is, at no cost.
 struct NoTerm {
     template <class T, int D>
-    friend const Vector<T, D>& operator+(const Vector<T, D>& others, const NoTerm&) {
+    friend const Vector<T, D>& operator+(const Vector<T, D>& others, const NoTerm& /*none*/) {
         return others;
     }
 };

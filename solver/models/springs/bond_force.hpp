@@ -16,7 +16,8 @@ struct BondForce : Spring {
     double rest_length;  ///< r0 [m]
 
     BondForce(double r0, double k_b, double damping, double reduced_mass)
-        : Spring(k_b, damping, reduced_mass), rest_length(r0) {}
+        : BondForce(r0, Spring(k_b, damping, reduced_mass)) {}
+    BondForce(double r0, const Spring& spring) : Spring(spring), rest_length(r0) {}
 
     [[nodiscard]] Deviation<D, 1> deviation(const Arms<D, 1>& arm) const {
         const double length = std::sqrt(dot(arm[0], arm[0]));

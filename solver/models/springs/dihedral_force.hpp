@@ -17,10 +17,13 @@ struct DihedralForce : Spring {
     static constexpr int nodes = 4;                                          ///< a, b, c, d
     static constexpr std::array<ArmEnds, 3> arms{{{0, 1}, {1, 2}, {3, 2}}};  ///< F, G, H
 
-    double cosine, sine;  ///< of the rest angle
+    double rest_angle;    ///< phi0 [rad]
+    double cosine, sine;  ///< of it
 
-    DihedralForce(double rest_angle, double k_d, double damping, double reduced_inertia)
-        : Spring(k_d, damping, reduced_inertia), cosine(std::cos(rest_angle)), sine(std::sin(rest_angle)) {}
+    DihedralForce(double phi0, double k_d, double damping, double reduced_inertia)
+        : DihedralForce(phi0, Spring(k_d, damping, reduced_inertia)) {}
+    DihedralForce(double phi0, const Spring& spring)
+        : Spring(spring), rest_angle(phi0), cosine(std::cos(phi0)), sine(std::sin(phi0)) {}
 
     /// phi of the arms, in (-pi, pi] [rad].
     static double angle(const Arms<3, 3>& arm) {

@@ -22,12 +22,16 @@ struct HingeForce : Spring {
     static constexpr int nodes = 3;                                  ///< a, centre, b
     static constexpr std::array<ArmEnds, 2> arms{{{0, 1}, {2, 1}}};  ///< a and b from the centre
 
-    double cosine, sine;  ///< of the rest angle
+    double rest_angle;    ///< theta0 [rad]
+    double cosine, sine;  ///< of it
 
-    HingeForce(double rest_angle, double k_a, double damping, double reduced_inertia)
-        : Spring(k_a, damping, reduced_inertia),
-          cosine(std::cos(rest_angle)),
-          sine(rest_angle == std::numbers::pi ? 0 : std::sin(rest_angle)) {}
+    HingeForce(double theta0, double k_a, double damping, double reduced_inertia)
+        : HingeForce(theta0, Spring(k_a, damping, reduced_inertia)) {}
+    HingeForce(double theta0, const Spring& spring)
+        : Spring(spring),
+          rest_angle(theta0),
+          cosine(std::cos(theta0)),
+          sine(theta0 == std::numbers::pi ? 0 : std::sin(theta0)) {}
 
     /// theta - theta0, in (-pi, pi].
     [[nodiscard]] Deviation<D, 2> deviation(const Arms<D, 2>& arm) const {

@@ -32,6 +32,7 @@ struct Spring {
 
     Spring(double k, double damping, double reduced_mass)
         : stiffness(k), dashpot(2 * damping * std::sqrt(2 * k * reduced_mass)) {}
+    Spring(double k, double c) : stiffness(k), dashpot(c) {}
 
     /// The size of the force: 2 k (q - q0) + c dq/dt.
     template <int D, std::size_t K>

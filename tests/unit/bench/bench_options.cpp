@@ -49,6 +49,11 @@ TEST(BenchOptions, AccurateIsWhatScenesHaveByDefault) {
     EXPECT_GT(channel.contact_range, 0);
 }
 
+TEST(BenchOptions, SpeciesAreCounted) {
+    EXPECT_EQ(options_of({"--case", "channel2d"}).channel.species, 0);
+    EXPECT_EQ(options_of({"--case", "channel2d", "--accurate", "--species", "3"}).channel.species, 3);
+}
+
 TEST(BenchOptions, ASingleChoiceOverrulesAccurate) {
     const Channel channel =
         options_of({"--case", "channel2d", "--walls", "plain", "--accurate", "--support=2.6", "--kernel", "lucy"})

@@ -103,6 +103,15 @@ TEST(BenchStart, TheSceneIsTheChannels) {
     EXPECT_TRUE(scene.flow.periodic[0]);
 }
 
+TEST(BenchStart, DissolvesSpeciesWhereTheyAreAskedFor) {
+    Channel channel;
+    EXPECT_TRUE(make_scene(channel).species.empty());
+    channel.species = 2;
+    const Scene scene = make_scene(channel);
+    ASSERT_EQ(scene.species.size(), 2U);
+    EXPECT_NE(*scene.species[0].name, *scene.species[1].name);
+}
+
 TEST(BenchStart, SaysSpaceInTheSceneOfSpace) {
     const std::string text = scene_text(small(3));
     EXPECT_THAT(text, testing::HasSubstr("dimension = 3"));

@@ -43,6 +43,25 @@ TEST(Arguments, RunTakesAllItsOptions) {
     EXPECT_TRUE(run.dry_run);
 }
 
+TEST(Arguments, EscapeSweepsWhatItIsNotGiven) {
+    const auto all = std::get<EscapeCommand>(read({"escape"}));
+    EXPECT_EQ(all.speeds.size(), 20U);
+    EXPECT_EQ(all.speeds.back(), "20 m/s");
+    EXPECT_EQ(all.angles.size(), 8U);
+    EXPECT_THAT(all.friction, ElementsAre(0.1, 0.3, 0.5, 1));
+    EXPECT_FALSE(all.printed);
+    EXPECT_EQ(all.particle_mass, "84.4 pg");
+    const auto one = std::get<EscapeCommand>(
+        read({"escape", "--speed", "5 m/s", "--angle=90 deg", "--angle", "45 deg", "--friction", "0.2", "--printed",
+              "--thesis-stiffness", "--pull-off-force", "3 nN", "--out", "eta.csv"}));
+    EXPECT_THAT(one.speeds, ElementsAre("5 m/s"));
+    EXPECT_THAT(one.angles, ElementsAre("90 deg", "45 deg"));
+    EXPECT_THAT(one.friction, ElementsAre(0.2));
+    EXPECT_TRUE(one.printed && one.thesis_stiffness);
+    EXPECT_EQ(one.pull_off_force, "3 nN");
+    EXPECT_EQ(one.out, "eta.csv");
+}
+
 TEST(Arguments, RunNeedsOnlyAScene) {
     const auto run = std::get<RunCommand>(read({"run", "x.toml"}));
     EXPECT_EQ(run.out, "");
@@ -99,7 +118,7 @@ TEST(Arguments, UnknownCommandNamesTheNearest) {
 TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
-    EXPECT_THAT(error.what_to_do(), HasSubstr("'run', 'mesh', 'convert', 'explain' and 'doctor'"));
+    EXPECT_THAT(error.what_to_do(), HasSubstr("'run', 'mesh', 'convert', 'explain', 'escape' and 'doctor'"));
 }
 
 TEST(Arguments, UnknownOptionNamesTheNearest) {
@@ -135,8 +154,8 @@ TEST(Arguments, UnknownVectorUnitNamesTheKnownOnes) {
 
 TEST(Arguments, HelpShowsCommandsExamplesAndExitCodes) {
     const std::string help = text_of({"--help"});
-    for (const char* word :
-         {"run", "mesh", "convert", "explain", "doctor", "Examples:", "dmp run cases/vein_valve", "Exit codes:"}) {
+    for (const char* word : {"run", "mesh", "convert", "explain", "escape", "doctor",
+                             "Examples:", "dmp run cases/vein_valve", "Exit codes:"}) {
         EXPECT_THAT(help, HasSubstr(word));
     }
     EXPECT_EQ(text_of({}), help);

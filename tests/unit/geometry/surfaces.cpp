@@ -89,7 +89,7 @@ TEST(SurfaceCrossings, a_surface_with_a_hole_is_unbalanced) {
 TEST(NearestTriangle, of_all_regions_of_a_triangle) {
     const Vec a(0, 0, 0), b(2, 0, 0), c(0, 2, 0);
     const auto expect = [&](const Vec& point, const Vec& nearest) {
-        EXPECT_LT((nearest_on_triangle(point, a, b, c) - nearest).norm(), 1e-15) << point.transpose();
+        EXPECT_LT((closest_on_triangle(point, a, b, c) - nearest).norm(), 1e-15) << point.transpose();
     };
     expect({0.5, 0.5, 3}, {0.5, 0.5, 0});
     expect({-1, -1, 1}, a);
@@ -113,7 +113,7 @@ TEST(NearestTriangle, is_what_a_look_at_all_triangles_finds) {
         double nearest = HUGE_VAL;
         for (const auto& [a, b, c] : surface.triangles) {
             const auto corner = [&](int n) { return surface.corners[static_cast<std::size_t>(n)]; };
-            nearest = std::min(nearest, (nearest_on_triangle(point, corner(a), corner(b), corner(c)) - point).norm());
+            nearest = std::min(nearest, (closest_on_triangle(point, corner(a), corner(b), corner(c)) - point).norm());
         }
         const auto found = search.nearest(point);
         ASSERT_EQ(found.has_value(), nearest <= reach) << point.transpose();

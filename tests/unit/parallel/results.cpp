@@ -70,13 +70,13 @@ ParticleSet water(int dimension, int side, double disorder, bool periodic) {
 class Moment {
   public:
     template <class VelocityAt>
-    Moment(const Scene& scene, const ParticleSet& set, const Ranks& ranks, const VelocityAt& velocity_at)
-        : scene_(scene),
+    Moment(Scene scene, const ParticleSet& set, const Ranks& ranks, const VelocityAt& velocity_at)
+        : scene_(std::move(scene)),
           ranks_(ranks),
-          particles_(set, rest_densities(scene, set), ranks_),
-          step_(scene, set, particles_, pair_settings(scene, 1), equations_of_state(scene, set), ranks_),
-          residence_times_(scene, particles_) {
-        fill_store(scene, set, particles_);
+          particles_(set, rest_densities(scene_, set), ranks_),
+          step_(scene_, set, particles_, pair_settings(scene_, 1), equations_of_state(scene_, set), ranks_),
+          residence_times_(scene_, particles_) {
+        fill_store(scene_, set, particles_);
         ParticleGroup& fluid = particles_.fluid();
         for (std::size_t i = 0; i < fluid.owned(); ++i) {
             Vec x = Vec::Zero();

@@ -35,7 +35,7 @@ SceneAndParticles mucus_and_rod() {
     set.position.back()[1] = 4.1e-4;
     for (std::size_t node = set.size() - 2; node < set.size(); ++node) {
         set.volume[node] = channel.spacing * channel.spacing;
-        set.mass[node] = 1e-2 * channel.density * set.volume[node];
+        set.mass[node] = 1e-2 * LayeredChannel::density * set.volume[node];
     }
     set.bonds.back() = {set.bonds.back().a, set.bonds.back().b, 4.8e-5, 1};
     return made;

@@ -101,7 +101,8 @@ TYPED_TEST(Kernels, StepLimitsAreThoseOfVonNeumannAnalysis) {
     const Kernel kernel(1);
     const double at_rest = Transform(kernel, TypeParam::dimension, 0).slope;
     double sound = 0, viscous = -at_rest;  // of infinite wave number
-    for (double k = 0.1; k < 40; k += 0.1) {
+    for (int tenth = 1; tenth < 400; ++tenth) {
+        const double k = 0.1 * tenth;
         const Transform at(kernel, TypeParam::dimension, k);
         sound = std::max(sound, k * std::abs(at.value));
         viscous = std::max(viscous, at.slope - at_rest);

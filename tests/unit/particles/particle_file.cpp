@@ -108,6 +108,68 @@ class ParticleFile : public ::testing::Test {
     fs::path file_ = folder_.path() / "particles.h5";
 };
 
+/// Spheres, a fluid particle and walls.
+ParticleSet some_spheres() {
+    ParticleSet set = some_particles(12);
+    set.parts = {{"water", ParticleKind::fluid}, {"floor", ParticleKind::rigid}, {"beads", ParticleKind::spheres}};
+    set.bonds.clear();
+    set.hinges.clear();
+    set.dihedrals.clear();
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const bool sphere = set.kind(i) == ParticleKind::spheres;
+        set.mass[i] = std::abs(set.mass[i]);
+        set.radius.push_back(sphere ? 0.5 + static_cast<double>(i) : 0);
+        set.velocity.emplace_back(sphere ? 0.1 * static_cast<double>(i) : 0, 2, 3);
+        set.angular_velocity.emplace_back(-1, sphere ? 0.2 * static_cast<double>(i) : 0, 7);
+    }
+    set.wall_planes = {{1, Vec(1, 2, 3), Vec(0, 0.6, 0.8)}, {1, Vec(4, 5, 6), Vec(1, 0, 0)}};
+    set.wall_corners = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1)};
+    set.wall_triangles = {{1, 0, 1, 2}, {1, 3, 2, 1}};
+    return set;
+}
+
+TEST_F(ParticleFile, GivesSpheresAndTheirWallsBack) {
+    const ParticleSet written = some_spheres();
+    write_particles(file_, written);
+    const ParticleSet read = read_particles(file_);
+    expect_equal(read, written);
+    EXPECT_EQ(read.radius, written.radius);
+    EXPECT_EQ(read.velocity, written.velocity);
+    EXPECT_EQ(read.angular_velocity, written.angular_velocity);
+    ASSERT_EQ(read.wall_planes.size(), 2U);
+    EXPECT_EQ(read.wall_planes[0].normal, Vec(0, 0.6, 0.8));
+    EXPECT_EQ(read.wall_planes[1].point, Vec(4, 5, 6));
+    EXPECT_EQ(read.wall_corners, written.wall_corners);
+    ASSERT_EQ(read.wall_triangles.size(), 2U);
+    EXPECT_EQ(read.wall_triangles[1].a, 3);
+    EXPECT_EQ(read.wall_triangles[1].c, 1);
+    EXPECT_EQ(read.wall_triangles[1].part, 1);
+}
+
+TEST_F(ParticleFile, HasNothingOfSpheresWhereThereAreNone) {
+    write_particles(file_, some_particles());
+    const SealedReader reader(file_, {"particle set", 1});
+    for (const char* name : {"particles/radius", "particles/velocity", "wall_planes/part", "wall_triangles/a"})
+        EXPECT_FALSE(reader.contents().has(name)) << name;
+}
+
+TEST_F(ParticleFile, RefusesSpheresAndWallsThatAreNone) {
+    const auto fault = [&](const auto& spoil) {
+        ParticleSet set = some_spheres();
+        spoil(set);
+        return text_thrown<std::invalid_argument>([&] { write_particles(file_, set); });
+    };
+    EXPECT_THAT(fault([](ParticleSet& set) { set.radius[2] = 0; }),
+                HasSubstr("particle 2: its radius is not more than 0"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.mass[5] = 0; }), HasSubstr("particle 5: its mass is not more than 0"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.velocity[5][1] = nan; }), HasSubstr("particle 5: its velocity"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.velocity.pop_back(); }), HasSubstr("velocity of 11"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.wall_planes[0].part = 2; }), HasSubstr("its part is no rigid part"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.wall_planes[1].normal *= 2; }), HasSubstr("wall plane 1"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.wall_corners[3][0] = infinity; }), HasSubstr("wall corner 3"));
+    EXPECT_THAT(fault([](ParticleSet& set) { set.wall_triangles[1].b = 4; }), HasSubstr("wall triangle 1"));
+}
+
 TEST_F(ParticleFile, GivesTheParticlesBackBitForBit) {
     const ParticleSet written = some_particles();
     write_particles(file_, written);

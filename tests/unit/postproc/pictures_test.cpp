@@ -12,6 +12,7 @@
 
 #include "base/errors.hpp"
 #include "postproc/canvas.hpp"
+#include "postproc/frame_scene.hpp"
 #include "postproc/tables.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_sink.hpp"
@@ -215,6 +216,22 @@ TEST(Pictures, NeedARunsFolder) {
     write_run(folder.path(), 2);
     fs::resize_file(folder.path() / "frames/fluid_000001.vtp", 500);
     EXPECT_THROW(write_pictures(folder.path(), small), InputError);
+}
+
+TEST(Pictures, DoNotDrawBondsRoundAPeriodicBorder) {
+    RunFrame frame;
+    frame.spacing = 1;
+    frame.fluid.emplace();
+    frame.solid.emplace();
+    frame.fluid->position = {0, 0, 0, 9, 4, 0};
+    frame.fluid->id = {0, 1};
+    frame.solid->position = {0.5F, 1, 0, 1.5F, 1, 0, 8.5F, 1, 0};
+    frame.solid->id = {2, 3, 4};
+    frame.solid->bond_ends = {0, 1, 0, 2};
+    EXPECT_THAT(layers_of(frame, {}, "velocity", FieldRange().scale()).back().lines, ElementsAre(0, 1));
+    frame.fluid.reset();
+    EXPECT_THAT(layers_of(frame, {}, "velocity", FieldRange().scale()).back().lines, ElementsAre(0, 1, 0, 2))
+        << "as nobody knows";
 }
 
 TEST(Canvas, DrawsWhereItIsTold) {

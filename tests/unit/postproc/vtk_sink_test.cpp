@@ -20,6 +20,7 @@
 #include "base/safe_file.hpp"
 #include "postproc/read_frames.hpp"
 #include "synthetic_run.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp {
 namespace {
@@ -101,10 +102,11 @@ TEST(VtkSink, TensorsHaveTheComponentsThatParaViewKnows) {
     const TemporaryFolder folder;
     VtkSink sink(folder.path(), label);
     Frame frame = channel_frame(0.125, false);
-    for (FrameGroup* group : {&frame.groups[0], &frame.groups[1]}) {
+    for (const std::size_t number : {0, 1}) {
+        FrameGroup& group = frame.groups[number];
         FrameField stress{"stress", "Pa", 6, {}};
-        for (std::size_t k = 0; k < 6 * group->size(); ++k) stress.values.push_back(0.5F * static_cast<float>(k));
-        group->fields.push_back(stress);
+        for (std::size_t k = 0; k < 6 * group.size(); ++k) stress.values.push_back(0.5F * static_cast<float>(k));
+        group.fields.push_back(stress);
     }
     sink.write(frame);
     for (const auto& [name, group] : {std::pair{"fluid", frame.groups[0]}, std::pair{"solid", frame.groups[1]}}) {
@@ -113,8 +115,8 @@ TEST(VtkSink, TensorsHaveTheComponentsThatParaViewKnows) {
         vtkDataArray* stress = opened.data().GetPointData()->GetArray("stress");
         ASSERT_NE(stress, nullptr) << name;
         ASSERT_EQ(stress->GetNumberOfComponents(), 6);
-        std::vector<std::string> components;
-        for (int c = 0; c < 6; ++c) components.emplace_back(stress->GetComponentName(c));
+        std::vector<std::string> components(6);
+        for (int c = 0; c < 6; ++c) components[static_cast<std::size_t>(c)] = stress->GetComponentName(c);
         EXPECT_THAT(components, ElementsAre("XX", "YY", "ZZ", "XY", "YZ", "XZ"));
         for (vtkIdType i = 0; i < stress->GetNumberOfTuples(); ++i)
             for (int c = 0; c < 6; ++c) EXPECT_EQ(stress->GetComponent(i, c), 0.5 * static_cast<double>(6 * i + c));
@@ -254,6 +256,34 @@ TEST(VtkSink, AnEarlierRunsFramesDoNotMixWithTheNew) {
     EXPECT_FALSE(fs::exists(folder.path() / "walls.vtp"));
     ASSERT_EQ(read_series(folder.path() / "fluid.pvd").size(), 1U);
     EXPECT_EQ(read_series(folder.path() / "fluid.pvd")[0].time, 5);
+}
+
+TEST(VtkSink, GoesOnWhereSolidsCameLateAndNotWhereFramesAreMissing) {
+    const TemporaryFolder folder;
+    {
+        VtkSink sink(folder.path(), label);
+        for (int k = 0; k < 4; ++k) {
+            Frame frame = channel_frame(0.1 * k, k == 0);
+            if (k < 2) std::erase_if(frame.groups, [](const FrameGroup& group) { return group.name == "solid"; });
+            sink.write(frame);
+        }
+    }
+    const auto problem = [&](long frames) {
+        VtkSink sink(folder.path(), label);
+        return testing::text_thrown<InputError>([&] { sink.go_on(frames); });
+    };
+    EXPECT_THAT(problem(5), HasSubstr("the series names fewer frames than the run has written"));
+    VtkSink sink(folder.path(), label);
+    sink.go_on(3);
+    sink.write(channel_frame(0.35, false));
+    EXPECT_EQ(sink.frames(), 4);
+    const std::string series = read_file(folder.path() / "solid.pvd");
+    EXPECT_THAT(series, HasSubstr("solid_000002.vtp"));
+    EXPECT_THAT(series, HasSubstr("timestep=\"0.35\" part=\"0\" file=\"frames/solid_000003.vtp\""));
+    EXPECT_THAT(series, Not(HasSubstr("solid_000001")));
+    fs::remove(folder.path() / "solid.pvd");
+    VtkSink liquid(folder.path(), label);
+    liquid.go_on(2);
 }
 
 TEST(VtkSink, FolderBelowAFileIsAnInputError) {

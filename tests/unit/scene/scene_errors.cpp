@@ -86,10 +86,12 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:2:1: unknown key 'spacing'\n"
               "  did you mean 'spacing' in [particles]?"},
         Fault{"misspelt_word", "kind = \"fluid\"", "kind = \"fluids\"",
-              "scene.toml:12:8: part.blood.kind: found \"fluids\", expected one of 'fluid', 'rigid' and 'springs'\n"
+              "scene.toml:12:8: part.blood.kind: found \"fluids\", expected one of 'fluid', 'rigid', 'springs', "
+              "'spheres', 'plane' and 'surface'\n"
               "  did you mean \"fluid\"?"},
         Fault{"unknown_word", "kind = \"fluid\"", "kind = \"gas\"",
-              "scene.toml:12:8: part.blood.kind: found \"gas\", expected one of 'fluid', 'rigid' and 'springs'\n"
+              "scene.toml:12:8: part.blood.kind: found \"gas\", expected one of 'fluid', 'rigid', 'springs', "
+              "'spheres', 'plane' and 'surface'\n"
               "  write one of these words"},
         Fault{"key_of_another_kind", "kind = \"rigid\"", "kind = \"rigid\"\nviscosity = \"1 Pa*s\"",
               "scene.toml:19:1: 'viscosity' does not apply to the part 'wall' of kind 'rigid', only to kind 'fluid'\n"
@@ -316,11 +318,12 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a value that is more than 0"},
         Fault{"misspelt_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"presure\"]",
               "scene.toml:35:11: output.fields: found \"presure\", expected one of 'velocity', 'pressure', 'density', "
-              "'shear_stress', 'stress', 'von_mises', 'vorticity' and 'residence_time'\n"
+              "'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and 'concentration'\n"
               "  did you mean \"pressure\"?"},
         Fault{"item_without_brackets", "every = \"20 ms\"", "every = \"20 ms\"\nfields = \"pressure\"",
               "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list out of 'velocity', "
-              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity' and 'residence_time'\n"
+              "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and "
+              "'concentration'\n"
               "  put it in brackets: fields = [ ... ]"},
         Fault{"repeated_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"pressure\", \"pressure\"]",
               "scene.toml:35:23: output.fields: \"pressure\" stands twice\n"
@@ -362,8 +365,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"unknown_table", "[run]", "[foo]\n[run]",
               "scene.toml:30:2: unknown key 'foo'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
-              "[[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"}}),
+              "[[part]], [[contact_pair]], [box], "
+              "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
+              "[[measure]], [[solidify]], [[break]]"}}),
     name_of);
 
 }  // namespace

@@ -43,8 +43,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"path_into_a_value", "particles.spacing.x=1", "",
               "--set particles.spacing.x=1: unknown key 'particles.spacing.x'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
-              "[[part]], "
-              "[flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]"},
+              "[[part]], [[contact_pair]], [box], "
+              "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
+              "[[measure]], [[solidify]], [[break]]"},
         Fault{"fault_inside_a_formula", "flow.acceleration=[\"1 m/s^2 * sin(t)\"]", "",
               "--set flow.acceleration=[\"1 m/s^2 * sin(t)\"]: sin is given a time, expected a plain number in \"1 "
               "m/s^2 * sin(t)\"\n"
@@ -62,8 +63,8 @@ TEST(GoodScene, has_no_fault) { EXPECT_EQ(fault_of(good_scene), "no error"); }
 
 TEST(WrongScene, without_anything_that_moves) {
     EXPECT_EQ(fault_of(good_scene, {"part.blood.enabled=false", "part.leaflets.enabled=false"}),
-              "scene.toml:12:8: no enabled part is of kind 'fluid' or 'springs': nothing would move\n"
-              "  add a [[part]] with kind = \"fluid\" or kind = \"springs\"");
+              "scene.toml:12:8: no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move\n"
+              "  add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
 }
 
 const std::string sinus = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n[[measure]]";

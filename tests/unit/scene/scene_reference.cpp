@@ -25,10 +25,10 @@ std::string fault_of(const std::string& key) {
 }
 
 TEST(ExplainKey, a_required_quantity) {
-    EXPECT_EQ(explain_key("particles.spacing"),
-              "particles.spacing\n"
-              "    Distance between neighbouring particles.\n"
-              "    type:    a length such as \"0.1 mm\", more than 0\n"
+    EXPECT_EQ(explain_key("run.duration"),
+              "run.duration\n"
+              "    Simulated time.\n"
+              "    type:    a time such as \"4 s\", more than 0\n"
               "    default: none, it must be given\n");
 }
 
@@ -46,7 +46,13 @@ TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
         "    Density at rest.\n"
         "    type:    a density such as \"1000 kg/m^3\", more than 0\n"
         "    default: none, it must be given\n"
-        "    only for fluid parts\n";
+        "    only for fluid parts\n"
+        "\n"
+        "part.*.density\n"
+        "    Density of the spheres; or give their mass.\n"
+        "    type:    a density such as \"2500 kg/m^3\", more than 0\n"
+        "    default: none\n"
+        "    only for spheres parts\n";
     EXPECT_EQ(explain_key("part.*.density"), text);
     EXPECT_EQ(explain_key("part.blood.density"), text);
     EXPECT_EQ(explain_key("part.density"), text);
@@ -78,11 +84,13 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(fault_of("particle.spacing"), "unknown key 'particle.spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("spacing"), "unknown key 'spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("part.blood.densty"), "unknown key 'part.blood.densty'\n  did you mean 'part.*.density'?");
-    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration' and 'threads'");
-    EXPECT_EQ(fault_of("zzz"),
-              "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
-              "[geometry], [particles], "
-              "[[part]], [flow], [contact], [accuracy], [run], [output], [[region]], [[measure]]");
+    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration', 'threads' and 'until_still'");
+    EXPECT_EQ(
+        fault_of("zzz"),
+        "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
+        "[geometry], [particles], "
+        "[[part]], [[contact_pair]], [box], [flow], [contact], [accuracy], [run], [output], [[species]], [[force]], "
+        "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
 }
 
 TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {

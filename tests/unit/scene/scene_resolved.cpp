@@ -134,10 +134,15 @@ viscosity_stepping = "explicit"
 viscosity_tolerance = 1e-06
 spring_stepping = "implicit"
 spring_step_factor = 0.5
+species_stepping = "explicit"
+species_tolerance = 1e-08
+steps_per_contact = 20
+contact_step = "auto"
 
 [run]
 duration = "4 s"
 threads = 0
+until_still = "0 s"
 
 [output]
 every = "0.02 s"

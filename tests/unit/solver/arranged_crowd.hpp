@@ -57,9 +57,9 @@ class ArrangedCrowd {
 
     ArrangedCrowd(const ParticleSet& set, PairSettings settings, const Arrangement& arrangement)
         : particles_(set, std::vector<double>(set.parts.size(), settings.density)),
-          neighbours_(ranks_, particles_.space(), settings.support + arrangement.extra_reach, arrangement.threads) {
-        border_apart_ = arrangement.border_apart;
-        with_correction_ = settings.gradient_correction;
+          neighbours_(ranks_, particles_.space(), settings.support + arrangement.extra_reach, arrangement.threads),
+          border_apart_(arrangement.border_apart),
+          with_correction_(settings.gradient_correction) {
         settings.vector_unit = arrangement.vector_unit;
         settings.threads = arrangement.threads;
         sweeps_ = make_pair_sweeps(settings, particles_);

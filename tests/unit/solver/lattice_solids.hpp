@@ -36,8 +36,8 @@ inline std::vector<Vec> displacements(const ParticleSet& set, const Loads& load)
 }
 
 /// The displacement's best fit u = sum c_k f_k(x) along one axis: the coefficients c.
-Eigen::VectorXd fit(const std::vector<Vec>& place, const std::vector<Vec>& moved, int axis,
-                    const std::function<Eigen::VectorXd(const Vec&)>& shapes) {
+inline Eigen::VectorXd fit(const std::vector<Vec>& place, const std::vector<Vec>& moved, int axis,
+                           const std::function<Eigen::VectorXd(const Vec&)>& shapes) {
     const Eigen::Index rows = static_cast<Eigen::Index>(place.size()), columns = shapes(place[0]).size();
     Eigen::MatrixXd matrix(rows, columns);
     Eigen::VectorXd right(rows);
@@ -47,7 +47,7 @@ Eigen::VectorXd fit(const std::vector<Vec>& place, const std::vector<Vec>& moved
     }
     return matrix.colPivHouseholderQr().solve(right);
 }
-Eigen::VectorXd linear(const Vec& x) { return Eigen::Vector4d(1, x[0], x[1], x[2]); }
+inline Eigen::VectorXd linear(const Vec& x) { return Eigen::Vector4d(1, x[0], x[1], x[2]); }
 inline Eigen::VectorXd quadratic(const Vec& x) {
     return (Eigen::VectorXd(6) << 1, x[0], x[1], x[0] * x[0] / 2, x[1] * x[1] / 2, x[0] * x[1]).finished();
 }

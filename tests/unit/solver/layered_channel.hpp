@@ -49,13 +49,13 @@ inline SceneAndParticles layered(const LayeredChannel& channel) {
     SceneAndParticles made;
     Scene& scene = made.scene;
     ParticleSet& set = made.particles;
-    const double dx = channel.spacing, mass = channel.density * dx * dx;
+    const double dx = channel.spacing, mass = LayeredChannel::density * dx * dx;
     scene.particles.spacing = set.spacing = dx;
     for (const auto& layer : channel.layers) {
         Part liquid;
         liquid.name = layer.name;
         liquid.kind = PartKind::fluid;
-        liquid.density = channel.density;
+        liquid.density = LayeredChannel::density;
         liquid.viscosity = layer.viscosity;
         scene.parts.push_back(liquid);
         set.parts.push_back({layer.name, ParticleKind::fluid});

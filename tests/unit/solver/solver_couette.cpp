@@ -52,11 +52,11 @@ SceneAndParticles couette(const std::string& spacing, std::vector<std::string> m
     return case_of("verification/couette", more);
 }
 
-Flow flow_of(SceneAndParticles made) {
+Flow flow_of(const SceneAndParticles& made) {
     Flow flow;
     RunOptions options;
     options.sink = &flow.kept;
-    Simulation simulation(made.scene, std::move(made.particles), 1);
+    Simulation simulation(made.scene, made.particles, 1);
     flow.summary = simulation.run(options);
     for (const Frame& frame : flow.kept.frames) {
         const FrameGroup& fluid = *group_of(frame, "fluid");
@@ -119,7 +119,7 @@ TEST(Couette, is_a_straight_line_in_space_too) {
     WalledWater made = plane;
     ParticleSet& set = made.particles;
     set = ParticleSet();
-    static_cast<ParticleSpace&>(set) = plane.particles;
+    static_cast<ParticleSpace&>(set) = static_cast<const ParticleSpace&>(plane.particles);
     set.dimension = 3;
     made.scene.dimension = 3;
     set.box.high[2] = wide * testing_solver::spacing;

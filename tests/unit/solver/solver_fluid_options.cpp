@@ -46,11 +46,11 @@ struct Flow {
 Flow flow_of(const std::vector<std::string>& options, int threads = 1) {
     std::vector<std::string> overrides{"run.duration=0.1 s", "output.fields=['velocity', 'pressure', 'density']"};
     overrides.insert(overrides.end(), options.begin(), options.end());
-    auto [scene, particles] = case_of("verification/poiseuille", overrides);
+    const auto [scene, particles] = case_of("verification/poiseuille", overrides);
     Flow flow;
     RunOptions run;
     run.sink = &flow.kept;
-    Simulation simulation(scene, std::move(particles), threads);
+    Simulation simulation(scene, particles, threads);
     flow.plan = simulation.plan();
     flow.summary = simulation.run(run);
     return flow;

@@ -98,7 +98,7 @@ TEST_F(FramePieces, KeepTheEndsOfTheirBonds) {
     Frame frame = channel_frame(0, false);
     FrameGroup& solid = frame.groups[1];
     std::ranges::reverse(solid.id);
-    std::ranges::rotate(solid.id, solid.id.begin() + 3);
+    std::rotate(solid.id.begin(), solid.id.begin() + 3, solid.id.end());
     const auto by_id = [](const FrameGroup& group) {
         std::vector<std::int64_t> ends;
         for (const std::int32_t end : group.bond_ends) ends.push_back(group.id[static_cast<std::size_t>(end)]);

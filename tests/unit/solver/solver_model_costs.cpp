@@ -16,6 +16,7 @@ using testing_solver::endless_water;
 
 std::vector<std::string> names(const std::vector<MeasuredTime>& times) {
     std::vector<std::string> all;
+    all.reserve(times.size());
     for (const MeasuredTime& time : times) all.push_back(time.of);
     return all;
 }

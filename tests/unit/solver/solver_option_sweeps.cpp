@@ -25,7 +25,6 @@ using testing_solver::crowd;
 using testing_solver::crowd_settings;
 using testing_solver::for_all_pairs;
 using testing_solver::Meeting;
-using testing_solver::never_meet;
 using testing_solver::Sums;
 
 template <int N>
@@ -52,7 +51,7 @@ class OptionSweeps : public testing::Test {
     }
     static std::vector<Vec> differences(const std::vector<Vec>& a, const std::vector<Vec>& b) {
         std::vector<Vec> all;
-        for (std::size_t i = 0; i < a.size(); ++i) all.push_back(a[i] - b[i]);
+        for (std::size_t i = 0; i < a.size(); ++i) all.emplace_back(a[i] - b[i]);
         return all;
     }
     /// Of multiples of one quantum: exactly nothing.

@@ -263,8 +263,8 @@ TEST_P(PairSweepsOf, kernels_are_those_asked_for) {
     const PairSweeps& sweeps = arranged.sweeps();
     const double r = 0.4 * settings.support;
     const auto expect_kernel = [&](const auto& kernel) {
-        EXPECT_EQ(sweeps.kernel_value(r), kernel.value(r));
-        EXPECT_EQ(sweeps.kernel_slope(r), kernel.slope(r));
+        EXPECT_DOUBLE_EQ(sweeps.kernel_value(r), kernel.value(r));
+        EXPECT_DOUBLE_EQ(sweeps.kernel_slope(r), kernel.slope(r));
         EXPECT_EQ(sweeps.viscous_limit(), kernel.viscous_limit);
         EXPECT_EQ(sweeps.sound_limit(), kernel.sound_limit);
     };
@@ -288,7 +288,8 @@ INSTANTIATE_TEST_SUITE_P(Variants, PairSweepsOf,
 class ViscousSweeps : public testing::TestWithParam<std::tuple<int, WallModel>> {};
 
 TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
-    const auto& [dimension, walls] = GetParam();
+    const int dimension = std::get<0>(GetParam());
+    const WallModel walls = std::get<1>(GetParam());
     const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 5);
     PairSettings settings = crowd_settings(set, true, walls);
     std::vector<std::vector<Vec>> seen;

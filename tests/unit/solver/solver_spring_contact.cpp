@@ -35,7 +35,8 @@ TEST(SelfContact, a_body_at_rest_feels_nothing_even_where_neighbours_are_within_
 TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) {
     // Nodes of a chain along x, the last brought near the first; its neighbour too, but that one was drawn near it.
     const Vectors drawn{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{3, 0}}};
-    SelfContact<2> contact(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1));
+    const auto held_apart = pairs_within(in_space(drawn), 2, neighbourhood_of_contact(1, 1));
+    SelfContact<2> contact(contact_within(1), held_apart);
     const Vectors now{{{0, 0}}, {{0.5, 0}}, {{2, 0}}, {{0.3, 0.6}}};
     Vectors force(4, V2::zero());
     contact.add_forces(now, force);
@@ -49,11 +50,12 @@ TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) 
     }
     EXPECT_GT(by_first[1], 0);
     // Approaching by small steps, with pairs listed before: the same bits as looked for anew.
-    for (double x = 2.2; x > 0.4; x -= 0.013) {
+    for (int small = 0; small < 139; ++small) {
+        const double x = 2.2 - 0.013 * small;
         const Vectors place{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{x, 0.2}}};
         Vectors listed(4, V2::zero()), anew(4, V2::zero());
         contact.add_forces(place, listed);
-        SelfContact<2>(contact_within(1), drawn, SelfContact<2>::neighbourhood(1, 1)).add_forces(place, anew);
+        SelfContact<2>(contact_within(1), held_apart).add_forces(place, anew);
         for (std::size_t n = 0; n < 4; ++n)
             for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(listed[n][axis], anew[n][axis]);
     }
@@ -71,7 +73,7 @@ double overlap_of_folded_leaflet(const SpringContact& contact) {
     for (int step = 0; step < 4000; ++step) body.advance(in_space(load), 0.5, 0);
     double overlap = -std::numeric_limits<double>::infinity();
     for (int column = 0; column < 12; ++column)
-        overlap = std::max(overlap, body.positions()[2 * column][0] - 0.5 * cells);
+        overlap = std::max(overlap, body.positions()[2 * static_cast<std::size_t>(column)][0] - 0.5 * cells);
     return overlap;
 }
 

@@ -68,7 +68,7 @@ double change_of_energy(double step, double damping, bool implicit) {
     };
     const double start = energy();
     double largest = 0;
-    for (double t = 0; t < 300; t += step) {
+    for (int n = 0; n * step < 300; ++n) {
         hit(body, -step * swing(body));
         implicit ? body.advance_implicit(step) : body.advance_subcycled(step, 20);
         largest = std::max(largest, energy() / start - 1);

@@ -173,6 +173,7 @@ TEST(SpringNetwork, forces_stay_finite_where_nodes_lie_on_one_line) {
 /// A straight cantilever of one row along x: bonds, and hinges that rest straight; the first two nodes are held.
 ParticleSet filament(int nodes, double k_a) {
     std::vector<Vec> place;
+    place.reserve(static_cast<std::size_t>(nodes));
     for (int n = 0; n < nodes; ++n) place.emplace_back(n, 0, 0);
     ParticleSet set = set_of_nodes(3, place, std::vector<double>(place.size(), 1));
     for (int n = 1; n < nodes; ++n) set.bonds.push_back({n - 1, n, 1, 10});

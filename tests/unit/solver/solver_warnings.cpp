@@ -183,6 +183,25 @@ TEST(Warnings, of_nothing_that_moves_know_every_drive) {
     EXPECT_THAT(texts(belt), Contains(HasSubstr("nothing will move")));
 }
 
+TEST(Warnings, of_solidifying_are_about_reach_and_times_and_not_about_the_regions_it_names) {
+    Scene scene = pipe();
+    scene.particles.spacing = 1e-3;
+    scene.regions.resize(1);
+    give(scene.regions[0].name, std::string("sinus"));
+    Solidify clot;
+    clot.name = std::string("clot");
+    clot.seed_region = std::string("sinus");
+    clot.reach = 1.2e-3;
+    scene.solidify = {clot};
+    EXPECT_THAT(texts(scene, 2), IsEmpty());
+    give(scene.solidify[0].reach, 0.912e-3);
+    EXPECT_THAT(texts(scene, 2), ElementsAre(AllOf(HasSubstr("scene.toml:7:9: solidify.clot.reach"),
+                                                   HasSubstr("is less than the spacing"))));
+    scene.solidify[0].reach = 1.2e-3;
+    give(scene.solidify[0].from, 4.0);
+    EXPECT_THAT(texts(scene, 2), ElementsAre(HasSubstr("nothing will turn solid")));
+}
+
 TEST(Warnings, of_missing_contact_count_bodies) {
     Scene scene = pipe();
     without(scene, PartKind::rigid);

@@ -86,8 +86,9 @@ struct WalledWater {
 
 inline Expression formula_of(const std::string& text) { return Expression(text, text); }
 
-/// A run on these ranks, with a frame at its end.
-inline RunSummary run_of(const WalledWater& made, FrameSink* sink = nullptr, const Ranks& ranks = Ranks::alone()) {
+/// A run on these ranks, with a frame at its end. `made` has a scene and its particles.
+template <class Made>
+RunSummary run_of(const Made& made, FrameSink* sink = nullptr, const Ranks& ranks = Ranks::alone()) {
     Resources resources(1);
     resources.ranks = ranks;
     Scene scene = made.scene;
@@ -109,8 +110,9 @@ class StoppingSink : public FrameSink {
 };
 
 /// The same, stopped at its first frame after the start and resumed by another process from its checkpoint.
-inline RunSummary run_in_two_parts(const WalledWater& made, const std::filesystem::path& folder,
-                                   const Ranks& ranks = Ranks::alone()) {
+template <class Made>
+RunSummary run_in_two_parts(const Made& made, const std::filesystem::path& folder,
+                            const Ranks& ranks = Ranks::alone()) {
     Resources resources(1);
     resources.ranks = ranks;
     std::atomic<bool> stop{false};

@@ -1,0 +1,77 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "cli/chosen.hpp"
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+#include "scene/read_scene.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+/// Where a pair's value comes from; pairs have no levels of quality.
+template <class T>
+std::string origin_text(const Value<T>& value) {
+    return value.given() ? value.place.text() : "default";
+}
+
+std::string damping_text(const ContactPair& pair) {
+    const std::string damping = pair.restitution.given() ? fmt::format("restitution {:.4g}", *pair.restitution)
+                                                         : fmt::format("dampings {:.4g} and {:.4g} 1/(m s)",
+                                                                       *pair.normal_damping, *pair.tangential_damping);
+    return fmt::format("{}; the dashpot {} pull ({})", damping, pair.dashpot_may_pull ? "may" : "may not",
+                       origin_text(pair.dashpot_may_pull));
+}
+
+std::string adhesion_text(const ContactPair& pair) {
+    if (*pair.adhesion == AdhesionKind::none) return "none (" + origin_text(pair.adhesion) + ")";
+    std::string text = word(*pair.adhesion) + ", " +
+                       (pair.pull_off_force.given() ? quantity_text(*pair.pull_off_force, "N")
+                                                    : quantity_text(*pair.work_of_adhesion, "J/m^2"));
+    if (*pair.adhesion == AdhesionKind::bradley)
+        text += fmt::format(
+            ", z0 {}, cut off at {} ({})", quantity_text(*pair.equilibrium_distance, "m"),
+            quantity_text(pair.adhesion_cutoff.given() ? *pair.adhesion_cutoff : 50 * *pair.equilibrium_distance, "m"),
+            origin_text(pair.adhesion_cutoff));
+    return text;
+}
+
+void add_pair(Listing& list, const ContactPair& pair) {
+    list.add("contact", fmt::format("'{}' and '{}': {} ({})", (*pair.parts)[0], (*pair.parts)[1], word(*pair.law),
+                                    origin_text(pair.law)));
+    if (*pair.law == ContactLawKind::none) return;
+    list.add("", fmt::format("{}; friction {:.4g}", damping_text(pair), *pair.friction));
+    if (*pair.rolling_friction > 0)
+        list.add("", fmt::format("rolling friction {:.4g}, {} ({})", *pair.rolling_friction, word(*pair.rolling_law),
+                                 origin_text(pair.rolling_law)));
+    list.add("", "adhesion " + adhesion_text(pair));
+}
+
+}  // namespace
+
+std::string chosen_of_spheres_text(const Scene& scene, const Plan& plan, const Origin& origin) {
+    const auto& accuracy = scene.accuracy;
+    Listing list;
+    list.add("quality", fmt::format("{} ({})", word(*scene.quality),
+                                    scene.quality.given() ? scene.quality.place.text() : "default"));
+    for (const ContactPair& pair : scene.contact_pairs) add_pair(list, pair);
+    for (const PartKind kind : {PartKind::plane, PartKind::surface})
+        for (const Part* wall : scene.parts_of(kind))
+            list.add("wall " + *wall->name, wall->youngs_modulus.given()
+                                                ? quantity_text(*wall->youngs_modulus, "Pa")
+                                                : std::string("does not yield (no youngs_modulus)"));
+    list.add(
+        "step",
+        *accuracy.contact_step > 0
+            ? fmt::format("{} ({})", quantity_text(*accuracy.contact_step, "s"), accuracy.contact_step.place.text())
+            : fmt::format("{:.4g} in an impact ({})", *accuracy.steps_per_contact,
+                          accuracy.steps_per_contact.given() ? accuracy.steps_per_contact.place.text()
+                                                             : default_origin(scene, "accuracy.steps_per_contact")));
+    list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
+                                      count_text(static_cast<std::size_t>(plan.steps))));
+    for (const auto& note : origin.notes) list.add("note", note);
+    return Style(Stream::output).strong("What will run") + "\n" + list.text();
+}
+
+}  // namespace dmp::cli

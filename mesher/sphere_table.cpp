@@ -1,0 +1,147 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/sphere_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+
+#include "base/nearest_name.hpp"
+#include "scene/quantity.hpp"
+
+namespace dmp {
+
+namespace {
+
+constexpr std::array known{"x", "y", "z", "radius", "vx", "vy", "vz", "wx", "wy", "wz"};
+
+/// What a column's unit is like.
+const char* example_of(std::size_t column) { return column < 4 ? "1 mm" : column < 7 ? "1 m/s" : "1 rad/s"; }
+
+/// One cell of a line, without spaces around it.
+struct Cell {
+    std::string text;
+    int column = 1;
+};
+
+std::vector<Cell> cells_of(const std::string& line) {
+    std::vector<Cell> cells;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(',', begin), line.size());
+        const std::size_t first = std::min(line.find_first_not_of(" \t\r", begin), end);
+        std::size_t last = end;
+        while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t' || line[last - 1] == '\r')) --last;
+        cells.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
+        begin = end + 1;
+    }
+    return cells;
+}
+
+/// A column of the table: which of the known ones, and its unit in SI.
+struct Column {
+    std::size_t known = 0;
+    double unit = 1;
+};
+
+Column read_heading(const Cell& cell, const Place& at) {
+    const std::size_t open = cell.text.find('[');
+    std::string name = cell.text.substr(0, open);
+    name.erase(name.find_last_not_of(" \t") + 1);
+    const auto* const found = std::ranges::find(known, name);
+    if (found == known.end()) {
+        const std::vector<std::string> names(known.begin(), known.end());
+        const std::string nearest = nearest_name(name, names);
+        throw InputError(at, "unknown column '" + name + "'",
+                         nearest.empty() ? "a table of spheres has the columns " + quoted_list(names)
+                                         : "did you mean '" + nearest + "'?");
+    }
+    Column column;
+    column.known = static_cast<std::size_t>(found - known.begin());
+    const Expected expected(example_of(column.known));
+    if (open == std::string::npos || cell.text.back() != ']')
+        throw InputError(at, "column '" + name + "' has no unit",
+                         "write it behind the name: " + name + " [" + expected.unit() + "]");
+    const std::string unit = cell.text.substr(open + 1, cell.text.size() - open - 2);
+    column.unit = expected.read({"1 " + unit, at, {}}, "column " + name);
+    return column;
+}
+
+double read_number(const Cell& cell, const Place& at) {
+    double value = 0;
+    const char* const end = cell.text.data() + cell.text.size();
+    const char* begin = cell.text.data();
+    if (begin != end && *begin == '+') ++begin;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value))
+        throw InputError(at, "found \"" + cell.text + "\", expected a number", "correct the table");
+    return value;
+}
+
+/// By known column, the one of the table; none where it has none.
+using Places = std::array<std::optional<std::size_t>, known.size()>;
+
+void need_together(const Places& places, std::size_t first, const Place& at, bool must) {
+    for (std::size_t k = first; k < first + 3; ++k)
+        for (std::size_t other = first; other < first + 3; ++other)
+            if (!places.at(k) && (must || places.at(other)))
+                throw InputError(at, std::string("the table has no column '") + known.at(k) + "'",
+                                 must ? "name the columns in its first line: x [mm], y [mm], z [mm]"
+                                      : "give all three components, or none");
+}
+
+}  // namespace
+
+SphereTable read_sphere_table(const std::string& file, const Place& place) {
+    std::ifstream stream(file);
+    if (!stream.is_open()) throw InputError(place, "'" + file + "' cannot be read", "check the file's name");
+    SphereTable table;
+    std::vector<Column> columns;
+    Places places{};
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        const std::size_t begin = line.find_first_not_of(" \t\r");
+        if (begin == std::string::npos || line[begin] == '#') continue;
+        const std::vector<Cell> cells = cells_of(line);
+        const auto at = [&](const Cell& cell) { return Place{file, number, cell.column}; };
+        if (columns.empty()) {
+            for (const Cell& cell : cells) {
+                columns.push_back(read_heading(cell, at(cell)));
+                auto& taken = places.at(columns.back().known);
+                if (taken)
+                    throw InputError(at(cell),
+                                     std::string("column '") + known.at(columns.back().known) + "' stands twice",
+                                     "leave one of them out");
+                taken = columns.size() - 1;
+            }
+            need_together(places, 0, Place{file, number, 1}, true);
+            need_together(places, 4, Place{file, number, 1}, false);
+            need_together(places, 7, Place{file, number, 1}, false);
+            continue;
+        }
+        if (cells.size() != columns.size())
+            throw InputError(Place{file, number, 1},
+                             "found " + std::to_string(cells.size()) + " values in a table of " +
+                                 std::to_string(columns.size()) + " columns",
+                             "correct the table");
+        std::vector<double> values;
+        for (std::size_t k = 0; k < cells.size(); ++k)
+            values.push_back(columns[k].unit * read_number(cells[k], at(cells[k])));
+        const auto vector_at = [&](std::size_t first) {
+            return Vec(values[*places.at(first)], values[*places.at(first + 1)], values[*places.at(first + 2)]);
+        };
+        table.centre.push_back(vector_at(0));
+        if (places[3]) {
+            table.radius.push_back(values[*places[3]]);
+            if (table.radius.back() <= 0)
+                throw InputError(at(cells[*places[3]]), "a sphere's radius is more than 0", "correct the table");
+        }
+        if (places[4]) table.velocity.push_back(vector_at(4));
+        if (places[7]) table.spin.push_back(vector_at(7));
+    }
+    if (table.centre.empty()) throw InputError(place, "'" + file + "' lists no sphere", "give it rows");
+    return table;
+}
+
+}  // namespace dmp

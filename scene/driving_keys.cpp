@@ -1,0 +1,147 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/driving_keys.hpp"
+
+#include <algorithm>
+
+#include "base/nearest_name.hpp"
+
+namespace dmp {
+
+// Columns as in schema.cpp.
+// clang-format off
+
+std::vector<Key<ForceOnPart>> force_keys() {
+    return {
+        {"name", &ForceOnPart::name, name(), required, "What the force is called."},
+        {"part", &ForceOnPart::part, name(), required, "The part it acts on: of fluid, springs or spheres."},
+        {"force", &ForceOnPart::force, formulas("1 mN"), required, "The force along x and y, by formulas of t, x, y; in 2-D on 1 m of depth."},
+        {"amount", &ForceOnPart::amount, word_of<ForceAmount>(), required,
+         "What the force is of: \"total\", the whole part, spread evenly over its particles, or \"per_particle\", each of them."},
+        {"from", &ForceOnPart::from, quantity("1 s", not_negative), "0", "When it starts."},
+        {"until", &ForceOnPart::until, quantity("2 s", positive), not_given, "When it ends; without it never."},
+        {"period", &ForceOnPart::period, quantity("4 s", positive), not_given,
+         "Time after which the schedule begins anew; without it once."},
+    };
+}
+
+std::vector<Key<MovingShape>> moving_shape_keys() {
+    const Kinds all, parabola = {"parabola"}, circle = {"circle"};
+    return {
+        {"name", all, &MovingShape::name, name(), required, "What the shape is called."},
+        {"kind", all, &MovingShape::kind, word_of<ShapeKind>(), required,
+         "An arc of a parabola about an axis along y, or a circle; both are the same all along z."},
+        {"parts", all, &MovingShape::parts, names(), required,
+         "The parts that feel it, of fluid, springs or spheres; for all others it is not there."},
+        {"place", all, &MovingShape::place, formulas("1 mm"), required,
+         "Where its vertex or centre is, by formulas of t; along periodic axes its nearest image counts."},
+        {"half_width", parabola, &MovingShape::half_width, quantity("1 mm", positive), required,
+         "From the parabola's axis to its ends."},
+        {"height", parabola, &MovingShape::height, quantity("1 mm"), required,
+         "Of the ends above the vertex; less than 0 for a parabola that opens downward."},
+        {"radius", circle, &MovingShape::radius, quantity("1 mm", positive), required, "Radius of the circle."},
+        {"strength", all, &MovingShape::strength, quantity("1 uN", positive), required,
+         "K of the force K (1 + cos(pi d / range)) on each particle at the distance d."},
+        {"range", all, &MovingShape::range, quantity("0.2 mm", positive), required, "Distance at which the force ends."},
+        {"side", all, &MovingShape::side, word_of<PushedSide>(), "both",
+         "Where particles belong: on either side, from where they are pushed away, or inside (where the focus is) or outside, to where they are pushed back from behind."},
+        {"from", all, &MovingShape::from, quantity("1 s", not_negative), "0", "When it comes."},
+        {"until", all, &MovingShape::until, quantity("2 s", positive), not_given, "When it goes; without it never."},
+        {"period", all, &MovingShape::period, quantity("4 s", positive), not_given,
+         "Time after which the schedule begins anew; without it once."},
+    };
+}
+// clang-format on
+
+namespace {
+
+void need_pushable(const Scene& scene, const Place& place, const std::string& name) {
+    std::vector<std::string> can;
+    const Part* part = nullptr;
+    for (const Part& each : scene.parts) {
+        const bool moves =
+            *each.kind == PartKind::fluid || *each.kind == PartKind::springs || *each.kind == PartKind::spheres;
+        if (moves) can.push_back(*each.name);
+        if (*each.name == name) part = &each;
+    }
+    if (part == nullptr) {
+        const std::string nearest = nearest_name(name, can);
+        throw InputError(
+            place, "the scene has no part '" + name + "'",
+            nearest.empty() ? "parts that can be pushed are " + quoted_list(can) : "did you mean '" + nearest + "'?");
+    }
+    if (std::ranges::find(can, name) == can.end())
+        throw InputError(
+            place,
+            "part '" + name + "' is of kind '" + word(*part->kind) + "', which moves as it is told and feels no force",
+            "give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'");
+    if (*part->kind == PartKind::spheres)
+        throw InputError(place, "part '" + name + "' is of spheres, which feel body accelerations alone for now",
+                         "give [flow] an acceleration");
+    if (!*part->enabled)
+        throw InputError(place, "part '" + name + "' is not enabled", "enable it, or leave out what pushes it");
+}
+
+template <class Driver>
+void check_schedule(const Driver& driver, const std::string& what) {
+    if (driver.until.given() && *driver.until <= *driver.from)
+        throw InputError(driver.until.place, what + " ends before it starts", "give an until that is after from");
+    if (!driver.period.given()) return;
+    if (!driver.until.given())
+        throw InputError(driver.period.place, what + " has a period, and never ends within it", "add until");
+    if (*driver.period < *driver.until - *driver.from)
+        throw InputError(driver.period.place, what + " begins anew before it has ended",
+                         "give a period of at least until - from");
+}
+
+void check_force(const Scene& scene, const ForceOnPart& force) {
+    const std::string what = "the force '" + *force.name + "'";
+    need_pushable(scene, force.part.place, force.part);
+    check_schedule(force, what);
+    const auto& formulas = *force.force;
+    if (scene.dimension == 2 && !formulas[2].is_zero())
+        throw InputError(force.force.place, what + " has a third component in a 2-D scene", "leave it out, or write 0");
+    if (std::ranges::all_of(formulas, &Expression::is_zero))
+        throw InputError(force.force.place, what + " is 0", "give it a component, or leave it out");
+    for (const BoxSide side : *scene.flow.symmetry) {
+        const std::size_t axis = side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1;
+        if (!formulas.at(axis).is_zero() && !formulas.at(axis).depends_on_place())
+            throw InputError(
+                force.force.place,
+                what + " pushes across the plane of symmetry '" + word(side) + "': the two sides would not be alike",
+                "leave out that component, or the side");
+    }
+}
+
+void check_shape(const Scene& scene, const MovingShape& shape) {
+    const std::string what = "the moving shape '" + *shape.name + "'";
+    for (const std::string& part : *shape.parts) need_pushable(scene, shape.parts.place, part);
+    check_schedule(shape, what);
+    if (std::ranges::any_of(*shape.place, &Expression::depends_on_place))
+        throw InputError(shape.place.place, what + ": its place depends on x, y or z", "give formulas of t");
+    if (*shape.kind == ShapeKind::parabola && *shape.height == 0)
+        throw InputError(shape.height.place, what + " is flat: its height is 0", "give the height of its ends");
+}
+
+template <class Item>
+void refuse_equal_names(const std::vector<Item>& items, const std::string& what) {
+    for (auto item = items.begin(); item != items.end(); ++item) {
+        const auto first =
+            std::find_if(items.begin(), item, [&](const Item& other) { return *other.name == *item->name; });
+        if (first != item)
+            throw InputError(
+                item->name.place,
+                "there is already a " + what + " called '" + *item->name + "', at " + first->name.place.text(),
+                "give each " + what + " its own name");
+    }
+}
+
+}  // namespace
+
+void check_driving(const Scene& scene) {
+    refuse_equal_names(scene.forces, "force");
+    refuse_equal_names(scene.moving_shapes, "moving shape");
+    for (const ForceOnPart& force : scene.forces) check_force(scene, force);
+    for (const MovingShape& shape : scene.moving_shapes) check_shape(scene, shape);
+}
+
+}  // namespace dmp

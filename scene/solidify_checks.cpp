@@ -1,0 +1,150 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/solidify_checks.hpp"
+
+#include <algorithm>
+
+#include "base/nearest_name.hpp"
+
+namespace dmp {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<const Part*>& parts) {
+    std::vector<std::string> names;
+    for (const Part* part : parts) names.push_back(*part->name);
+    return names;
+}
+
+bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// The error for a name that stands for nothing that will do.
+[[noreturn]] void refuse_name(const Scene& scene, const Value<std::string>& name, const std::string& key,
+                              const std::string& whose, const std::string& expected,
+                              const std::vector<std::string>& names) {
+    const auto part = std::ranges::find_if(scene.parts, [&](const Part& p) { return *p.name == *name; });
+    std::string problem = key + " of " + whose + ": ";
+    if (part == scene.parts.end())
+        problem += "the scene has no '" + *name + "'";
+    else if (!*part->enabled)
+        problem += "part '" + *name + "' is not enabled";
+    else
+        problem += "part '" + *name + "' is of kind '" + word(*part->kind) + "', expected " + expected;
+    const auto nearest = nearest_name(*name, names);
+    throw InputError(name.place, problem,
+                     names.empty()     ? "add one"
+                     : nearest.empty() ? "the scene has " + quoted_list(names)
+                                       : "did you mean '" + nearest + "'?");
+}
+
+std::string named(const Solidify& rule) { return "solidify '" + *rule.name + "'"; }
+
+void check_liquid(const Scene& scene, const Solidify& rule) {
+    const auto liquids = names_of(scene.parts_of(PartKind::fluid));
+    if (!is_one_of(*rule.liquid, liquids))
+        refuse_name(scene, rule.liquid, "liquid", named(rule), "a fluid part", liquids);
+    const auto same = std::ranges::find_if(scene.parts, [&](const Part& part) { return *part.name == *rule.name; });
+    if (same != scene.parts.end())
+        throw InputError(rule.name.place,
+                         "there is already a part called '" + *rule.name + "', at " + same->name.place.text(),
+                         "give what turns solid a name of its own");
+}
+
+void check_region_name(const Scene& scene, const Solidify& rule, const Value<std::string>& region,
+                       const std::string& key, const Value<double>& residence, const std::string& residence_key) {
+    if (residence.given() && !region.given())
+        throw InputError(residence.place,
+                         residence_key + " of " + named(rule) + " is a time in a region, and there is no " + key,
+                         "add " + key + ", the name of a [[region]]");
+    if (!region.given()) return;
+    std::vector<std::string> names;
+    for (const ResidenceRegion& each : scene.regions) names.push_back(*each.name);
+    if (is_one_of(*region, names)) return;
+    const auto nearest = nearest_name(*region, names);
+    throw InputError(region.place, key + " of " + named(rule) + ": the scene has no region '" + *region + "'",
+                     names.empty()     ? "add a [[region]] with that name and the corners from and to"
+                     : nearest.empty() ? "its regions are " + quoted_list(names)
+                                       : "did you mean '" + nearest + "'?");
+}
+
+void check_seeds(const Scene& scene, const Solidify& rule) {
+    const bool of_liquid =
+        rule.seed_region.given() || rule.seed_stress_above.given() || rule.seed_residence_above.given();
+    if (!rule.seed_part.given()) {
+        if (of_liquid) return;
+        throw InputError(rule.name.place, named(rule) + " has no seeds: nothing would ever turn solid",
+                         "add seed_part, seed_region or seed_stress_above");
+    }
+    if (of_liquid)
+        throw InputError(rule.seed_part.place, named(rule) + " has seeds of a part and seeds of liquid",
+                         "leave out seed_part, or write a [[solidify]] for each");
+    auto solids = names_of(scene.parts_of(PartKind::rigid));
+    for (const auto& name : names_of(scene.parts_of(PartKind::springs))) solids.push_back(name);
+    if (!is_one_of(*rule.seed_part, solids))
+        refuse_name(scene, rule.seed_part, "seed_part", named(rule), "a rigid or springs part", solids);
+    for (const Part* wall : scene.parts_of(PartKind::rigid))
+        if (*wall->name == *rule.seed_part && wall->moves())
+            throw InputError(rule.seed_part.place,
+                             "seed_part of " + named(rule) + ": part '" + *wall->name +
+                                 "' moves, and bonds to walls hold at places that stay",
+                             "take a part that rests, or a springs part");
+}
+
+void check_activity(const Solidify& rule) {
+    const bool one_in = *rule.active == SeedActivity::one_in;
+    if (one_in && !rule.one_in.given())
+        throw InputError(rule.active.place, named(rule) + ": active = \"one_in\" does not say in how many events",
+                         "add one_in = 10, for example");
+    if (!one_in && rule.one_in.given())
+        throw InputError(
+            rule.one_in.place,
+            named(rule) + ": one_in needs active = \"one_in\", and active is \"" + word(*rule.active) + "\"",
+            "write active = \"one_in\", or leave one_in out");
+}
+
+void check_breaking(const Scene& scene, const Breaking& rule) {
+    need_solid(scene, rule.part, "break", *rule.name);
+    if (rule.force_above.given() == rule.strain_above.given())
+        throw InputError(rule.force_above.given() ? rule.strain_above.place : rule.name.place,
+                         "break '" + *rule.name + "' has " +
+                             (rule.force_above.given() ? "two limits" : "no limit: nothing would ever break"),
+                         "give force_above or strain_above");
+}
+
+}  // namespace
+
+void need_solid(const Scene& scene, const Value<std::string>& name, const std::string& what, const std::string& whose) {
+    auto solids = names_of(scene.parts_of(PartKind::springs));
+    for (const Solidify& rule : scene.solidify) solids.push_back(*rule.name);
+    if (!is_one_of(*name, solids))
+        refuse_name(scene, name, "part", what + " '" + whose + "'", "a springs part or a [[solidify]]", solids);
+}
+
+void check_solidify(const Scene& scene) {
+    for (const Solidify& rule : scene.solidify) {
+        check_liquid(scene, rule);
+        check_seeds(scene, rule);
+        check_region_name(scene, rule, rule.seed_region, "seed_region", rule.seed_residence_above,
+                          "seed_residence_above");
+        check_region_name(scene, rule, rule.region, "region", rule.residence_above, "residence_above");
+        check_activity(rule);
+        if (!scene.flow.symmetry->empty())
+            throw InputError(rule.name.place, named(rule) + ": there are planes of symmetry, and solids have no image",
+                             "leave out flow.symmetry, and draw both sides");
+    }
+    if (!scene.solidify.empty() && !scene.species.empty())
+        throw InputError(
+            scene.solidify.front().name.place,
+            named(scene.solidify.front()) +
+                ": the scene has [[species]], and what is dissolved in liquid that turns solid would be lost",
+            "species in aggregates are not there yet: leave out [[solidify]] or [[species]]");
+    for (const Breaking& rule : scene.breaking) check_breaking(scene, rule);
+    if (scene.changes_bodies() && scene.asks_for(SolidField::mean_displacement))
+        throw InputError(
+            scene.solidify.empty() ? scene.breaking.front().name.place : scene.solidify.front().name.place,
+            "output.solid_fields asks for mean_displacement, which is of bodies that stay as they were drawn",
+            "leave mean_displacement out");
+}
+
+}  // namespace dmp

@@ -1,0 +1,109 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Kinds of value that are lists: of lengths, of points, of names.
+#include <algorithm>
+
+#include "scene/value_types.hpp"
+
+namespace dmp {
+
+ValueType<std::vector<double>> quantity_or_list(const std::string& example, const Range& range) {
+    const ValueType<double> one = quantity(example, range);
+    return {one.description + ", or a list of them",
+            [one](const TomlNode& node, const std::string& path) {
+                std::vector<double> values;
+                if (!node.is_array()) {
+                    values.push_back(one.read(node, path));
+                    return values;
+                }
+                for (const auto& item : node.children) values.push_back(one.read(item, path));
+                if (values.empty())
+                    throw InputError(node.place, path + ": found an empty list",
+                                     "give " + one.description + ", or a list of them");
+                return values;
+            },
+            [one](const std::vector<double>& values) {
+                if (values.size() == 1) return one.write(values.front());
+                std::vector<std::string> items;
+                items.reserve(values.size());
+                for (const double value : values) items.push_back(one.write(value));
+                return detail::toml_list(items);
+            }};
+}
+
+ValueType<std::vector<Vec>> points() {
+    const std::string description = R"(a list of points such as [[0, 0, "1 mm"], [0, 0, "3 mm"]])";
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                std::vector<Vec> values;
+                for (const auto& item : detail::list_items(node, path, description))
+                    values.push_back(point().read(item, path));
+                if (values.empty()) throw InputError(node.place, path + ": found an empty list", "give " + description);
+                return values;
+            },
+            [](const std::vector<Vec>& values) {
+                std::vector<std::string> items;
+                items.reserve(values.size());
+                for (const Vec& value : values) items.push_back(point().write(value));
+                return detail::toml_list(items);
+            }};
+}
+
+ValueType<Vec> direction() {
+    const std::string description = "a direction of three numbers such as [0, 0, 1]";
+    return {
+        description,
+        [description](const TomlNode& node, const std::string& path) {
+            const auto& items = detail::list_items(node, path, description);
+            if (items.size() != 3)
+                throw InputError(
+                    node.place, path + ": found a list of " + std::to_string(items.size()) + ", expected three numbers",
+                    "write " + last_word(path) + " = [x, y, z], such as [0, 0, 1]");
+            Vec value;
+            for (std::size_t i = 0; i < 3; ++i) value[static_cast<Eigen::Index>(i)] = number().read(items[i], path);
+            if (value.norm() == 0)
+                throw InputError(node.place, path + ": found [0, 0, 0], which points nowhere", "give " + description);
+            return value;
+        },
+        [](const Vec& value) {
+            std::vector<std::string> items;
+            for (const double component : value) items.push_back(number().write(component));
+            return detail::toml_list(items);
+        }};
+}
+
+ValueType<std::vector<std::string>> names() {
+    const std::string description = R"(a list of names such as ["cilia"])";
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                std::vector<std::string> values;
+                for (const auto& item : detail::list_items(node, path, description))
+                    values.push_back(name().read(item, path));
+                if (values.empty()) throw InputError(node.place, path + ": found an empty list", "give " + description);
+                detail::refuse_repeated_words(node, path);
+                return values;
+            },
+            [](const std::vector<std::string>& values) {
+                std::vector<std::string> items;
+                items.reserve(values.size());
+                for (const std::string& value : values) items.push_back(toml_quoted(value));
+                return detail::toml_list(items);
+            }};
+}
+
+ValueType<std::array<std::string, 2>> two_names() {
+    const std::string description = R"(a list of two parts' names such as ["carrier", "floor"], or "any")";
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                const auto& items = detail::list_items(node, path, description);
+                if (items.size() != 2)
+                    throw InputError(
+                        node.place, path + ": found a list of " + std::to_string(items.size()) + ", expected two names",
+                        "name both parts; for contacts within one part name it twice");
+                return std::array<std::string, 2>{name().read(items[0], path), name().read(items[1], path)};
+            },
+            [](const std::array<std::string, 2>& value) {
+                return detail::toml_list({toml_quoted(value[0]), toml_quoted(value[1])});
+            }};
+}
+
+}  // namespace dmp

@@ -1,0 +1,12 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/frame.hpp"
+#include "solver/state/archive.hpp"
+
+namespace dmp {
+
+/// A series of measures on its way into a checkpoint or out of one; its columns are known.
+void archive_series(Archive& file, MeasureSeries& series);
+
+}  // namespace dmp

@@ -1,0 +1,203 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/output/species_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "particles/periodic_images.hpp"
+
+namespace dmp {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+double quotient(double a, double b) { return b != 0 ? a / b : nothing; }
+
+/// Slope of the straight line through (t, y) by least squares; not a number from fewer than two times.
+double slope(const std::vector<double>& t, const std::vector<double>& y) {
+    double mean_t = 0, mean_y = 0, above = 0, below = 0;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        mean_t += t[k] / static_cast<double>(t.size());
+        mean_y += y[k] / static_cast<double>(t.size());
+    }
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        above += (t[k] - mean_t) * (y[k] - mean_y);
+        below += (t[k] - mean_t) * (t[k] - mean_t);
+    }
+    return quotient(above, below);
+}
+
+}  // namespace
+
+bool is_of_species(MeasureKind kind) {
+    using enum MeasureKind;
+    return kind == amount || kind == mean_concentration || kind == profile || kind == spread || kind == wall_flux ||
+           kind == peclet;
+}
+
+std::vector<std::pair<std::string, std::string>> SpeciesMeasures::columns(const Measure& measure) const {
+    const Species& species = scene_.species[scene_.species_of(measure)];
+    const std::string& name = measure.name;
+    std::vector<std::pair<std::string, std::string>> columns;
+    switch (*measure.kind) {
+        case MeasureKind::amount:
+            return {{name, species.amount_unit()}};
+        case MeasureKind::profile:
+            for (int bin = 1; bin <= *measure.bins; ++bin)
+                columns.emplace_back(name + "_" + std::to_string(bin), species.concentration_unit());
+            return columns;
+        case MeasureKind::spread:
+            return {{name, "m^2"}, {name + "_diffusivity", "m^2/s"}, {name + "_sherwood", "1"}};
+        case MeasureKind::wall_flux:
+            columns = {{name, species.amount_unit() + "/s"}, {name + "_total", species.amount_unit()}};
+            if (measure.length.given()) columns.emplace_back(name + "_sherwood", "1");
+            return columns;
+        case MeasureKind::peclet:
+            return {{name, "1"}};
+        default:
+            return {{name, species.concentration_unit()}};
+    }
+}
+
+std::vector<double> SpeciesMeasures::values(const Measure& measure, double time, const ParticleStore& particles,
+                                            const FluidStep& step, const MeasureSeries& series,
+                                            std::size_t first) const {
+    switch (*measure.kind) {
+        case MeasureKind::amount:
+            return {step.species()->held_by_particles(particles, scene_.species_of(measure))};
+        case MeasureKind::profile:
+            return profile(measure, particles, step);
+        case MeasureKind::spread:
+            return spread(measure, time, particles, step, series, first);
+        case MeasureKind::wall_flux:
+            return wall_flux(measure, time, particles, step, series, first);
+        case MeasureKind::peclet:
+            return {quotient(step.extremes().largest_speed * measure.length, diffusivity(measure))};
+        default:
+            return {mean(measure, particles, step)};
+    }
+}
+
+template <class Visit>
+void SpeciesMeasures::for_each_in_box(const Measure& measure, const ParticleStore& particles, const FluidStep& step,
+                                      const Visit& visit) const {
+    const std::size_t species = scene_.species_of(measure);
+    const Vec low = measure.from->cwiseMin(*measure.to), high = measure.from->cwiseMax(*measure.to);
+    const ParticleGroup& fluid = particles.fluid();
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        Vec place = Vec::Zero();
+        bool inside = true;
+        for (int axis = 0; axis < space_.dimension; ++axis) {
+            const double x = fluid.data(Field::position, axis)[i];
+            place[axis] = space_.periodic[axis] ? wrapped(x, space_.box.low[axis], space_.box.high[axis])
+                                                : space_.mirrored_back(x, axis);
+            inside = inside && (!measure.from.given() || (place[axis] >= low[axis] && place[axis] < high[axis]));
+        }
+        if (!inside) continue;
+        visit(i, place, fluid.data(Field::species_amount, static_cast<int>(species))[i],
+              step.species()->rest_volume(fluid, i));
+    }
+}
+
+double SpeciesMeasures::over_all_ranks(ExactSum sum) const {
+    ranks_.sum(sum);
+    return sum.value();
+}
+
+double SpeciesMeasures::mean(const Measure& measure, const ParticleStore& particles, const FluidStep& step) const {
+    ExactSum amounts, volumes;
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec&, double amount, double volume) {
+        amounts.add(amount);
+        volumes.add(volume);
+    });
+    return quotient(over_all_ranks(amounts), over_all_ranks(volumes));
+}
+
+std::vector<double> SpeciesMeasures::profile(const Measure& measure, const ParticleStore& particles,
+                                             const FluidStep& step) const {
+    const auto axis = static_cast<int>(*measure.axis);
+    const auto bins = static_cast<std::size_t>(*measure.bins);
+    const bool boxed = measure.from.given();
+    const double low = boxed ? std::min((*measure.from)[axis], (*measure.to)[axis]) : space_.box.low[axis];
+    const double high = boxed ? std::max((*measure.from)[axis], (*measure.to)[axis]) : space_.box.high[axis];
+    std::vector<ExactSum> amounts(bins), volumes(bins);
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& place, double amount, double volume) {
+        const double share = std::floor((place[axis] - low) / (high - low) * static_cast<double>(bins));
+        const auto bin = static_cast<std::size_t>(std::clamp(share, 0.0, static_cast<double>(bins - 1)));
+        amounts[bin].add(amount);
+        volumes[bin].add(volume);
+    });
+    std::vector<double> values;
+    for (std::size_t bin = 0; bin < bins; ++bin)
+        values.push_back(quotient(over_all_ranks(amounts[bin]), over_all_ranks(volumes[bin])));
+    return values;
+}
+
+std::vector<double> SpeciesMeasures::spread(const Measure& measure, double time, const ParticleStore& particles,
+                                            const FluidStep& step, const MeasureSeries& series,
+                                            std::size_t first) const {
+    const auto axis = static_cast<int>(*measure.axis);
+    ExactSum amounts, moments;
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& place, double amount, double) {
+        amounts.add(amount);
+        moments.add(amount * place[axis]);
+    });
+    const double all = over_all_ranks(amounts), mean_place = quotient(over_all_ranks(moments), all);
+    const double centre = measure.about.given() ? *measure.about : mean_place;
+    ExactSum squares;
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& place, double amount, double) {
+        const double offset = place[axis] - centre;
+        squares.add(amount * (offset * offset));
+    });
+    const double variance = quotient(over_all_ranks(squares), all);
+    std::vector<double> times, variances;
+    for (std::size_t row = 0; row < series.rows.size(); ++row) {
+        if (!std::isfinite(series.rows[row][first])) continue;
+        times.push_back(series.time[row]);
+        variances.push_back(series.rows[row][first]);
+    }
+    times.push_back(time);
+    variances.push_back(variance);
+    const double effective = 0.5 * slope(times, variances);
+    return {variance, effective, quotient(effective, diffusivity(measure))};
+}
+
+std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, double time, const ParticleStore& particles,
+                                               const FluidStep& step, const MeasureSeries& series,
+                                               std::size_t first) const {
+    const auto part = std::ranges::find(space_.parts, *measure.part, &ParticleSpace::PartInfo::name);
+    if (part == space_.parts.end()) return std::vector<double>(columns(measure).size(), nothing);
+    const auto number = static_cast<std::uint16_t>(part - space_.parts.begin());
+    const double taken = step.species()->taken_by_walls(particles, scene_.species_of(measure), number);
+    const bool begun = !series.rows.empty();
+    const double before = begun ? series.rows.back()[first + 1] : 0, since = begun ? series.time.back() : 0;
+    const double flux = quotient(taken - before, time - since);
+    std::vector<double> values{flux, taken};
+    if (!measure.length.given()) return values;
+    const double difference = mean(measure, particles, step) - wall_concentration(measure, particles);
+    values.push_back(quotient(flux * measure.length, measure.area * diffusivity(measure) * difference));
+    return values;
+}
+
+/// The mean over the wall's particles, as they were last shown.
+double SpeciesMeasures::wall_concentration(const Measure& measure, const ParticleStore& particles) const {
+    const ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    const auto species = static_cast<int>(scene_.species_of(measure));
+    ExactSum sum;
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < rigid.owned(); ++i) {
+        if (space_.parts[rigid.tags()[i].part].name != *measure.part) continue;
+        sum.add(rigid.data(Field::concentration, species)[i]);
+        ++count;
+    }
+    return quotient(over_all_ranks(sum), static_cast<double>(ranks_.sum(count)));
+}
+
+/// Of the first fluid.
+double SpeciesMeasures::diffusivity(const Measure& measure) const {
+    return **scene_.species[scene_.species_of(measure)].diffusivity_in(*scene_.parts_of(PartKind::fluid).front());
+}
+
+}  // namespace dmp

@@ -1,0 +1,83 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/solidify/body_events.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace dmp {
+
+std::optional<std::array<int, 2>> overloaded_bond(const SpringBody& body, const BondBreak& law, int origin) {
+    std::optional<std::array<int, 2>> worst;
+    double most = 0;
+    for (std::size_t b = 0; b < body.bonds().size(); ++b) {
+        if (body.bond_origin(b) != origin) continue;
+        const Bond& bond = body.bonds()[b];
+        const double excess = law.excess(body.stretch(bond), bond.rest_length, bond.stiffness);
+        if (!(excess > 0) || excess < most) continue;
+        const auto [low, high] = std::minmax(body.ids()[bond.a], body.ids()[bond.b]);
+        const std::array<int, 2> ends{low, high};
+        if (!worst || excess > most || ends < *worst) worst = ends;
+        most = excess;
+    }
+    return worst;
+}
+
+BodyEvents::BodyEvents(const Scene& scene, const ParticleSet& set, const Ranks& ranks) {
+    for (int number = 0; number < static_cast<int>(scene.solidify.size()); ++number) {
+        const Solidify& rule = scene.solidify[static_cast<std::size_t>(number)];
+        solidifying_.push_back(
+            {std::make_unique<Solidification>(scene, number, set, ranks), rule.from, Schedule(rule.interval)});
+    }
+    const auto names = body_names(scene);
+    for (const Breaking& rule : scene.breaking) {
+        const bool by_force = rule.force_above > 0;
+        breaks_.push_back({*rule.name,
+                           {by_force ? BreakCriterion::force : BreakCriterion::strain,
+                            by_force ? rule.force_above.value : rule.strain_above.value},
+                           static_cast<int>(std::ranges::find(names, *rule.part) - names.begin()),
+                           rule.interval == 0,
+                           Schedule(rule.interval > 0 ? rule.interval.value : 1)});
+    }
+}
+
+double BodyEvents::next() const {
+    double next = std::numeric_limits<double>::infinity();
+    for (const Solidifying& each : solidifying_) next = std::min(next, each.from + each.times.next());
+    for (const Breaks& each : breaks_)
+        if (!each.every_step) next = std::min(next, each.times.next());
+    return next;
+}
+
+bool BodyEvents::act(double time, ParticleStore& particles, FluidStep& fluid) {
+    bool acted = false;
+    for (Breaks& each : breaks_) {
+        if (!each.every_step && !each.times.due(time)) continue;
+        BodyChange change;
+        for (const auto& body : fluid.springs().bodies())
+            if (const auto ends = overloaded_bond(*body, each.law, each.origin)) change.broken.push_back(*ends);
+        if (change.empty()) continue;
+        fluid.refresh_neighbours();
+        fluid.change_bodies(change);
+        acted = true;
+    }
+    for (Solidifying& each : solidifying_) {
+        if (!each.times.due(time - each.from)) continue;
+        fluid.update_pressure();
+        fluid.refresh_neighbours();
+        each.rule->act(each.events++, particles, fluid);
+        acted = true;
+    }
+    return acted;
+}
+
+void BodyEvents::archive(Archive& file) {
+    for (std::size_t k = 0; k < solidifying_.size(); ++k) {
+        Solidifying& each = solidifying_[k];
+        each.times.archive(file, "solidify/times_" + std::to_string(k));
+        file("solidify/events_" + std::to_string(k), each.events);
+        each.rule->archive(file);
+    }
+    for (Breaks& each : breaks_) each.times.archive(file, "break/times_" + each.name);
+}
+
+}  // namespace dmp

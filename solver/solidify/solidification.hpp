@@ -1,0 +1,64 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "solver/models/solidify/activity.hpp"
+#include "solver/solidify/encounters.hpp"
+#include "solver/state/archive.hpp"
+#include "solver/time/fluid_step.hpp"
+
+namespace dmp {
+
+/// One [[solidify]]: who are its seeds, and what happens at its events (docs/solidify.md). Every rank finds the
+/// encounters of its own liquid, all ranks gather them and throw the same dice, so that all make the same change to the
+/// bodies, which all hold.
+class Solidification {
+  public:
+    /// `number` of the rule in the scene. Throws InputError when the particles do not have what the rule needs.
+    Solidification(const Scene& scene, int number, const ParticleSet& set, const Ranks& ranks);
+
+    /// Event `event`, counted from 0: turns liquid solid and bonds it. Pressures and neighbours must be up to date.
+    void act(std::int64_t event, const ParticleStore& particles, FluidStep& fluid);
+
+    void archive(Archive& file);
+
+  private:
+    /// A liquid particle that turns solid, as it is sent between ranks.
+    struct Turning {
+        std::int64_t id;
+        double mass;
+        std::array<double, 3> place, velocity;
+    };
+
+    [[nodiscard]] Turning turning(const ParticleStore& particles, std::size_t i, double ahead) const;
+    [[nodiscard]] std::vector<Turning> from_all(std::vector<Turning> own) const;
+    [[nodiscard]] std::vector<PlacedParticle> acting_seeds(std::int64_t event, const ParticleStore& particles,
+                                                           const FluidStep& fluid,
+                                                           const std::vector<Turning>& new_seeds) const;
+    /// How many more bonds particles may have that have some of this rule.
+    [[nodiscard]] std::unordered_map<std::int64_t, int> room(const SpringBodies& springs) const;
+    void bond_to_neighbours(BodyChange& change, const std::vector<Turning>& turned, const ParticleStore& particles,
+                            const SpringBodies& springs) const;
+    void add_node(BodyChange& change, const Turning& turned) const;
+    void add_bond(BodyChange& change, const SpringBodies& springs, int a, int b) const;
+
+    const Scene& scene_;
+    const Solidify& rule_;
+    const Ranks& ranks_;
+    ParticleSpace space_;
+    int number_, origin_, liquid_part_ = -1;
+    Activity activity_;
+    int most_bonds_;
+    struct WallSeed {
+        PlacedParticle particle;
+        double mass;
+    };
+    std::map<std::int64_t, WallSeed> walls_;
+    std::map<std::int64_t, std::int64_t> since_;  ///< nodes that are seeds: the first event in which they may act
+};
+
+}  // namespace dmp

@@ -1,0 +1,49 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/spheres/contact_memory.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace dmp {
+
+void ContactMemory::exchange(const Ranks& ranks, const std::vector<std::vector<RememberedContact>>& to_each) {
+    for (const auto& received : ranks.exchange(to_each))
+        contacts_.insert(contacts_.end(), received.begin(), received.end());
+}
+
+void ContactMemory::sort() {
+    std::fill(first_.begin(), first_.end(), 0);
+    for (const RememberedContact& contact : contacts_) ++first_[static_cast<std::size_t>(contact.low) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
+    std::vector<RememberedContact> sorted(contacts_.size());
+    for (const RememberedContact& contact : contacts_)
+        sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(contact.low)]++)] = contact;
+    contacts_ = std::move(sorted);
+}
+
+void ContactMemory::archive(Archive& file, const std::string& name, const Ranks& ranks,
+                            std::vector<RememberedContact>& own) {
+    constexpr std::size_t width = 2 + most_history;
+    std::vector<double> flat;
+    if (!file.loading()) {
+        std::vector<RememberedContact> all = ranks.gather_to_first(own);
+        std::ranges::sort(all, {}, [](const RememberedContact& c) { return std::tuple(c.low, c.high); });
+        for (const RememberedContact& contact : all) {
+            flat.push_back(static_cast<double>(contact.low));
+            flat.push_back(static_cast<double>(contact.high));
+            flat.insert(flat.end(), contact.history.begin(), contact.history.end());
+        }
+    }
+    file(name, flat);
+    if (!file.loading()) return;
+    own.assign(flat.size() / width, {});
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        own[k].low = static_cast<std::int64_t>(flat[k * width]);
+        own[k].high = static_cast<std::int64_t>(flat[k * width + 1]);
+        std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(k * width + 2), most_history, own[k].history.begin());
+    }
+}
+
+}  // namespace dmp

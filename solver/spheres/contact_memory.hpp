@@ -1,0 +1,52 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/parallel/ranks.hpp"
+#include "solver/spheres/contact_job.hpp"
+#include "solver/state/archive.hpp"
+
+namespace dmp {
+
+/// What a contact remembers, by the ids of its two spheres: so it outlives lists, orders and ranks.
+struct RememberedContact {
+    std::int64_t low = 0, high = 0;  ///< ids
+    std::array<double, most_history> history{};
+};
+
+/// Contacts between two lists.
+class ContactMemory {
+  public:
+    /// Ids are below `ids`.
+    explicit ContactMemory(std::size_t ids) : first_(ids + 1) {}
+
+    void clear() { contacts_.clear(); }
+    void add(const RememberedContact& contact) { contacts_.push_back(contact); }
+    [[nodiscard]] const std::vector<RememberedContact>& contacts() const { return contacts_; }
+
+    /// Sends each rank what it will own a sphere of: `to_each[rank]`. All ranks take part.
+    void exchange(const Ranks& ranks, const std::vector<std::vector<RememberedContact>>& to_each);
+
+    /// To be called between the last add() or exchange() and find().
+    void sort();
+    /// Null: these two do not touch.
+    [[nodiscard]] const RememberedContact* find(std::int64_t low, std::int64_t high) const {
+        for (std::int32_t k = first_[static_cast<std::size_t>(low)]; k < first_[static_cast<std::size_t>(low) + 1]; ++k)
+            if (contacts_[k].high == high) return &contacts_[k];
+        return nullptr;
+    }
+
+    /// All contacts, each once: saving, `own` are this rank's; loading, every rank gets all.
+    static void archive(Archive& file, const std::string& name, const Ranks& ranks,
+                        std::vector<RememberedContact>& own);
+
+  private:
+    std::vector<RememberedContact> contacts_;
+    std::vector<std::int32_t> first_;  ///< of each low id
+};
+
+}  // namespace dmp

@@ -1,0 +1,78 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+
+#include "solver/parallel/domain.hpp"
+#include "solver/parallel/halo.hpp"
+#include "solver/spheres/contact_list.hpp"
+#include "solver/spheres/sphere_setup.hpp"
+#include "solver/store/position_quantum.hpp"
+
+namespace dmp {
+
+/// Keeps at hand which spheres may touch: spheres sorted in space on the rank that owns their place, copies of those
+/// beyond its border, the list of pairs, and the contacts with what they remember. Two skins, as of the fluid's lists:
+/// a wide one, with which pairs are listed, and a narrow one, with which contacts are picked out of them; both follow
+/// how fast spheres move among each other. A common motion of all wears out neither.
+class SphereNeighbours {
+  public:
+    SphereNeighbours(const Ranks& ranks, const ParticleSpace& space, const SphereSetup& setup, std::size_t ids,
+                     int threads);
+
+    /// In whose frame distances moved are measured [m/s]: the spheres' mean velocity when they were listed.
+    [[nodiscard]] const std::array<double, 3>& drift() const { return drift_; }
+    /// Spheres have moved by at most this much more in that frame [m]; the same on all ranks.
+    void moved(double distance) {
+        moved_ += distance;
+        moved_since_look_ += distance;
+        ++steps_;
+    }
+    /// Gives copies present values and makes list and contacts fit present places. Returns whether rows have changed.
+    bool refresh(ParticleGroup& group, SphereRows& rows, SphereWalls& walls);
+    /// Brings rows, list and contacts about at the start or after a checkpoint.
+    void start(ParticleGroup& group, SphereRows& rows, SphereWalls& walls);
+
+    [[nodiscard]] ContactList& list() { return list_; }
+    [[nodiscard]] const ContactList& list() const { return list_; }
+    [[nodiscard]] const Ranks& ranks() const { return *ranks_; }
+    [[nodiscard]] const Halo& halo() const { return halo_; }
+    [[nodiscard]] double imbalance() const { return imbalance_; }
+    [[nodiscard]] long renewals() const { return renewals_; }
+    [[nodiscard]] long looks() const { return looks_; }
+    [[nodiscard]] std::size_t bytes() const { return list_.bytes(); }
+
+    /// Contacts of this rank's own spheres with history, each once over all ranks.
+    [[nodiscard]] std::vector<RememberedContact> own_contacts(const ParticleGroup& group) const;
+    void archive(Archive& file, const ParticleGroup& group);
+
+  private:
+    void renew(ParticleGroup& group, SphereRows& rows, SphereWalls& walls);
+    void balance(ParticleGroup& group);
+    void send_contacts(const ParticleGroup& group, SphereWalls& walls);
+    void look(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory);
+    void measure_drift(const SphereRows& rows);
+
+    const Ranks* ranks_;
+    double reach_, largest_radius_, mean_radius_;
+    int threads_;
+    Domain domain_;
+    Halo halo_;
+    ContactMemory memory_;
+    ContactList list_;
+    std::array<double, 3> drift_{};
+    double skin_ = 0, near_skin_ = 0;  ///< [m]
+    double moved_ = 0, moved_since_look_ = 0;
+    long steps_ = 0, renewals_ = 0, looks_ = 0;
+    std::vector<bool> fixed_by_id_;
+
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_renewal_ = Clock::now();
+    double imbalance_ = 1, time_lost_ = 0, time_to_divide_ = 0;
+
+  public:
+    /// By id: spheres that never move.
+    void set_fixed(std::vector<bool> fixed_by_id) { fixed_by_id_ = std::move(fixed_by_id); }
+};
+
+}  // namespace dmp

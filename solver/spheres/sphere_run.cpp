@@ -1,0 +1,261 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/spheres/sphere_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <omp.h>
+
+#include "base/errors.hpp"
+#include "solver/spheres/sphere_group.hpp"
+#include "solver/spheres/sphere_output.hpp"
+#include "solver/spheres/sphere_watch.hpp"
+#include "solver/state/state_hash.hpp"
+#include "solver/store/position_quantum.hpp"
+#include "solver/time/step_limits.hpp"
+
+namespace dmp {
+
+namespace {
+
+constexpr int steps_between_looks = 50;
+/// Speeds are looked up in steps of this many to an octave, so that the step keeps its length while speeds change
+/// little.
+constexpr double speeds_an_octave = 4;
+
+Resources with_threads(Resources resources) {
+    if (resources.threads == 0) resources.threads = omp_get_num_procs();
+    return resources;
+}
+
+double rounded_speed(double speed) {
+    return speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
+}
+
+const ParticleSet& only_spheres(const ParticleSet& set) {
+    if (set.dimension != 3) throw InputError("spheres live in space, and the particles in a plane", "mesh a 3-D scene");
+    if (set.count(ParticleKind::spheres) != set.size())
+        throw InputError("spheres and other particles in one scene do not act on each other yet",
+                         "leave one of them out of the scene");
+    return set;
+}
+
+}  // namespace
+
+SphereRun::SphereRun(const Scene& scene, const ParticleSet& set, const Resources& resources)
+    : scene_(scene),
+      ranks_(resources.ranks),
+      resources_(with_threads(resources)),
+      space_(with_whole_periods(set, PositionQuantum(set))),
+      setup_(sphere_setup(scene_, only_spheres(set))),
+      group_(sphere_group(set, PositionQuantum(set), ranks_)),
+      step_(scene_, set, space_, group_, setup_, resources_),
+      measures_(scene_, set, ranks_),
+      stillness_(scene_.run.until_still),
+      frame_times_(scene_.output.every),
+      measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
+    count_["spheres"] = set.size();
+}
+
+std::vector<StepLimit> SphereRun::limits() const {
+    std::vector<StepLimit> all = sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
+    if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
+    return all;
+}
+
+/// The limits with their words take longer than a step of a few spheres.
+double SphereRun::longest_step() {
+    const double speed = rounded_speed(step_.speed_for_limits());
+    if (speed != limited_speed_) {
+        limited_speed_ = speed;
+        longest_step_ = ruling_limit(limits()).dt;
+    }
+    return longest_step_;
+}
+
+Conserved SphereRun::conserved() const {
+    ExactSum mass;
+    std::array<ExactSum, 3> momentum;
+    for (const SphereMotion& sphere : step_.rows().motion().first(step_.rows().owned())) {
+        if (sphere.fixed()) continue;
+        mass.add(sphere.velocity.c[3]);
+        for (std::size_t axis = 0; axis < 3; ++axis) momentum[axis].add(sphere.velocity.c[3] * sphere.velocity.c[axis]);
+    }
+    ranks_.sum(mass);
+    Conserved sum{mass.value(), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        ranks_.sum(momentum[axis]);
+        sum.momentum[axis] = momentum[axis].value();
+    }
+    return sum;
+}
+
+SphereEnergy SphereRun::energy() const { return kinetic_energy(step_, ranks_); }
+
+Plan SphereRun::plan() const {
+    Plan plan;
+    plan.particles = count_;
+    plan.bytes_per_particle = (group_.bytes() + step_.bytes()) / std::max<std::size_t>(1, group_.owned());
+    plan.largest_speed = std::max<double>(scene_.flow.largest_speed, step_.speed_for_limits());
+    plan.limits = limits();
+    const StepLimit ruling = ruling_limit(plan.limits);
+    plan.dt = ruling.dt;
+    plan.ruling_limit = ruling.model;
+    plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
+    plan.models = sphere_models(scene_, setup_, space_);
+    for (const Field field : group_.declared()) {
+        const auto bytes = static_cast<std::size_t>(group_.axes(field)) * sizeof(double);
+        plan.fields.push_back("spheres: " + std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+        if (info(field).needed_by == "spheres") {
+            plan.models.front().fields.push_back(plan.fields.back());
+            plan.models.front().bytes += bytes;
+        } else {
+            plan.common_fields.push_back(plan.fields.back());
+        }
+    }
+    return plan;
+}
+
+void SphereRun::archive(Archive& file) {
+    step_.give_state();
+    file("time", time_);
+    file("step", step_count_);
+    frame_times_.archive(file, "frames_due");
+    measure_times_.archive(file, "measures_due");
+    file("frames", frames_);
+    file("last_frame", last_frame_);
+    file("mass_at_start", at_start_.mass);
+    file("momentum_at_start", at_start_.momentum);
+    file("translation_at_start", energy_at_start_.translation);
+    file("rotation_at_start", energy_at_start_.rotation);
+    measures_.archive(file);
+    stillness_.archive(file);
+    file("spheres", group_);
+    step_.archive(file);
+}
+
+long SphereRun::resume(const Hdf5Reader& reader) {
+    Archive file(ranks_, reader);
+    archive(file);
+    return static_cast<long>(frames_);
+}
+
+void SphereRun::write_frame(FrameSink* sink) {
+    if (frames_ > 0 && time_ <= last_frame_) return;  // no time twice
+    if (ranks_.any(sink != nullptr)) {
+        const bool in_pieces = ranks_.any(sink != nullptr && sink->takes_pieces());
+        const Frame frame = sphere_frame(step_, space_, time_, static_cast<long>(step_count_), frames_ == 0, in_pieces);
+        if (sink != nullptr) sink->write(frame);
+    }
+    ++frames_;
+    last_frame_ = time_;
+}
+
+void SphereRun::write_what_is_due(FrameSink* sink) {
+    if (measure_times_.due(time_)) measures_.take(time_, step_);
+    if (frame_times_.due(time_)) write_frame(sink);
+}
+
+void SphereRun::look(FrameSink* sink) {
+    // The lowest rank that found something speaks for all.
+    const std::string own = trouble_with_spheres(step_, space_);
+    const auto speaker = static_cast<int>(ranks_.smallest(own.empty() ? ranks_.size() : ranks_.rank()));
+    if (speaker == ranks_.size()) return;
+    const std::vector<char> said =
+        ranks_.all_gather(ranks_.rank() == speaker ? std::vector<char>(own.begin(), own.end()) : std::vector<char>());
+    const std::string found(said.begin(), said.end());
+    const auto end = found.find('\n');
+    write_frame(sink);
+    throw DivergenceError("the simulation diverged at t = " + std::to_string(time_) + " s, step " +
+                              std::to_string(step_count_) + ": " + found.substr(0, end),
+                          found.substr(end + 1));
+}
+
+void SphereRun::advance(const RunOptions& options, double until) {
+    const double target = std::min({until, frame_times_.next(), measure_times_.next()});
+    const double longest = longest_step();
+    // Equal steps up to the next time something has to be written.
+    const double dt = (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+    step_.advance(time_, dt);
+    time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
+    ++step_count_;
+    if (step_count_ % steps_between_looks == 0 || time_ == target) look(options.sink);
+    stillness_.look(time_, step_, ranks_);
+    write_what_is_due(options.sink);
+}
+
+RunProgress SphereRun::progress(double until) const {
+    return {time_,
+            until,
+            static_cast<long>(step_count_),
+            ruling_limit(limits()).dt,
+            step_.largest_speed(),
+            static_cast<long>(frames_)};
+}
+
+RunSummary SphereRun::run(const RunOptions& options) {
+    const double until = options.until > 0 ? options.until : scene_.run.duration.value;
+    Checkpoints checkpoints(ranks_, options.checkpoints);
+    const std::int64_t first_step = step_count_;
+    if (!begun_) step_.start(step_count_ == 0, time_);
+    begun_ = true;
+    if (step_count_ == 0) {
+        at_start_ = conserved();
+        energy_at_start_ = energy();
+        look(options.sink);
+        write_what_is_due(options.sink);
+    }
+    const RunEnd end = run_steps(*this, ranks_, checkpoints, options, until);
+    if (stillness_.reached()) write_frame(options.sink);
+    step_.give_state();
+    RunSummary summary = this->summary();
+    const Plan plan = this->plan();
+    summary.limits = plan.limits;
+    summary.ruling_limit = plan.ruling_limit;
+    summary.wall_s = end.wall;
+    summary.particle_steps_per_s =
+        static_cast<double>(step_count_ - first_step) * static_cast<double>(count_.at("spheres")) / end.wall;
+    summary.interrupted = end.interrupted;
+    summary.out_of_time = end.out_of_time;
+    summary.first_step = static_cast<long>(first_step);
+    const auto a_step = [&](std::int64_t all) {
+        return ranks_.largest(static_cast<double>(all)) /
+               static_cast<double>(std::max<std::int64_t>(1, step_count_ - first_step));
+    };
+    const Halo& halo = step_.neighbours().halo();
+    summary.shares = {step_.neighbours().imbalance(), halo.copies_per_owned(), a_step(halo.traffic().messages),
+                      a_step(halo.traffic().bytes)};
+    return summary;
+}
+
+RunSummary SphereRun::summary() const {
+    RunSummary summary;
+    summary.particles = count_;
+    summary.steps = static_cast<long>(step_count_);
+    summary.simulated_s = time_;
+    summary.threads = resources_.threads;
+    summary.ranks = ranks_.size();
+    summary.vector_unit = word(chosen_vector_unit(resources_.vector_unit));
+    summary.start = at_start_;
+    summary.end = conserved();
+    const OutsideImpulses& given = step_.impulses();
+    summary.impulse_of_body_forces = given.of_body_forces;
+    summary.impulse_of_fixed = given.of_fixed;
+    double residual = 0, scale = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        residual = std::hypot(residual, summary.end.momentum[axis] - summary.start.momentum[axis] -
+                                            given.of_body_forces[axis] - given.of_fixed[axis]);
+        scale += std::abs(given.of_body_forces[axis]) + std::abs(given.of_fixed[axis]);
+    }
+    summary.momentum_residual = scale > 0 ? residual / scale : residual;
+    const LargestOverlap overlap = largest_overlap(step_);
+    summary.spheres = SphereSummary{energy_at_start_, energy(),
+                                    static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(overlap.touching))),
+                                    ranks_.largest(overlap.ratio), stillness_.since()};
+    summary.state_hash = state_hash(std::span(&group_, 1), space_, ranks_);
+    summary.seconds_by_stage = step_.timer().seconds();
+    summary.measures = measures_.series();
+    return summary;
+}
+
+}  // namespace dmp

@@ -1,0 +1,128 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/spheres/sphere_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace dmp {
+
+namespace {
+
+constexpr int most_classes = 12;  ///< 4000:1; what is smaller joins the last but is found all the same
+
+}  // namespace
+
+SphereSearch::SphereSearch(const SphereRows& rows, double gap) : rows_(rows), gap_(gap), class_of_(rows.total()) {
+    const auto motion = rows.motion();
+    double largest = 0;
+    for (std::size_t i = 0; i < rows.total(); ++i) largest = std::max(largest, motion[i].radius());
+    std::array<std::vector<std::int32_t>, most_classes> members;
+    for (std::size_t i = 0; i < rows.total(); ++i) {
+        const int below = std::min(most_classes - 1, std::ilogb(largest / motion[i].radius()));
+        members[static_cast<std::size_t>(below)].push_back(static_cast<std::int32_t>(i));
+    }
+    for (std::size_t below = most_classes; below-- > 0;) {
+        if (members[below].empty()) continue;
+        for (const std::int32_t i : members[below]) class_of_[i] = static_cast<std::uint8_t>(grids_.size());
+        grids_.emplace_back().fill(rows, members[below], gap);
+    }
+}
+
+void SphereSearch::Grid::fill(const SphereRows& rows, const std::vector<std::int32_t>& members, double gap) {
+    const auto motion = rows.motion();
+    std::array<double, 3> high{};
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (const std::int32_t i : members) {
+        largest_radius = std::max(largest_radius, motion[i].radius());
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], motion[i].place.c[axis]);
+            high[axis] = std::max(high[axis], motion[i].place.c[axis]);
+        }
+    }
+    cell = 2 * largest_radius + gap;
+    // A lone stray sphere must not make a grid of billions of empty cells.
+    const auto cells_at = [&](double size) {
+        double all = 1;
+        for (int axis = 0; axis < 3; ++axis) all *= std::floor((high[axis] - low[axis]) / size) + 1;
+        return all;
+    };
+    while (cells_at(cell) > 4.0 * static_cast<double>(members.size()) + 64) cell *= 1.5;
+    inverse_cell = 1 / cell;
+    for (int axis = 0; axis < 3; ++axis)
+        cells[axis] = static_cast<std::int64_t>(std::floor((high[axis] - low[axis]) * inverse_cell)) + 1;
+
+    start.assign(static_cast<std::size_t>(cells[0] * cells[1] * cells[2]) + 1, 0);
+    std::vector<std::int32_t> cell_of(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const double* x = motion[members[k]].place.c;
+        cell_of[k] = static_cast<std::int32_t>((at(2, x[2]) * cells[1] + at(1, x[1])) * cells[0] + at(0, x[0]));
+        ++start[static_cast<std::size_t>(cell_of[k]) + 1];
+    }
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::int32_t> next(start.begin(), start.end() - 1);
+    row.resize(members.size());
+    for (auto& values : place) values.resize(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const auto entry = static_cast<std::size_t>(next[cell_of[k]]++);
+        row[entry] = members[k];
+        for (std::size_t c = 0; c < 4; ++c) place[c][entry] = motion[members[k]].place.c[c];
+    }
+}
+
+std::int64_t SphereSearch::Grid::at(int axis, double x) const {
+    const double position = (x - low[axis]) * inverse_cell;
+    return static_cast<std::int64_t>(std::clamp(position, 0.0, static_cast<double>(cells[axis] - 1)));
+}
+
+template <class Keep>
+void SphereSearch::Grid::for_each_near(const SphereMotion& sphere, double gap, std::vector<std::int32_t>& scratch,
+                                       const Keep& keep) const {
+    const double x = sphere.place.c[0], y = sphere.place.c[1], z = sphere.place.c[2];
+    const double around = sphere.radius() + gap, reach = around + largest_radius;
+    std::array<std::int64_t, 3> first{}, last{};
+    for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = at(axis, sphere.place.c[axis] - reach);
+        last[axis] = at(axis, sphere.place.c[axis] + reach);
+    }
+    for (std::int64_t cz = first[2]; cz <= last[2]; ++cz)
+        for (std::int64_t cy = first[1]; cy <= last[1]; ++cy) {
+            const auto line = static_cast<std::size_t>((cz * cells[1] + cy) * cells[0]);
+            const std::int32_t begin = start[line + static_cast<std::size_t>(first[0])],
+                               end = start[line + static_cast<std::size_t>(last[0]) + 1];
+            if (scratch.size() < static_cast<std::size_t>(end - begin))
+                scratch.resize(static_cast<std::size_t>(end - begin));
+            std::size_t count = 0;
+            for (std::int32_t k = begin; k < end; ++k) {
+                const double dx = place[0][k] - x, dy = place[1][k] - y, dz = place[2][k] - z,
+                             touch = place[3][k] + around;
+                scratch[count] = k;  // without a branch, which would be guessed wrong
+                count += dx * dx + dy * dy + dz * dz < touch * touch ? 1 : 0;
+            }
+            for (std::size_t n = 0; n < count; ++n) keep(row[scratch[n]]);
+        }
+}
+
+void SphereSearch::append_near(std::int32_t begin, std::int32_t end, std::vector<NearSpheres>& found) const {
+    const auto owned = static_cast<std::int32_t>(rows_.owned());
+    std::vector<std::int32_t> scratch(256);
+    for (std::int32_t i = begin; i < end; ++i) {
+        const SphereMotion& sphere = rows_.motion()[i];
+        const std::size_t own = class_of_[i];
+        const auto keep = [&](std::int32_t j) {
+            if (!(sphere.fixed() && rows_.motion()[j].fixed())) found.push_back({i, j});
+        };
+        if (i < owned)
+            grids_[own].for_each_near(sphere, gap_, scratch, [&](std::int32_t j) {
+                if (j > i) keep(j);
+            });
+        for (std::size_t larger = own + 1; larger < grids_.size(); ++larger)
+            grids_[larger].for_each_near(sphere, gap_, scratch, [&](std::int32_t j) {
+                if (i < owned || j < owned) keep(j);
+            });
+    }
+}
+
+}  // namespace dmp

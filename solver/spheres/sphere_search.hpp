@@ -1,0 +1,53 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/spheres/sphere_rows.hpp"
+
+namespace dmp {
+
+/// Two rows that are near each other; `finder` decides whose thread works on the pair.
+struct NearSpheres {
+    std::int32_t finder = 0, other = 0;
+};
+
+/// Finds spheres whose surfaces are near each other, of any sizes. A grid for each class of sizes (largest to smallest
+/// radius 2:1), with cells that fit it; a sphere looks into its own class and those of larger spheres. So small ones
+/// never search as far as a large one reaches among themselves, and a large one does not look at all.
+/// (Hierarchical grid: Ogarko & Luding 2012.)
+class SphereSearch {
+  public:
+    /// Surfaces less than `gap` apart are near [m].
+    SphereSearch(const SphereRows& rows, double gap);
+
+    /// Appends each pair that one of the rows [begin, end) finds; rows are owned or copies. Over all rows every pair
+    /// with an owned sphere in it is found once.
+    void append_near(std::int32_t begin, std::int32_t end, std::vector<NearSpheres>& found) const;
+
+  private:
+    struct Grid {
+        double cell = 0, inverse_cell = 0, largest_radius = 0;
+        std::array<double, 3> low{};
+        std::array<std::int64_t, 3> cells{1, 1, 1};
+        std::vector<std::int32_t> start;           ///< first entry of each cell, x fastest
+        std::vector<std::int32_t> row;             ///< by entry
+        std::array<std::vector<double>, 4> place;  ///< x, y, z, radius by entry
+
+        void fill(const SphereRows& rows, const std::vector<std::int32_t>& members, double gap);
+        [[nodiscard]] std::int64_t at(int axis, double x) const;
+        template <class Keep>
+        void for_each_near(const SphereMotion& sphere, double gap, std::vector<std::int32_t>& scratch,
+                           const Keep& keep) const;
+    };
+
+    const SphereRows& rows_;
+    double gap_;
+    std::vector<std::uint8_t> class_of_;
+    std::vector<Grid> grids_;  ///< from the smallest class on
+};
+
+}  // namespace dmp

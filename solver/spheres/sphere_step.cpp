@@ -1,0 +1,293 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/spheres/sphere_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "particles/periodic_images.hpp"
+
+namespace dmp {
+
+namespace {
+
+using Quad [[gnu::vector_size(32)]] = double;
+
+Quad read(const Row& row) {
+    Quad quad;
+    std::memcpy(&quad, row.c, sizeof quad);
+    return quad;
+}
+void write(Row& row, Quad quad) { std::memcpy(row.c, &quad, sizeof quad); }
+
+/// How far a sphere may come towards walls before they are listed anew [mean radii].
+constexpr double skin_at_walls = 0.5;
+/// Terms of force sums are rounded to parts of this times the largest one expected: many small spheres on a large one
+/// still add up without rounding.
+constexpr double room_for_sums = 8;
+
+std::vector<bool> fixed_by_id(const ParticleSet& set) {
+    std::vector<bool> fixed(set.size());
+    for (std::size_t i = 0; i < set.size(); ++i) fixed[i] = set.fixed[i] != 0;
+    return fixed;
+}
+
+}  // namespace
+
+SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const ParticleSpace& space, ParticleGroup& group,
+                       const SphereSetup& setup, const Resources& resources)
+    : space_(space),
+      group_(group),
+      setup_(setup),
+      quantum_(set),
+      ranks_(resources.ranks),
+      threads_(resources.threads),
+      fixed_(fixed_by_id(set)),
+      any_fixed_(std::ranges::find(fixed_, true) != fixed_.end()),
+      acceleration_(scene.flow.acceleration),
+      depends_on_place_(std::ranges::any_of(acceleration_, &Expression::depends_on_place)),
+      walls_(space, setup.wall_velocity, setup.walls),
+      neighbours_(ranks_, space, setup, set.size(), resources.threads),
+      deferred_(static_cast<std::size_t>(resources.threads)),
+      deferred_count_(static_cast<std::size_t>(resources.threads)),
+      wall_skin_(skin_at_walls * setup.mean_radius) {
+    neighbours_.set_fixed(fixed_);
+    for (const SpherePair& pair : setup.pairs) sweeps_.push_back(contact_sweep(pair.model, resources.vector_unit));
+    ExactSum mass;
+    for (std::size_t i = 0; i < group.owned(); ++i)
+        if (!fixed_[static_cast<std::size_t>(group.tags()[i].id)]) mass.add(group.data(Field::mass)[i]);
+    ranks_.sum(mass);
+    free_mass_ = mass.value();
+    double speed = 0;
+    for (std::size_t i = 0; i < group.owned(); ++i)
+        speed = std::max(speed, std::hypot(group.data(Field::velocity, 0)[i], group.data(Field::velocity, 1)[i],
+                                           group.data(Field::velocity, 2)[i]));
+    largest_speed_ = ranks_.largest(speed);
+    walls_.advance(0, 0);
+}
+
+SphereStep::Three SphereStep::acceleration_at(double t) const {
+    Three g{};
+    if (!depends_on_place_)
+        for (std::size_t axis = 0; axis < 3; ++axis) g[axis] = acceleration_[axis](t);
+    return g;
+}
+
+void SphereStep::start(bool with_forces, double t) {
+    timer_.timed("neighbours", [&] {
+        // Loads of the last step are the group's.
+        neighbours_.start(group_, rows_, walls_);
+        walls_.list(rows_, group_.tags(), setup_.reach + wall_skin_);
+    });
+    moved_to_walls_ = 0;
+    if (with_forces) {
+        walls_.advance(t, 0);
+        // Overlaps of the start may be of any size: a first sweep tells how large forces are.
+        sweep_contacts({});
+        largest_force_ = ranks_.largest(largest_force_);
+        std::ranges::fill(rows_.loads(), SphereLoad{});
+        find_forces(0);
+    }
+}
+
+void SphereStep::advance(double t, double dt) {
+    if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t, 0.5 * dt); });
+    timer_.timed("drift", [&] { kick_and_drift(t, dt); });
+    walls_.advance(t, dt);
+    timer_.timed("neighbours", [&] {
+        moved_to_walls_ += dt * (largest_speed_ + walls_.largest_speed());
+        const bool renewed = neighbours_.refresh(group_, rows_, walls_);
+        if (!walls_.empty() && (renewed || moved_to_walls_ > wall_skin_)) {
+            walls_.list(rows_, group_.tags(), setup_.reach + wall_skin_);
+            moved_to_walls_ = 0;
+        }
+    });
+    find_forces(dt);
+    timer_.timed("kick", [&] { kick(t + dt, 0.5 * dt); });
+}
+
+namespace {
+
+/// Velocity and spin of a sphere for `half` by its load; `gained` is the velocity that a body acceleration gives.
+void push(SphereMotion& sphere, const SphereLoad& load, double half, Quad gained) {
+    const double part = half * sphere.inverse_mass(), radius = sphere.radius();
+    if (part == 0) return;  // fixed
+    write(sphere.velocity, read(sphere.velocity) + (part * read(load.force) + gained));
+    // Of a solid sphere: 2/5 m R^2.
+    write(sphere.spin, read(sphere.spin) + (2.5 * part / (radius * radius)) * read(load.torque));
+}
+
+}  // namespace
+
+/// Velocities and spins of free spheres for `half` by the loads there are.
+void SphereStep::kick(double t, double half) {
+    const Three g = acceleration_at(t);
+    const Quad gained{half * g[0], half * g[1], half * g[2], 0};
+    const auto count = static_cast<std::ptrdiff_t>(rows_.owned());
+    const auto motion = rows_.motion();
+    const auto loads = rows_.loads();
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        push(motion[static_cast<std::size_t>(i)], loads[static_cast<std::size_t>(i)], half, gained);
+    if (depends_on_place_) kick_by_place(t, half);
+    add_impulses(t, half);
+}
+
+void SphereStep::kick_by_place(double t, double half) {
+    const auto motion = rows_.motion();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        ExactSum impulse;
+        for (std::size_t i = 0; i < rows_.owned(); ++i) {
+            if (motion[i].fixed()) continue;
+            // Wherever it was wrapped last, a formula has the place in the box.
+            Three x{};
+            for (std::size_t a = 0; a < 3; ++a) {
+                const auto k = static_cast<Eigen::Index>(a);
+                x[a] = motion[i].place.c[a];
+                if (space_.periodic[a]) x[a] = wrapped(x[a], space_.box.low[k], space_.box.high[k]);
+            }
+            const double gained = half * acceleration_[axis](t, x[0], x[1], x[2]);
+            motion[i].velocity.c[axis] += gained;
+            impulse.add(motion[i].velocity.c[3] * gained);
+        }
+        ranks_.sum(impulse);
+        impulses_.of_body_forces[axis] += impulse.value();
+    }
+}
+
+void SphereStep::add_impulses(double t, double half) {
+    const Three g = acceleration_at(t);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        impulses_.of_body_forces[axis] += half * g[axis] * free_mass_;
+        impulses_.of_fixed[axis] += half * wall_force_[axis];
+    }
+}
+
+/// Velocities and spins half a step and places a whole one; takes note of how fast spheres are, and how hard contacts
+/// were.
+void SphereStep::kick_and_drift(double t, double dt) {
+    const double half = 0.5 * dt;
+    const Three g = acceleration_at(t);
+    const Quad gained{half * g[0], half * g[1], half * g[2], 0};
+    add_impulses(t, half);
+    const Three common = neighbours_.drift();
+    const Quad frame{common[0], common[1], common[2], 0};
+    const Quad step{dt, dt, dt, 0}, magic{quantum_.magic(), quantum_.magic(), quantum_.magic(), 0};
+    const auto count = static_cast<std::ptrdiff_t>(rows_.owned());
+    const auto motion = rows_.motion();
+    const auto loads = rows_.loads();
+    std::fill(loads.begin() + count, loads.end(), SphereLoad{});
+    double fastest = 0, fastest_in_frame = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest, fastest_in_frame)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        SphereMotion& sphere = motion[static_cast<std::size_t>(i)];
+        push(sphere, loads[static_cast<std::size_t>(i)], half, gained);
+        const Quad v = read(sphere.velocity), in_frame = v - frame;
+        // The way made, not the place, is rounded: it is the same in every image.
+        write(sphere.place, read(sphere.place) + ((step * v + magic) - magic));
+        loads[static_cast<std::size_t>(i)] = {};
+        const Quad v2 = v * v, frame2 = in_frame * in_frame;
+        fastest = std::max(fastest, v2[0] + v2[1] + v2[2]);
+        fastest_in_frame = std::max(fastest_in_frame, frame2[0] + frame2[1] + frame2[2]);
+    }
+    Three largest{std::sqrt(fastest), std::sqrt(fastest_in_frame), largest_force_};
+    ranks_.largest(largest);
+    largest_speed_ = largest[0];
+    largest_force_ = largest[2];
+    neighbours_.moved(dt * largest[1]);
+}
+
+/// Of one contact, at most about 30 times this: the largest of the last step, or that of an overlap that is new in this
+/// one [N].
+double SphereStep::expected_force(double dt) const {
+    double largest = std::max(largest_force_, 1e-60);
+    const double overlap = 2 * largest_speed_ * dt, speed = 2 * largest_speed_;
+    for (const SpherePair& pair : setup_.pairs) {
+        const double touch = std::sqrt(pair.largest_radius * overlap), mass = pair.largest_mass;
+        largest = std::max(
+            largest, pair.constants.normal_stiffness * touch * overlap +
+                         pair.constants.normal_dashpot * std::sqrt(mass * touch) * speed +
+                         std::min(pair.constants.normal_rate * mass * touch, mass / std::max(dt, 1e-300)) * speed);
+        if (pair.model.adhesion != Adhesion::none)
+            largest = std::max(largest, BradleyAdhesion::pull_off(pair.largest_radius, pair.constants));
+    }
+    return largest;
+}
+
+void SphereStep::find_forces(double dt) {
+    const ContactTime time{dt, 0.5 * dt};
+    timer_.timed("contacts", [&] { sweep_contacts(time); });
+    std::array<ExactSum, 3> from_outside;
+    if (any_fixed_)
+        for (std::size_t i = 0; i < rows_.owned(); ++i)
+            if (rows_.motion()[i].fixed())
+                for (std::size_t axis = 0; axis < 3; ++axis) from_outside[axis].add(-rows_.loads()[i].force.c[axis]);
+    timer_.timed("walls", [&] {
+        if (!walls_.empty()) walls_.add_loads(rows_, group_.tags(), time);
+    });
+    if (walls_.empty() && !any_fixed_) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!walls_.empty()) from_outside[axis].add(walls_.total_force()[axis]);
+        ranks_.sum(from_outside[axis]);
+        wall_force_[axis] = from_outside[axis].value();
+    }
+}
+
+void SphereStep::sweep_contacts(const ContactTime& time) {
+    ContactList& list = neighbours_.list();
+    const double largest = room_for_sums * expected_force(time.dt);
+    const OrderFree force_rounding(largest), torque_rounding(largest * setup_.largest_radius);
+    double found = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static, 1) reduction(max : found)
+    for (int thread = 0; thread < threads_; ++thread) {
+        auto& deferred = deferred_[static_cast<std::size_t>(thread)];
+        if (deferred.size() < list.most_deferred()) deferred.resize(list.most_deferred());
+        ContactJob job;
+        job.motion = rows_.motion().data();
+        job.loads = rows_.loads().data();
+        job.low = list.low().data();
+        job.high = list.high().data();
+        for (std::size_t n = 0; n < list.history_width(); ++n) job.history[n] = list.history(n);
+        job.time = time;
+        job.force_rounding = force_rounding;
+        job.torque_rounding = torque_rounding;
+        job.deferred = deferred.data();
+        const bool alone = threads_ == 1;
+        job.first_row = list.bounds()[static_cast<std::size_t>(thread)];
+        job.end_row = alone ? static_cast<std::int32_t>(rows_.motion().size())
+                            : list.bounds()[static_cast<std::size_t>(thread) + 1];
+        for (const ContactSegment& segment : list.segments()) {
+            if (segment.thread != thread) continue;
+            job.first = segment.first;
+            job.end = segment.end;
+            job.constants = setup_.pairs[static_cast<std::size_t>(segment.kind)].constants;
+            sweeps_[static_cast<std::size_t>(segment.kind)](job);
+        }
+        deferred_count_[static_cast<std::size_t>(thread)] = job.deferred_count;
+        found = std::max(found, job.largest_force);
+    }
+    largest_force_ = found;
+    if (threads_ == 1) return;
+    // Whose load it is does not matter: sums of these terms are exact.
+    for (std::size_t thread = 0; thread < deferred_.size(); ++thread)
+        for (std::size_t k = 0; k < deferred_count_[thread]; ++k) {
+            const DeferredLoad& later = deferred_[thread][k];
+            SphereLoad& load = rows_.loads()[static_cast<std::size_t>(later.row)];
+            write(load.force, read(load.force) + read(later.load.force));
+            write(load.torque, read(load.torque) + read(later.load.torque));
+        }
+}
+
+void SphereStep::archive(Archive& file) {
+    file("spheres/largest_speed", largest_speed_);
+    double force = file.loading() ? 0 : ranks_.largest(largest_force_);
+    file("spheres/largest_force", force);
+    largest_force_ = force;
+    file("spheres/wall_force", wall_force_);
+    file("spheres/impulse_of_body_forces", impulses_.of_body_forces);
+    file("spheres/impulse_of_fixed", impulses_.of_fixed);
+    neighbours_.archive(file, group_);
+    walls_.archive(file, ranks_);
+}
+
+}  // namespace dmp

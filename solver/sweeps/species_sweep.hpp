@@ -1,0 +1,186 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/models/transport/species_diffusion.hpp"
+#include "solver/sweeps/cluster_loop.hpp"
+#include "solver/sweeps/order_free.hpp"
+#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/sweeps/point_reader.hpp"
+
+namespace dmp {
+
+/// Reads particles in the form that the diffusion of a species takes.
+template <class L, int D, ParticleKind kind>
+class SpeciesReader {
+  public:
+    SpeciesReader(const ParticleGroup& group, const SpeciesSums& sums)
+        : position_(axes_of<D>(group, Field::position)),
+          normal_(axes_of<D>(group, Field::wall_normal)),
+          volume_(group.data(Field::volume)),
+          concentration_(group.data(sums.values, sums.array_of_values)),
+          diffusivity_(if_there(group, Field::species_diffusivity, sums.species)),
+          depth_(group.data(Field::wall_distance)),
+          wall_(if_there(group, Field::species_wall, sums.species)) {}
+
+    template <class Index>
+    [[nodiscard]] auto operator()(const Index& at) const {
+        return read(at, load<L>(diffusivity_, at));
+    }
+    /// The same where all have one diffusivity.
+    template <class Index>
+    [[nodiscard]] auto with(double diffusivity, const Index& at) const {
+        using T = decltype(load<L>(volume_, at));
+        return read(at, T(diffusivity));
+    }
+
+  private:
+    static const double* if_there(const ParticleGroup& group, Field field, int array) {
+        return group.has(field) ? group.data(field, array) : nullptr;
+    }
+    template <class Index, class T>
+    [[nodiscard]] auto read(const Index& at, const T& diffusivity) const {
+        const SpeciesPoint<T, D> point{load_vector<L, D>(position_, at), load<L>(volume_, at),
+                                       load<L>(concentration_, at), diffusivity};
+        if constexpr (kind == ParticleKind::rigid) {
+            using std::max;
+            const T wall = load<L>(wall_, at);
+            return SpeciesWallPoint<T, D>{point, load_vector<L, D>(normal_, at), load<L>(depth_, at), max(wall, T(0.0)),
+                                          max(-wall, T(0.0))};
+        } else {
+            return point;
+        }
+    }
+
+    std::array<const double*, D> position_, normal_;
+    const double *volume_, *concentration_, *diffusivity_, *depth_, *wall_;
+};
+
+/// What the particles that carry a species take from their neighbours, L of a cluster's particles at a time; walls that
+/// are held at a concentration too. `Alike`: all fluid particles have one diffusivity, and it is not read.
+template <class L, int D, class Kernel, bool Alike>
+class SpeciesSweep {
+  public:
+    SpeciesSweep(ParticleStore& particles, const SpeciesPairs& pairs, const Kernel& kernel, const SpeciesSums& sums,
+                 const SpeciesDiffusion& diffusion, int threads)
+        : particles_(particles),
+          pairs_(pairs),
+          kernel_(kernel),
+          sums_(sums),
+          diffusion_(diffusion),
+          order_free_(sums.largest_term),
+          threads_(threads) {}
+
+    void run() {
+        run_kind<ParticleKind::fluid>();
+        if (sums_.with_rigid) run_kind<ParticleKind::rigid>();
+        if (sums_.with_springs) run_kind<ParticleKind::springs>();
+    }
+
+  private:
+    template <ParticleKind own>
+    void run_kind() {
+        double* result = particles_.of(own).data(sums_.result, sums_.array_of_result);
+        for_each_cluster<L::width>(pairs_.meeting, own, ClusterChoice::all, threads_, [&](const Neighbourhood& near) {
+            L sum = from<own, ParticleKind::fluid>(near, near.of(ParticleKind::fluid));
+            if (sums_.with_rigid) sum += from<own, ParticleKind::rigid>(near, of<own, ParticleKind::rigid>(near));
+            if (sums_.with_springs) {
+                sum += from<own, ParticleKind::springs>(near, near.of(ParticleKind::springs));
+                if constexpr (own == ParticleKind::springs) sum += from<own, own>(near, within<own>(near));
+            }
+            double* to = result + near.cluster.first;
+            (sums_.adds ? L::load(to) + sum : sum).store(to, static_cast<std::size_t>(near.cluster.count));
+        });
+    }
+
+    template <ParticleKind own, ParticleKind other>
+    [[nodiscard]] std::span<const std::int32_t> of(const Neighbourhood& near) const {
+        if constexpr (own == ParticleKind::rigid && other == own)
+            return within<own>(near);
+        else
+            return near.of(other);
+    }
+    /// Neighbours in the cluster's own solid.
+    template <ParticleKind own>
+    [[nodiscard]] std::span<const std::int32_t> within(const Neighbourhood& near) const {
+        if (pairs_.within_solids == nullptr) return {};
+        return pairs_.within_solids->neighbours(own, near.number, own);
+    }
+
+    template <ParticleKind kind, class Index>
+    [[nodiscard]] auto read(const SpeciesReader<L, D, kind>& reader, const Index& at) const {
+        if constexpr (Alike && kind == ParticleKind::fluid)
+            return reader.with(sums_.diffusivity, at);
+        else
+            return reader(at);
+    }
+
+    // Flattened: the law becomes part of its loop, whatever the compiler thinks of its size.
+    template <ParticleKind own, ParticleKind other>
+    [[nodiscard, gnu::flatten]] L from(const Neighbourhood& near, std::span<const std::int32_t> others) const {
+        L sum = 0.0;
+        if (others.empty()) return sum;
+        const SpeciesReader<L, D, own> own_reader(particles_.of(own), sums_);
+        const SpeciesReader<L, D, other> reader(particles_.of(other), sums_);
+        const auto i = read<own>(own_reader, near.cluster);
+        if (sums_.of == SpeciesSums::Of::conductances) {
+            for (const std::int32_t index : others) sum += conductance(i, read<other>(reader, index));
+            return sum;
+        }
+        if constexpr (own == ParticleKind::fluid && other == own) {
+            if (sums_.shift_per_sum != 0) return with_shift(near, i, others, reader);
+        }
+        for (const std::int32_t index : others) {
+            const auto j = read<other>(reader, index);
+            const auto separation = i.position - j.position;
+            const L slope = kernel_.slope(sqrt(dot(separation, separation)));
+            sum += order_free_(slope * (sums_.time * taken<own, other>(i, j)));
+        }
+        return sum;
+    }
+
+    /// Among fluid particles that are about to be shifted.
+    template <class I>
+    [[nodiscard]] L with_shift(const Neighbourhood& near, const I& i, std::span<const std::int32_t> others,
+                               const SpeciesReader<L, D, ParticleKind::fluid>& reader) const {
+        Vector<L, D> shift =
+            L(sums_.shift_per_sum) * load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster);
+        constexpr double smallest = 1e-300;
+        const L length = sqrt(dot(shift, shift) + smallest);
+        shift = min(L(1.0), sums_.longest_shift / length) * shift;
+        L sum = 0.0;
+        for (const std::int32_t index : others) {
+            const auto j = read<ParticleKind::fluid>(reader, index);
+            const auto separation = i.position - j.position;
+            const L slope = kernel_.slope(sqrt(dot(separation, separation)));
+            sum += order_free_(slope * diffusion_.law_with_shift(i, j, sums_.time, shift));
+        }
+        return sum;
+    }
+
+    template <ParticleKind own, ParticleKind other, class I, class J>
+    [[nodiscard]] auto taken(const I& i, const J& j) const {
+        if constexpr (Alike && own == ParticleKind::fluid && other == own)
+            return (i.volume * j.volume) * (2 * sums_.diffusivity) * (i.concentration - j.concentration);
+        else
+            return diffusion_.law(i, j);
+    }
+
+    /// A cluster's members are among their own neighbours.
+    template <class I, class J>
+    [[nodiscard]] L conductance(const I& i, const J& j) const {
+        const auto separation = i.position - j.position;
+        const L square = dot(separation, separation);
+        const L term = kernel_.slope(sqrt(square)) * (sums_.time * diffusion_.conductance(i, j));
+        return order_free_(where_less(L(0.0), square, -term, L(0.0)));
+    }
+
+    ParticleStore& particles_;
+    const SpeciesPairs& pairs_;
+    const Kernel& kernel_;
+    const SpeciesSums& sums_;
+    const SpeciesDiffusion& diffusion_;
+    OrderFree order_free_;
+    int threads_;
+};
+
+}  // namespace dmp
