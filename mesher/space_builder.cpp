@@ -75,7 +75,7 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;
         claim(surface, static_cast<std::int16_t>(fluid));
-        fluid_edges_.emplace_back(surface, 1e-3 * spacing_);
+        fluid_edges_.emplace_back(surface, spacing_);
     }
 }
 
@@ -257,7 +257,10 @@ bool SpaceBuilder::closes(const Vec& point, const Part& fluid) const {
         if (found && found->distance < tolerance) return true;
     }
     for (std::size_t other = 0; other < fluids_.size(); ++other)
-        if (fluids_[other] != &fluid && fluid_edges_[other].nearest(point)) return true;
+        if (fluids_[other] != &fluid) {
+            const auto found = fluid_edges_[other].nearest(point);
+            if (found && found->distance < tolerance) return true;
+        }
     return false;
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/closest_point.hpp"
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/orient_surface.hpp"
 #include "geometry/surface_crossings.hpp"
@@ -119,7 +120,7 @@ TEST(NearestTriangle, is_what_a_look_at_all_triangles_finds) {
         ASSERT_EQ(found.has_value(), nearest <= reach) << point.transpose();
         if (!found) continue;
         ++near;
-        EXPECT_EQ(found->distance, nearest);
+        EXPECT_NEAR(found->distance, nearest, 1e-15);
         EXPECT_NEAR((found->point - point).norm(), nearest, 1e-15);
     }
     EXPECT_GT(near, 1000);

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(AllOf, Lattices,
                          testing::Values(Wanted{"cubic", Arrangement::square, 1, 6},
                                          Wanted{"fcc", Arrangement::fcc, 1.12246, 12},
                                          Wanted{"hcp", Arrangement::hexagonal, 1.12246, 12}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(SpaceLattice, is_stretched_to_a_period_and_to_a_plane_of_symmetry) {
     const Box box{Vec(0, 0, 0), Vec(1.1, 1.1, 1.1)};
