@@ -23,6 +23,8 @@ struct SurfacePoint {
 /// changed, so any number of threads may ask it.
 class NearestTriangle {
   public:
+    /// Of no surface: finds nothing.
+    NearestTriangle() = default;
     /// @param largest_distance how far to look [m]; must be positive (throws std::invalid_argument). Memory grows with
     /// the surface's area over its square.
     NearestTriangle(const TriangleSurface& surface, double largest_distance);
@@ -43,7 +45,7 @@ class NearestTriangle {
     [[nodiscard]] Index index_of(const Vec& point) const;
     static std::uint64_t key_of(const Index& index);
 
-    double largest_distance_;
+    double largest_distance_ = 0;
     double cell_ = 0;  ///< edge of a grid cell [m]
     Vec low_ = Vec::Zero();
     std::vector<std::array<Vec, 3>> triangles_;

@@ -47,6 +47,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     builder.check_boundary();
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
+    builder.fit();
     MeshResult result = builder.finish();
     measure_quality(result, scene);
     return result;

@@ -25,18 +25,17 @@ std::string point_text(const Vec& p) {
     return text.str();
 }
 
-Vec normal_of(const TriangleSurface& surface, int triangle) {
-    const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
-    const auto corner = [&](int k) -> const Vec& { return surface.corners[static_cast<std::size_t>(k)]; };
-    return (corner(b) - corner(a)).cross(corner(c) - corner(a)).normalized();
-}
-
 SpaceLattice lattice_around(const ParticleSet& set, const Scene& scene) {
     int layers = 0;
     for (const Part* part : scene.parts_of(PartKind::rigid)) layers = std::max(layers, *part->layers);
     std::array<bool, 3> fitted{};
     for (std::size_t axis = 0; axis < 3; ++axis) fitted.at(axis) = set.mirrored.at(axis)[1];
-    return {set.box, set.periodic, set.spacing, scene.particles.arrangement, (layers + 1) * set.spacing, fitted};
+    return {set.box,
+            set.periodic,
+            set.spacing,
+            scene.particles.arrangement,
+            (layers + 1 + spare_layers(scene)) * set.spacing,
+            fitted};
 }
 
 }  // namespace
@@ -68,15 +67,22 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
         const Solid* solid = geometry.solid(part->name);
         const TriangleSurface* surface =
             solid != nullptr ? &solid->surface : &geometry.surface_set(part->name)->surface;
-        const double thickness = part->layers * spacing_;
+        const double thickness = (part->layers + spare_layers(scene)) * spacing_;
         if (solid != nullptr) claim(*surface, owner_of_wall(walls_.size()));
-        walls_.push_back({part, surface, solid != nullptr, thickness, NearestTriangle(*surface, 1.001 * thickness)});
+        walls_.push_back(
+            {part, surface, solid != nullptr, thickness, NearestTriangle(*surface, 1.001 * thickness), {}});
     }
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;
         claim(surface, static_cast<std::int16_t>(fluid));
         fluid_edges_.emplace_back(surface, spacing_);
     }
+}
+
+Vec SpaceBuilder::normal_of(const TriangleSurface& surface, int triangle) {
+    const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
+    const auto corner = [&](int k) -> const Vec& { return surface.corners[static_cast<std::size_t>(k)]; };
+    return (corner(b) - corner(a)).cross(corner(c) - corner(a)).normalized();
 }
 
 /// Gives the lattice points inside a solid, that nobody has yet, to `owner`. Inside is where more surfaces were entered
@@ -176,29 +182,9 @@ void SpaceBuilder::add_fluid(const Part& part) {
 }
 
 SpaceBuilder::WallPoint SpaceBuilder::wall_at(const Vec& point, std::int16_t owner) const {
-    WallPoint best;
-    const auto look_from = [&](const Vec& shift) {
-        for (std::size_t w = 0; w < walls_.size(); ++w) {
-            // A body's own particles stand in it, those of other walls outside all bodies.
-            if (walls_[w].is_solid ? owner != owner_of_wall(w) : owner != nobody) continue;
-            auto found = walls_[w].nearest.nearest(point + shift);
-            if (!found || found->distance >= walls_[w].thickness) continue;
-            if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
-            found->point -= shift;
-            best = {static_cast<int>(w), *found};
-        }
-    };
-    look_from(Vec::Zero());
-    const ParticleSet& set = result_.particles;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!set.periodic.at(static_cast<std::size_t>(axis))) continue;
-        Vec shift = Vec::Zero();
-        for (const double period : {set.box.extent()[axis], -set.box.extent()[axis]}) {
-            shift[axis] = period;
-            look_from(shift);
-        }
-    }
-    return best;
+    // A body's own particles stand in it, those of other walls outside all bodies.
+    return surface_at(point, &Wall::nearest,
+                      [&](std::size_t w) { return walls_[w].is_solid ? owner == owner_of_wall(w) : owner == nobody; });
 }
 
 void SpaceBuilder::add_walls(const Part& part) {

@@ -1,12 +1,14 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "geometry/geometry.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/fit_to_surfaces.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/space_lattice.hpp"
 
@@ -26,6 +28,8 @@ class SpaceBuilder {
     /// Lattice points outside all fluid, at most `layers` spacings behind the surface. Where rigid parts meet, a point
     /// belongs to the nearest of them.
     void add_walls(const Part& part);
+    /// Moves fluid and walls off the lattice until they follow the surfaces, where the scene asks for it.
+    void fit();
     [[nodiscard]] MeshResult finish();
 
   private:
@@ -33,16 +37,27 @@ class SpaceBuilder {
         const Part* part;
         const TriangleSurface* surface;
         bool is_solid;     ///< the part is a body in the fluid, not the fluid's edge
-        double thickness;  ///< how far the part reaches behind its surface [m]
+        double thickness;  ///< how far the part reaches behind its surface, until it is fitted [m]
         NearestTriangle nearest;
+        NearestTriangle close_by;  ///< the same no further than fitting looks
     };
     struct WallPoint {
         int wall = -1;  ///< index into walls_; -1: no wall reaches the point
         SurfacePoint surface;
     };
 
+    static Vec normal_of(const TriangleSurface& surface, int triangle);
     void claim(const TriangleSurface& solid, std::int16_t owner);
+    /// The nearest point of the walls that counts(index into walls_) is true for, as one of their searches finds it.
+    template <class Counts>
+    [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts) const;
+    [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search) const {
+        return surface_at(point, search, [](std::size_t) { return true; });
+    }
+    /// The same for a lattice point of which `owner_` says who owns it: the wall that it may belong to.
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner) const;
+    [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& place) const;
+    void trim_walls();
     [[nodiscard]] bool closes(const Vec& point, const Part& fluid) const;
     [[nodiscard]] std::int16_t owner_near(const Vec& place) const;
     void add_particle(const Vec& position, int part, double density);
@@ -62,6 +77,36 @@ class SpaceBuilder {
     /// point lies in; -1: none.
     std::vector<std::int16_t> owner_;
 };
+
+/// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
+[[nodiscard]] inline int spare_layers(const Scene& scene) { return *scene.particles.fill == FillKind::relaxed ? 2 : 0; }
+
+template <class Counts>
+SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, NearestTriangle Wall::*search,
+                                                 const Counts& counts) const {
+    WallPoint best;
+    const auto look_from = [&](const Vec& shift) {
+        for (std::size_t w = 0; w < walls_.size(); ++w) {
+            if (!counts(w)) continue;
+            auto found = (walls_[w].*search).nearest(point + shift);
+            if (!found || found->distance >= walls_[w].thickness) continue;
+            if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
+            found->point -= shift;
+            best = {static_cast<int>(w), *found};
+        }
+    };
+    look_from(Vec::Zero());
+    const ParticleSet& set = result_.particles;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!set.periodic.at(static_cast<std::size_t>(axis))) continue;
+        Vec shift = Vec::Zero();
+        for (const double period : {set.box.extent()[axis], -set.box.extent()[axis]}) {
+            shift[axis] = period;
+            look_from(shift);
+        }
+    }
+    return best;
+}
 
 /// The box around the fluid solids of the scene; along periodic axes exactly one period.
 Box fluid_box_in_space(const Geometry& geometry, const Scene& scene);

@@ -73,6 +73,12 @@ const Words<Arrangement>& words_of() {
 }
 
 template <>
+const Words<FillKind>& words_of() {
+    static const Words<FillKind> words = {{FillKind::lattice, "lattice"}, {FillKind::relaxed, "relaxed"}};
+    return words;
+}
+
+template <>
 const Words<KernelKind>& words_of() {
     static const Words<KernelKind> words = {{KernelKind::wendland_c2, "wendland_c2"},
                                             {KernelKind::wendland_c4, "wendland_c4"},
@@ -248,6 +254,7 @@ std::string word(ForceAmount amount) { return find_word(amount); }
 std::string word(ShapeKind kind) { return find_word(kind); }
 std::string word(PushedSide side) { return find_word(side); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
+std::string word(FillKind fill) { return find_word(fill); }
 std::string word(BoxSide side) { return find_word(side); }
 std::string word(WallModel walls) { return find_word(walls); }
 std::string word(EquationOfState equation) { return find_word(equation); }

@@ -45,6 +45,8 @@ enum class ShapeKind { parabola, circle };
 enum class PushedSide { both, inside, outside };
 /// In space: cubic, hexagonal close-packed, face-centred cubic.
 enum class Arrangement { square, hexagonal, fcc };
+/// Whether particles stay on the lattice or are moved until they follow the surfaces.
+enum class FillKind { lattice, relaxed };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 /// A side of the box around the fluid.
 enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };
@@ -328,6 +330,7 @@ struct Scene {
     struct {
         Value<double> spacing;  ///< particle spacing [m]
         Value<Arrangement> arrangement = Arrangement::square;
+        Value<FillKind> fill = FillKind::lattice;
         Value<double> disorder = 0.0;  ///< largest random displacement of fluid particles along an axis [spacings]
         Value<int> seed = 1;           ///< of the disorder
     } particles;
@@ -434,6 +437,7 @@ std::string word(ForceAmount amount);
 std::string word(ShapeKind kind);
 std::string word(PushedSide side);
 std::string word(Arrangement arrangement);
+std::string word(FillKind fill);
 std::string word(BoxSide side);
 std::string word(WallModel walls);
 std::string word(EquationOfState equation);
