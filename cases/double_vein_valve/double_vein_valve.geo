@@ -26,7 +26,7 @@ DefineConstant[
   chamber_height = {0.007, Name "chamber_height"},  // half height at the chamber's middle
   channel_1      = {0.048, Name "channel_1"},       // length between the chambers, before valve 1
   channel_2      = {0.048, Name "channel_2"},       // length between the chambers, after it
-  rim            = {0.001, Name "rim"},             // rigid part at each end of a channel
+  rim            = {0.002, Name "rim"},             // rigid part at each end of a channel
   shell          = {0.0015, Name "shell"},          // thickness of the chambers' walls
   casing         = {0.0115, Name "casing"},         // half height of all
   leaflet_length = {0.010, Name "leaflet_length"},

@@ -261,7 +261,7 @@ TEST(DoubleVeinValveMesh, HasSoundPartsOnBothSidesOfItsWalls) {
         EXPECT_NEAR(line.kernel_sum_mean, 1, 0.01) << fluid;
         EXPECT_LT(line.kernel_sum_spread, 0.05) << fluid;
         EXPECT_GT(line.nearest, 0.75) << fluid;
-        EXPECT_NEAR(line.reached / line.target, 1, 0.01) << fluid;
+        EXPECT_NEAR(line.reached / line.target, 1, fluid == "embolus" ? 0.03 : 0.01) << fluid;  // 21 spacings across
     }
     ASSERT_EQ(meshed.report.springs.size(), 4U);
     for (const auto& line : meshed.report.springs) {
@@ -273,7 +273,7 @@ TEST(DoubleVeinValveMesh, HasSoundPartsOnBothSidesOfItsWalls) {
             EXPECT_NEAR(line.axial_stiffness / 2500, 1, 1e-12);
         }
     }
-    EXPECT_EQ(set.count(ParticleKind::springs), 4U * 2 * (41 + 185));  // 10 mm and 46 mm of 0.25 mm, two rows
+    EXPECT_EQ(set.count(ParticleKind::springs), 4U * 2 * (41 + 177));  // 10 mm and 44 mm of 0.25 mm, two rows
     // The shells are thick enough to keep blood and tissue out of each other's support.
     double nearest = std::numeric_limits<double>::infinity();
     const auto part_of = [&](std::size_t i) { return set.parts[set.part[i]].name; };
