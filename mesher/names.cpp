@@ -133,9 +133,14 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
         return std::any_of(walls.begin(), walls.end(),
                            [&](const NearestCurve& wall) { return wall.nearest(p).has_value(); });
     };
-    const auto at_another_fluid = [&](const Vec& p, const Region* own) {
-        return std::any_of(regions.begin(), regions.end(),
-                           [&](const Region* region) { return region != own && region->side_of(p) != Side::outside; });
+    // Looked for on both sides of the border: the middle of a chord that two fluids share need not be on it to the last
+    // bit.
+    const auto at_another_fluid = [&](const Vec& p, const Vec& along, const Region* own) {
+        const Vec aside = tolerance * Vec(-along[1], along[0], 0).normalized();
+        return std::any_of(regions.begin(), regions.end(), [&](const Region* region) {
+            return region != own &&
+                   (region->side_of(p + aside) != Side::outside || region->side_of(p - aside) != Side::outside);
+        });
     };
     for (const Part* part : scene.parts_of(PartKind::fluid)) {
         const Region& region = *geometry.region(part->name);
@@ -145,7 +150,7 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                 const Vec& b = loop.points[(k + 1) % loop.points.size()];
                 const Vec middle = 0.5 * (a + b);
                 if (on_side_that_goes_on(a, b, scene, box, tolerance) || at_wall(middle) ||
-                    at_another_fluid(middle, &region))
+                    at_another_fluid(middle, b - a, &region))
                     continue;
                 throw InputError(part->name.place,
                                  "the boundary of '" + part->name.value + "' is open between " + point_text(a) +

@@ -46,7 +46,7 @@ class Warnings {
             return !std::ranges::all_of(formulas, &Expression::is_zero);
         };
         return any(scene_.flow.acceleration) || any(*scene_.flow.initial_velocity) ||
-               !scene_.flow.initial_pressure->is_zero() ||
+               !scene_.flow.initial_pressure->is_zero() || !scene_.forces.empty() || !scene_.moving_shapes.empty() ||
                std::ranges::any_of(scene_.parts_of(PartKind::rigid),
                                    [](const Part* wall) { return wall->slides() || wall->moves(); });
     }

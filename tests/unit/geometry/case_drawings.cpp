@@ -215,6 +215,116 @@ TEST(BentChannel, RefusesParametersThatMakeNoChannel) {
               "gmsh cannot read the drawing: the flap does not fit into the channel");
 }
 
+TEST(HeartValve, AreaAndWallAgainstTheCircle) {
+    const Geometry valve = read_case("heart_valve/heart_valve.geo");
+    EXPECT_EQ(valve.names(), (std::vector<std::string>{"blood", "leaflet_roots", "leaflets", "wall"}));
+    const double radius = 0.0215, width = 0.0125, corner = std::sqrt(radius * radius - width * width);
+    const double expected = 2 * width * (0.105 - 2 * corner) + 2 * ellipse_slice(radius, radius, corner);
+    const double area = valve.region("blood")->area();
+    EXPECT_LE(area, expected);
+    EXPECT_GT(area, expected - 2 * 0.042 * 1e-6);  // chords lie inside the circle
+    for (const auto& piece : valve.curve_set("wall")->pieces)
+        for (const auto& point : piece.points) {
+            if (std::abs(point.x()) > corner) {
+                EXPECT_EQ(std::abs(point.y()), width);
+            } else {
+                EXPECT_NEAR(point.norm(), radius, 1e-15);
+            }
+        }
+    const auto& leaflets = valve.curve_set("leaflets")->pieces;
+    ASSERT_EQ(leaflets.size(), 2U);
+    for (const auto& leaflet : leaflets) {
+        EXPECT_NEAR(leaflet.length(), 0.016, 1e-16);
+        EXPECT_NEAR(std::abs(leaflet.points[1].y()), 0.002, 1e-18);
+        EXPECT_EQ(valve.curve_set("wall")->nearest(leaflet.points[0]).distance, 0);
+    }
+}
+
+TEST(HeartValve, RefusesParametersThatMakeNoValve) {
+    const std::string drawing = "heart_valve/heart_valve.geo", problem = "gmsh cannot read the drawing: ";
+    EXPECT_EQ(error_of(drawing, {{"leaflet_length", 0.01}}),
+              problem + "leaflet_length is too short to reach tip_gap: it must exceed half_width - tip_gap/2");
+    EXPECT_EQ(error_of(drawing, {{"chamber_radius", 0.0125}}), problem + "chamber_radius must exceed half_width");
+    EXPECT_EQ(error_of(drawing, {{"tip_gap", 0.026}}), problem + "tip_gap is wider than the vessel");
+    EXPECT_EQ(error_of(drawing, {{"domain_length", 0.03}}),
+              problem + "domain_length must exceed the length of the chamber, 2 sqrt(chamber_radius^2 - half_width^2)");
+}
+
+TEST(DoubleVeinValve, AreasAgainstClosedForms) {
+    const std::string drawing = "double_vein_valve/double_vein_valve.geo";
+    for (const double channel_1 : {0.048, 0.030}) {
+        const Geometry valves = read_case(drawing, {{"channel_1", channel_1}});
+        const double length = 0.080 + 0.048 + channel_1;
+        EXPECT_NEAR((valves.box.low - Vec(-0.040 - channel_1, -0.0115, 0)).norm(), 0, 1e-15);
+        EXPECT_NEAR((valves.box.high - Vec(0.088, 0.0115, 0)).norm(), 0, 1e-15);
+        const double axis = 0.020 / std::sqrt(1 - 16.0 / 49.0);
+        const double vein = 4 * ellipse_slice(axis, 0.007, 0.020) + 0.008 * (0.048 + channel_1);
+        const double embolus = pi * 0.0026 * 0.0026;
+        EXPECT_NEAR(valves.region("embolus")->area(), embolus, 2 * pi * 0.0026 * 1e-6);
+        EXPECT_NEAR(valves.region("blood")->area(), vein - embolus, 0.2 * 1e-6);
+        const double shell_axis = 0.022 / std::sqrt(1 - std::pow(5.5 / 8.5, 2));
+        const double inside = 4 * ellipse_slice(shell_axis, 0.0085, 0.022) + 0.008 * (0.040 + channel_1);
+        EXPECT_NEAR(valves.region("tissue")->area(), 0.023 * length - inside, 0.2 * 1e-6);
+    }
+}
+
+TEST(DoubleVeinValve, LeafletsChannelsAndEmbolusAreWhereTheyShouldBe) {
+    const Geometry valves = read_case("double_vein_valve/double_vein_valve.geo",
+                                      {{"embolus_length", 0.019}, {"embolus_height", 0.0026}, {"embolus_tilt", 0.1}});
+    EXPECT_EQ(valves.names(),
+              (std::vector<std::string>{"blood", "casing", "chambers", "channel_1", "channel_2", "channel_ends",
+                                        "embolus", "leaflet_roots", "leaflets_1", "leaflets_2", "tissue"}));
+    EXPECT_NEAR(valves.region("embolus")->area(), 0.0026 * 0.0164 + pi * 0.0013 * 0.0013, 2 * pi * 0.0013 * 1e-6);
+    EXPECT_EQ(valves.region("embolus")->side_of({-0.034 + 0.0094 * std::cos(0.1), 0.0094 * std::sin(0.1), 0}),
+              Side::inside);
+    for (const auto& [name, root] : {std::pair{"leaflets_1", -0.020}, std::pair{"leaflets_2", 0.068}}) {
+        const auto& pieces = valves.curve_set(name)->pieces;
+        ASSERT_EQ(pieces.size(), 2U);
+        for (const auto& leaflet : pieces) {
+            EXPECT_NEAR(leaflet.length(), 0.010, 1e-16);
+            EXPECT_NEAR(leaflet.points[0].x(), root, 1e-16);
+            EXPECT_GT(leaflet.points[1].x(), root);  // both let liquid pass to the right
+            EXPECT_EQ(valves.curve_set("chambers")->nearest(leaflet.points[0]).distance, 0);
+        }
+    }
+    for (const auto& [name, from] : {std::pair{"channel_1", -0.066}, std::pair{"channel_2", 0.022}}) {
+        for (const auto& wall : valves.curve_set(name)->pieces) {
+            EXPECT_NEAR(wall.length(), 0.044, 1e-16);
+            EXPECT_NEAR(wall.points[0].x(), from, 1e-16);
+        }
+    }
+}
+
+TEST(DoubleVeinValve, RefusesParametersThatMakeNoValves) {
+    const std::string drawing = "double_vein_valve/double_vein_valve.geo", problem = "gmsh cannot read the drawing: ";
+    EXPECT_EQ(error_of(drawing, {{"leaflet_length", 0.02}}),
+              problem + "leaflet_length must exceed half_width - tip_gap/2 and be below chamber_length/2");
+    EXPECT_EQ(error_of(drawing, {{"channel_1", 0.004}}), problem + "channel_1 and channel_2 must exceed 2 rim");
+    EXPECT_EQ(error_of(drawing, {{"casing", 0.008}}),
+              problem + "shell must be positive, and casing must exceed chamber_height + shell");
+    EXPECT_EQ(error_of(drawing, {{"embolus_length", 0.003}}),
+              problem + "embolus_height must be positive, and embolus_length at least as large");
+}
+
+TEST(Cilia, StandHalfAPitchFromTheEnds) {
+    const Geometry carpet = read_case("cilia/cilia.geo", {{"cilia", 9}});
+    EXPECT_EQ(carpet.names(), (std::vector<std::string>{"cilia", "membrane", "mucus", "pcl", "roots"}));
+    EXPECT_NEAR(carpet.region("pcl")->area(), 20e-6 * 5e-6, 1e-23);
+    EXPECT_NEAR(carpet.region("mucus")->area(), 20e-6 * 2e-6, 1e-23);
+    const auto& cilia = carpet.curve_set("cilia")->pieces;
+    ASSERT_EQ(cilia.size(), 9U);
+    EXPECT_EQ(carpet.points.at("roots").size(), 9U);
+    for (std::size_t k = 0; k < cilia.size(); ++k) {
+        const double x = (static_cast<double>(k) + 0.5) * 20e-6 / 9;
+        EXPECT_NEAR((cilia[k].points.front() - Vec(x, 0, 0)).norm(), 0, 1e-18);
+        EXPECT_NEAR((cilia[k].points.back() - Vec(x, 5e-6, 0)).norm(), 0, 1e-18);
+    }
+    const std::string problem = "gmsh cannot read the drawing: ";
+    EXPECT_EQ(error_of("cilia/cilia.geo", {{"cilia", 2.5}}), problem + "cilia must be a whole number, at least 1");
+    EXPECT_EQ(error_of("cilia/cilia.geo", {{"cilium_length", 8e-6}}),
+              problem + "cilium_length must be below pcl + mucus");
+}
+
 TEST(PoiseuilleChannel, IsARectangle) {
     const Geometry channel = read_case("verification/poiseuille/channel.geo", {{"width", 0.002}});
     EXPECT_EQ(channel.names(), (std::vector<std::string>{"wall", "water"}));

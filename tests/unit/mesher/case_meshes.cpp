@@ -45,7 +45,7 @@ double fluid_to_solids(const ParticleSet& set) {
     return std::sqrt(smallest) / set.spacing;
 }
 
-void expect_a_sound_mesh(const Meshed& meshed, const std::string& fluid) {
+void expect_a_sound_mesh(const Meshed& meshed, const std::string& fluid, int wall_layers = 3) {
     const ParticleSet& set = meshed.particles;
     const std::size_t size = set.size();
     for (const std::size_t entries :
@@ -55,7 +55,7 @@ void expect_a_sound_mesh(const Meshed& meshed, const std::string& fluid) {
     const Region& region = *meshed.geometry.region(fluid);
     const InsideTest inside(region);
     const CurveSet& wall = *meshed.geometry.curve_set("wall");
-    const double thickness = 3 * set.spacing;
+    const double thickness = wall_layers * set.spacing;
     const NearestCurve surface(wall, 1.1 * thickness);
     const double period = set.box.extent()[0];
     for (std::size_t i = 0; i < size; ++i) {
@@ -147,22 +147,35 @@ TEST(VeinValveMesh, AtItsOwnSpacing) {
     EXPECT_GT(set.box.high[1], 0.007);
 }
 
-TEST(VeinValveMesh, AtHalfTheSpacingHasTheParticlesOfThePublishedOne) {
-    const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.1 mm"});
-    const ParticleSet& set = meshed.particles;
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) / 89726, 1, 0.03);
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::springs)) / 702, 1, 0.03);
-    EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
-    EXPECT_GT(line_of(meshed, "blood").nearest, 0.75);
-    EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 3e-6, 1, 1e-12);
-    EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 100, 1, 1e-12);
+struct Published {
+    std::string leaflet_length;
+    double blood, leaflets;
+};
+
+TEST(VeinValveMesh, AtHalfTheSpacingHasTheParticlesOfThePublishedOnes) {
+    for (const auto& [length, blood, leaflets] :
+         {Published{"10 mm", 90012, 402}, Published{"17.5 mm", 89726, 702}, Published{"25.6 mm", 89592, 1026}}) {
+        const Meshed meshed =
+            mesh_case("vein_valve", {"particles.spacing=0.1 mm", "geometry.parameters.leaflet_length=" + length});
+        const ParticleSet& set = meshed.particles;
+        EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) / blood, 1, 0.03) << length;
+        EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::springs)) / leaflets, 1, 0.03) << length;
+        EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
+        EXPECT_GT(line_of(meshed, "blood").nearest, 0.75);
+        EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 3e-6, 1, 1e-12);
+        EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 100, 1, 1e-12);
+    }
 }
 
-TEST(VeinValveMesh, LongLeaflets) {
-    const Meshed meshed =
-        mesh_case("vein_valve", {"particles.spacing=0.2 mm", "geometry.parameters.leaflet_length=25.6 mm"});
-    expect_a_sound_mesh(meshed, "blood");
-    expect_two_clamped_leaflets(meshed, 129);
+TEST(VeinValveMesh, LongAndShortLeaflets) {
+    const auto with_leaflets = [](const std::string& length) {
+        return mesh_case("vein_valve", {"particles.spacing=0.2 mm", "geometry.parameters.leaflet_length=" + length});
+    };
+    const Meshed long_ones = with_leaflets("25.6 mm"), short_ones = with_leaflets("10 mm");
+    expect_a_sound_mesh(long_ones, "blood");
+    expect_two_clamped_leaflets(long_ones, 129);
+    expect_a_sound_mesh(short_ones, "blood");
+    expect_two_clamped_leaflets(short_ones, 51);
 }
 
 TEST(VeinValveMesh, BendsAlikeAtEverySpacing) {
@@ -214,6 +227,80 @@ TEST(BentChannelMesh, IsSoundOnAllArrangements) {
         EXPECT_EQ(line.anchored, 2U);
         EXPECT_NEAR(line.bending_stiffness / 1e-6, 1, 1e-12);
     }
+}
+
+TEST(HeartValveMesh, AtItsOwnSpacing) {
+    const Meshed meshed = mesh_case("heart_valve");
+    expect_a_sound_mesh(meshed, "blood", 4);
+    expect_two_clamped_leaflets(meshed, 33);
+    const auto& set = meshed.particles;
+    const double area = meshed.geometry.region("blood")->area();
+    const double leaflets = 2 * 16e-3 * 2 * 0.5e-3;
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * 0.25e-6 / (area - leaflets), 1, 0.005);
+    EXPECT_EQ(set.box.low[0], -0.0525);
+    EXPECT_EQ(set.box.high[0], 0.0525);
+}
+
+TEST(HeartValveMesh, AtHalfTheSpacingHasTheParticlesOfThePublishedOne) {
+    const Meshed meshed =
+        mesh_case("heart_valve", {"particles.spacing=0.25 mm", "geometry.parameters.leaflet_length=16.75 mm"});
+    const ParticleSet& set = meshed.particles;
+    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) / 49224, 1, 0.03);
+    EXPECT_EQ(set.count(ParticleKind::springs), 272U);
+    EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
+    EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 4.4e-5, 1, 1e-12);
+    EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 1400, 1, 1e-12);
+}
+
+TEST(DoubleVeinValveMesh, HasSoundPartsOnBothSidesOfItsWalls) {
+    const Meshed meshed = mesh_case("double_vein_valve");
+    const ParticleSet& set = meshed.particles;
+    EXPECT_GT(fluid_to_solids(set), 0.75);
+    for (const std::string fluid : {"blood", "embolus", "tissue"}) {
+        const auto& line = line_of(meshed, fluid);
+        EXPECT_NEAR(line.kernel_sum_mean, 1, 0.01) << fluid;
+        EXPECT_LT(line.kernel_sum_spread, 0.05) << fluid;
+        EXPECT_GT(line.nearest, 0.75) << fluid;
+        EXPECT_NEAR(line.reached / line.target, 1, fluid == "embolus" ? 0.03 : 0.01) << fluid;  // 21 spacings across
+    }
+    ASSERT_EQ(meshed.report.springs.size(), 4U);
+    for (const auto& line : meshed.report.springs) {
+        EXPECT_EQ(line.bodies, 2);
+        const bool leaflets = line.part.starts_with("leaflets");
+        EXPECT_EQ(line.anchored, leaflets ? 4U : 8U) << line.part;
+        EXPECT_NEAR(line.bending_stiffness / (leaflets ? 5e-6 : 4e-7), 1, 1e-12) << line.part;
+        if (leaflets) {
+            EXPECT_NEAR(line.axial_stiffness / 2500, 1, 1e-12);
+        }
+    }
+    EXPECT_EQ(set.count(ParticleKind::springs), 4U * 2 * (41 + 177));  // 10 mm and 44 mm of 0.25 mm, two rows
+    // The shells are thick enough to keep blood and tissue out of each other's support.
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto part_of = [&](std::size_t i) { return set.parts[set.part[i]].name; };
+    for (const std::size_t i : all_of(set, ParticleKind::fluid))
+        if (part_of(i) == "blood" && std::abs(set.position[i][0]) < 0.0205 && set.position[i][1] > 3e-3)
+            for (const std::size_t j : all_of(set, ParticleKind::fluid))
+                if (part_of(j) == "tissue") nearest = std::min(nearest, (set.position[i] - set.position[j]).norm());
+    EXPECT_GT(nearest, 3 * set.spacing);
+}
+
+TEST(CiliaMesh, SixCellsToAPitch) {
+    const Meshed meshed = mesh_case("cilia");
+    const ParticleSet& set = meshed.particles;
+    EXPECT_EQ(line_of(meshed, "pcl").particles, 36U * 4 * 54);  // 54 rows; two of six columns are the cilium's
+    EXPECT_EQ(line_of(meshed, "mucus").particles, 36U * (6 * 22 - 2));
+    for (const std::string fluid : {"pcl", "mucus"}) {
+        EXPECT_NEAR(line_of(meshed, fluid).kernel_sum_mean, 1, 0.01) << fluid;
+        EXPECT_LT(line_of(meshed, fluid).kernel_sum_spread, 0.005) << fluid;
+        EXPECT_GT(line_of(meshed, fluid).nearest, 0.9) << fluid;
+    }
+    ASSERT_EQ(meshed.report.springs.size(), 1U);
+    const auto& cilia = meshed.report.springs[0];
+    EXPECT_EQ(cilia.bodies, 36);
+    EXPECT_EQ(cilia.anchored, 36U * 2);
+    EXPECT_EQ(set.count(ParticleKind::springs), 36U * 2 * 55);
+    EXPECT_NEAR(cilia.bending_stiffness / 1.32e-19, 1, 1e-12);
+    EXPECT_NEAR(cilia.axial_stiffness / 2.64e-6, 1, 1e-12);
 }
 
 TEST(PoiseuilleMesh, HasTwentyRowsAndExactWalls) {

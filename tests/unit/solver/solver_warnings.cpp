@@ -178,7 +178,10 @@ TEST(Warnings, of_nothing_that_moves_know_every_drive) {
     thrown.flow.initial_velocity.value[1] = one;
     pressed.flow.initial_pressure = one;
     belt.parts[1].surface_velocity.value[0] = one;
-    for (const Scene& driven : {thrown, pressed, belt}) EXPECT_THAT(texts(driven), IsEmpty());
+    Scene squeezed = scene, brushed = scene;
+    squeezed.forces.resize(1);
+    brushed.moving_shapes.resize(1);
+    for (const Scene& driven : {thrown, pressed, belt, squeezed, brushed}) EXPECT_THAT(texts(driven), IsEmpty());
     belt.parts[1].enabled = false;
     EXPECT_THAT(texts(belt), Contains(HasSubstr("nothing will move")));
 }
