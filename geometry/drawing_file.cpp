@@ -2,7 +2,6 @@
 #include "geometry/drawing_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -11,12 +10,14 @@
 #include <string_view>
 
 #include "geometry/geo_text.hpp"
+#include "geometry/triangle_file.hpp"
 
 namespace dmp {
 
 namespace {
 
-constexpr std::string_view formats_read = "dmp reads .geo, .geo_unrolled and .msh drawings.";
+constexpr std::string_view formats_read =
+    "dmp reads .geo, .geo_unrolled, .msh, .step, .stp, .iges, .igs, .brep, .stl, .obj, .ply and .off drawings.";
 
 std::string extension_of(const std::string& file) {
     std::string extension = std::filesystem::path(file).extension().string();
@@ -46,6 +47,22 @@ bool is_script(const std::string& file) {
     return extension == ".geo" || extension == ".geo_unrolled";
 }
 
+bool is_cad_file(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return states_its_unit(file) || extension == ".brep";
+}
+
+bool states_its_unit(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".step" || extension == ".stp" || extension == ".iges" || extension == ".igs";
+}
+
+bool needs_a_unit(const std::string& file) {
+    return is_triangle_file(file) || (is_cad_file(file) && !states_its_unit(file));
+}
+
+bool has_straight_edges_only(const std::string& file) { return is_triangle_file(file) || extension_of(file) == ".msh"; }
+
 std::string file_text(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -54,14 +71,12 @@ std::string file_text(const std::string& file) {
 }
 
 void check_drawing_file(const DrawingOptions& options) {
-    constexpr std::array<std::string_view, 9> formats_to_come{".step", ".stp", ".iges", ".igs", ".brep",
-                                                              ".stl",  ".obj", ".ply",  ".off"};
     const std::string& file = options.file;
     const std::string drawing = "the drawing '" + file + "'";
     const auto refuse = [&](const std::string& what, const std::string& what_to_do) {
         throw InputError(options.place, what, what_to_do);
     };
-    if (!(options.unit > 0) || !std::isfinite(options.unit)) {
+    if (!(options.metres() > 0) || !std::isfinite(options.metres())) {
         refuse("the drawing's unit must be a positive length", "Give it as a length, like \"1 mm\".");
     }
     if (!(options.chord_error > 0)) {
@@ -72,15 +87,25 @@ void check_drawing_file(const DrawingOptions& options) {
     if (std::filesystem::is_directory(status)) refuse(drawing + " is a folder", "Name a file in it.");
     if (!std::filesystem::exists(status)) refuse(drawing + " does not exist", "Check the path.");
     const std::string extension = extension_of(file);
-    if (std::ranges::find(formats_to_come, extension) != formats_to_come.end()) {
-        refuse(drawing + ": " + extension + " files are not read yet", std::string(formats_read));
-    }
-    if (!is_script(file) && extension != ".msh") {
+    if (!is_script(file) && extension != ".msh" && !is_cad_file(file) && !is_triangle_file(file)) {
         refuse(drawing + (extension.empty() ? " has no extension" : ": unknown extension " + extension),
                std::string(formats_read));
     }
     if (!std::filesystem::is_regular_file(status) || !std::ifstream(file)) {
         refuse(drawing + " cannot be read", "Check its permissions.");
+    }
+    if (std::filesystem::file_size(file, error) == 0) refuse(drawing + " is empty", "Save or export it again.");
+    if (states_its_unit(file) && options.metres() != 1) {
+        refuse(drawing + " states its unit itself, and the scene gives another",
+               "Leave geometry.unit out, or correct the unit in the program that made the drawing.");
+    }
+    if (!is_script(file) && !options.parameters.empty()) {
+        const auto& [name, value] = *options.parameters.begin();
+        const auto place = options.parameter_places.find(name);
+        throw InputError(place == options.parameter_places.end() ? options.place : place->second,
+                         "the drawing '" + file + "' offers no constant '" + name + "' for setting",
+                         extension == ".msh" ? "A mesh has no parameters; give its .geo script."
+                                             : "Only .geo scripts have parameters.");
     }
     if (is_script(file)) check_script(file);
 }

@@ -10,6 +10,18 @@ namespace dmp {
 /// Whether a drawing is a gmsh script (.geo, .geo_unrolled), by its extension.
 [[nodiscard]] bool is_script(const std::string& file);
 
+/// Whether a drawing is of OpenCASCADE's formats (STEP, IGES, BREP), by its extension.
+[[nodiscard]] bool is_cad_file(const std::string& file);
+
+/// Whether the format states its unit: STEP and IGES.
+[[nodiscard]] bool states_its_unit(const std::string& file);
+
+/// Whether the scene must give the unit: files of triangles and BREP.
+[[nodiscard]] bool needs_a_unit(const std::string& file);
+
+/// Whether all its edges are straight as they are: meshes and files of triangles.
+[[nodiscard]] bool has_straight_edges_only(const std::string& file);
+
 /// The whole content of a file; throws InputError when it cannot be read.
 [[nodiscard]] std::string file_text(const std::string& file);
 

@@ -166,7 +166,7 @@ void DrawnCurves::refine(int tag, double t, double step, const Vec& start, const
                          CurvePiece& points) const {
     constexpr int deepest = 40;
     constexpr double margin = 0.95;  // the largest deviation may lie between the samples
-    const double tolerance = margin * options_.chord_error / options_.unit;
+    const double tolerance = margin * options_.chord_error / options_.metres();
     const std::array<Vec, 3> inner{value_at(1, tag, {t + 0.25 * step}), value_at(1, tag, {t + 0.5 * step}),
                                    value_at(1, tag, {t + 0.75 * step})};
     const bool close = std::ranges::all_of(

@@ -25,7 +25,7 @@ class DrawnCurves {
     std::vector<CurvePiece> boundary(const std::vector<int>& surfaces);
 
   private:
-    [[nodiscard]] Vec in_metres(const Vec& drawn) const { return options_.unit * drawn; }
+    [[nodiscard]] Vec in_metres(const Vec& drawn) const { return options_.metres() * drawn; }
     [[nodiscard]] InputError problem(int curve, const std::string& what, const std::string& what_to_do) const;
     [[nodiscard]] CurvePiece sampled(int tag, bool straight) const;
     void refine(int tag, double t, double step, const Vec& start, const Vec& end, int depth, CurvePiece& points) const;

@@ -36,7 +36,7 @@ DrawnSurfaces::DrawnSurfaces(const DrawingOptions& options) : options_(options) 
     std::vector<double> coordinates, parametric;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric);
     for (std::size_t i = 0; i < tags.size(); ++i)
-        nodes_[tags[i]] = options.unit * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+        nodes_[tags[i]] = options.metres() * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
     gmsh::vectorpair surfaces;
     gmsh::model::getEntities(surfaces, 2);
     for (const auto& [dimension, tag] : surfaces) {
@@ -60,9 +60,13 @@ DrawnSurfaces::DrawnSurfaces(const DrawingOptions& options) : options_(options) 
 void DrawnSurfaces::make_mesh() const {
     double low_x = 0, low_y = 0, low_z = 0, high_x = 0, high_y = 0, high_z = 0;
     gmsh::model::getBoundingBox(-1, -1, low_x, low_y, low_z, high_x, high_y, high_z);
-    const double size = Vec(high_x - low_x, high_y - low_y, high_z - low_z).norm();
+    std::array<double, 3> extents{high_x - low_x, high_y - low_y, high_z - low_z};
+    std::ranges::sort(extents);
+    const double size = Vec(extents[0], extents[1], extents[2]).norm();
+    const double widest = 1.1 * extents[1];                 // a circle lies across two axes
     gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);  // the drawing's sizes are for other purposes
-    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", edges_around(size, options_.chord_error / options_.unit));
+    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature",
+                            edges_around(widest, options_.chord_error / options_.metres()));
     gmsh::option::setNumber("Mesh.MeshSizeMax", size);
     gmsh::option::setNumber("Mesh.Algorithm", 6);
     gmsh::model::mesh::generate(2);
@@ -101,7 +105,7 @@ TriangleSurface DrawnSurfaces::boundary(const std::vector<int>& volumes) const {
 Vec DrawnSurfaces::point(int tag) const {
     std::vector<double> x;
     gmsh::model::getValue(0, tag, {}, x);
-    return options_.unit * Vec(x.at(0), x.at(1), x.at(2));
+    return options_.metres() * Vec(x.at(0), x.at(1), x.at(2));
 }
 
 }  // namespace dmp

@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,10 +70,14 @@ struct Solid {
 struct SurfaceSet {
     std::string name;
     TriangleSurface surface;
+    std::string why_open{};  ///< why triangles of a file make up no solid; empty: they were not to
 };
 
+/// Where a length that the file gives no unit comes from.
+enum class UnitSource { scene, file, assumed };
+
 /// A drawing in SI units: named areas, curves and points (gmsh's physical groups) of the plane, or named volumes and
-/// surfaces in space.
+/// surfaces in space (gmsh's physical groups, bodies of CAD files, groups of files of triangles).
 struct Geometry {
     std::string file;
     int dimension = 2;
@@ -81,7 +87,9 @@ struct Geometry {
     std::vector<Solid> solids;         ///< 3-D only
     std::vector<SurfaceSet> surfaces;  ///< 3-D only
     std::map<std::string, std::vector<Vec>> points;
-    std::vector<std::string> warnings;  ///< what gmsh warned of while it read the drawing
+    double unit = 1;  ///< one unit of the drawing, or of its file as it was read [m]
+    UnitSource unit_source = UnitSource::assumed;
+    std::vector<std::string> warnings;  ///< of gmsh while it read the drawing, and what was changed in it
 
     [[nodiscard]] const Region* region(const std::string& name) const;
     [[nodiscard]] const CurveSet* curve_set(const std::string& name) const;
@@ -91,20 +99,44 @@ struct Geometry {
     [[nodiscard]] std::vector<std::string> names() const;
 };
 
-struct DrawingOptions {
-    std::string file;                               ///< path of the drawing
-    double unit = 1.0;                              ///< one unit of the drawing [m]
-    std::map<std::string, double> parameters;       ///< DefineConstant name -> value in the drawing's units
-    std::map<std::string, Place> parameter_places;  ///< where the scene sets them, for errors
-    double chord_error = 1e-6;                      ///< largest distance between a curve and its polyline [m]
-    Place place;                                    ///< where the scene names the file, for errors
+/// Triangles of a body or surface in space by where they lie; all that is given must hold at once. They get a name and
+/// become a surface set.
+struct FaceSelection {
+    std::string name{};
+    std::string of{};                                 ///< the solid or surface set
+    std::array<std::optional<double>, 3> in_plane{};  ///< by axis: all corners have this coordinate [m]
+    std::optional<Box> in_box{};                      ///< all corners lie in it [m]
+    std::optional<Vec> normal{};                      ///< of any length: where they face
+    double angle = 0;                                 ///< from the normal, at most [rad]
+    std::vector<std::string> except{};                ///< names of earlier selections that they are not in
+    Place place{};                                    ///< where the scene asks for it, for errors
 };
 
-/// Reads a gmsh drawing: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then taken as they are.
-/// One without volumes lies in the plane z = 0: named physical surfaces become regions, named physical curves curve
-/// sets, named physical points points. In one with volumes, named physical volumes become solids and named physical
-/// surfaces surface sets, of triangles that follow the drawn surfaces to within the chord error about. Coordinates are
-/// scaled to metres. The ends of curves are the drawing's points, bit for bit; straight lines stay two points.
+struct DrawingOptions {
+    std::string file{};  ///< path of the drawing
+    std::optional<double>
+        unit{};  ///< one unit of the drawing [m]; none: what the file says, or 1 m for gmsh's drawings
+    std::map<std::string, double> parameters{};       ///< DefineConstant name -> value in the drawing's units
+    std::map<std::string, Place> parameter_places{};  ///< where the scene sets them, for errors
+    double chord_error = 1e-6;                        ///< largest distance between a curve and its polyline [m]
+    std::vector<FaceSelection> selections{};
+    Place place{};  ///< where the scene names the file, for errors
+
+    [[nodiscard]] double metres() const { return unit.value_or(1.0); }  ///< one unit of the drawing [m]
+};
+
+/// Reads a drawing, by its ending (docs/cad.md):
+///
+/// - a gmsh drawing: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then taken as they are;
+/// - a CAD file: .step, .stp, .iges, .igs or .brep. Its bodies become solids;
+/// - a file of triangles: .stl, .obj, .ply or .off. Each closed group of triangles becomes a solid, others surface
+/// sets.
+///
+/// A gmsh drawing without volumes lies in the plane z = 0: named physical surfaces become regions, named physical
+/// curves curve sets, named physical points points. In one with volumes, named physical volumes become solids and named
+/// physical surfaces surface sets, of triangles that follow the drawn surfaces to within the chord error about.
+/// Coordinates are scaled to metres. The ends of curves are the drawing's points, bit for bit; straight lines stay two
+/// points.
 ///
 /// Parameters set the constants that the script offers with a Name:
 ///
@@ -116,10 +148,11 @@ struct DrawingOptions {
 /// Safe to call from several threads (one drawing is read at a time). gmsh's global state does not outlive the call;
 /// the caller's locale and number of threads stay as they were.
 ///
-/// Throws InputError: a file that cannot be read or has a format we do not read; gmsh's own errors with their line; a
-/// parameter that the drawing does not offer (with the nearest name) or fixes itself; a drawing without named groups,
-/// or without volumes and outside z = 0; groups without a name; curves without length; regions that are empty, open or
-/// cross themselves; solids that are not closed.
+/// Throws InputError: a file that cannot be read or has a format we do not read; a unit that is missing or that the
+/// file has itself; gmsh's own errors with their line; a parameter that the drawing does not offer (with the nearest
+/// name) or fixes itself; a drawing without named groups, or without volumes and outside z = 0; groups without a name;
+/// curves without length; regions that are empty, open or cross themselves; solids that are not closed or enclose
+/// nothing; selections without a face.
 Geometry read_drawing(const DrawingOptions& options);
 
 }  // namespace dmp

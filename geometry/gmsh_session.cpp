@@ -116,7 +116,6 @@ std::vector<std::string> offered_constants() {
                                           const DrawingOptions& options, const Place& place) {
     const std::string problem = "the drawing '" + options.file + "' offers no constant '" + name + "' for setting";
     const std::string form = "DefineConstant[ " + name + " = {value, Name \"" + name + "\"} ];";
-    if (!is_script(options.file)) throw InputError(place, problem, "A mesh has no parameters; give its .geo script.");
     if (const int line = GeoText(file_text(options.file)).line_of_assignment(name); line > 0) {
         throw InputError(place, problem,
                          "Line " + std::to_string(line) +
@@ -144,6 +143,15 @@ void check_parameters(const DrawingOptions& options, const std::map<std::string,
     }
 }
 
+/// In millimetres, whatever the file's unit: OpenCASCADE's tolerances (1e-7) are made for such numbers, and parts of a
+/// millimetre in metres would come near them.
+void prepare_for_cad() {
+    gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
+    gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
+    gmsh::option::setNumber("Geometry.OCCSewFaces", 1);  // bodies that were written as loose faces
+    gmsh::option::setNumber("Geometry.OCCMakeSolids", 1);
+}
+
 }  // namespace
 
 // It takes as many goes as parameters bring others to light: setting one creates its name, so only a reading without it
@@ -156,6 +164,7 @@ std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options) {
         session.reset();
         session = std::make_unique<GmshSession>();
         for (const auto& [name, value] : known) gmsh::onelab::setNumber(name, {value});
+        if (is_cad_file(options.file)) prepare_for_cad();
         gmsh::open(options.file);
         offered = offered_constants();
         more = false;

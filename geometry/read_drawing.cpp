@@ -14,7 +14,10 @@
 #include "geometry/geometry.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/number_text.hpp"
-#include "geometry/orient_surface.hpp"
+#include "geometry/read_cad.hpp"
+#include "geometry/select_faces.hpp"
+#include "geometry/triangle_drawing.hpp"
+#include "geometry/triangle_file.hpp"
 
 namespace dmp {
 
@@ -49,10 +52,6 @@ std::vector<Group> groups_of(int dimension, const std::string& file) {
         groups.push_back(std::move(group));
     }
     return groups;
-}
-
-std::string text_in_space(const Vec& point) {
-    return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m, " + number_text(point.z()) + " m)";
 }
 
 std::string text_of(const Vec& point) { return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m)"; }
@@ -117,17 +116,10 @@ void flatten(Geometry& geometry) {
 
 Solid solid_of(const Group& group, const DrawnSurfaces& drawn, const std::string& file) {
     Solid solid{.name = group.name, .surface = drawn.boundary(group.tags)};
-    const Orientation found = orient_outward(solid.surface);
-    if (solid.surface.triangles.empty() || !found.closed()) {
-        std::string problem = "solid '" + group.name + "' is not closed: ";
-        if (found.first_open)
-            problem += std::to_string(found.open_edges) + " edges of its surface have one side only, the first from " +
-                       text_in_space((*found.first_open)[0]) + " to " + text_in_space((*found.first_open)[1]);
-        else
-            problem +=
-                std::to_string(found.many_fold + found.contradicted) + " edges of its surface have no clear sides";
-        throw InputError({.file = file}, problem, "Check the drawing, or the parameters it was given.");
-    }
+    const std::string problem = why_open(solid.name, solid.surface, file);
+    if (!problem.empty())
+        throw InputError({.file = file}, "solid '" + group.name + "' is not closed: " + problem,
+                         "Check the drawing, or the parameters it was given.");
     return solid;
 }
 
@@ -147,16 +139,7 @@ Geometry read_in_space(const DrawingOptions& options) {
         geometry.surfaces.push_back({.name = group.name, .surface = drawn.surfaces(group.tags)});
     for (const auto& group : points)
         for (const int tag : group.tags) geometry.points[group.name].push_back(drawn.point(tag));
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    geometry.box = {.low = Vec::Constant(infinity), .high = Vec::Constant(-infinity)};
-    const auto widen = [&](const TriangleSurface& surface) {
-        for (const Vec& corner : surface.corners) {
-            geometry.box.low = geometry.box.low.cwiseMin(corner);
-            geometry.box.high = geometry.box.high.cwiseMax(corner);
-        }
-    };
-    for (const Solid& solid : geometry.solids) widen(solid.surface);
-    for (const SurfaceSet& set : geometry.surfaces) widen(set.surface);
+    geometry.box = box_in_space(geometry);
     geometry.warnings = GmshSession::logged("Warning");
     return geometry;
 }
@@ -189,19 +172,29 @@ Geometry read_open_drawing(const DrawingOptions& options) {
     return geometry;
 }
 
-}  // namespace
-
-Geometry read_drawing(const DrawingOptions& options) {
+Geometry read_with_gmsh(const DrawingOptions& options) {
     static std::mutex one_at_a_time;  // gmsh is a global
-    check_drawing_file(options);
     const std::scoped_lock lock(one_at_a_time);
     const auto session = open_drawing(options);
     try {
-        return read_open_drawing(options);
+        if (is_cad_file(options.file)) return read_open_cad(options);
+        Geometry geometry = read_open_drawing(options);
+        geometry.unit = options.metres();
+        geometry.unit_source = options.unit ? UnitSource::scene : UnitSource::assumed;
+        return geometry;
     } catch (const std::string& message) {  // gmsh throws its messages as they are
         throw InputError({.file = options.file}, "gmsh cannot follow the drawing: " + message,
                          "Correct the drawing; 'gmsh " + options.file + "' shows it.");
     }
+}
+
+}  // namespace
+
+Geometry read_drawing(const DrawingOptions& options) {
+    check_drawing_file(options);
+    Geometry geometry = is_triangle_file(options.file) ? read_triangle_drawing(options) : read_with_gmsh(options);
+    select_faces(geometry, options.selections);
+    return geometry;
 }
 
 }  // namespace dmp

@@ -1,0 +1,238 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/geometry_bytes.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace dmp {
+
+namespace {
+
+template <class T>
+concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+/// Appends values to bytes.
+class Writer {
+  public:
+    template <Number T>
+    void operator()(const T& value) {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    std::uint64_t size(std::uint64_t now) {
+        (*this)(now);
+        return now;
+    }
+    void raw(char* data, std::size_t count) { bytes_.append(data, count); }
+    static constexpr bool reads = false;
+    std::string finish() { return std::move(bytes_); }
+
+  private:
+    std::string bytes_;
+};
+
+/// Takes values from bytes.
+class Reader {
+  public:
+    explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+    template <Number T>
+    void operator()(T& value) {
+        raw(reinterpret_cast<char*>(&value), sizeof value);
+    }
+    /// How many things follow: none takes less than a byte.
+    std::uint64_t size(std::uint64_t /*now*/) {
+        std::uint64_t count = 0;
+        (*this)(count);
+        if (count > bytes_.size()) throw std::runtime_error("the bytes of a geometry end early");
+        return count;
+    }
+    void raw(char* data, std::size_t count) {
+        if (count > bytes_.size()) throw std::runtime_error("the bytes of a geometry end early");
+        std::memcpy(data, bytes_.data(), count);
+        bytes_.remove_prefix(count);
+    }
+    static constexpr bool reads = true;
+    void finish() const {
+        if (!bytes_.empty()) throw std::runtime_error("the bytes of a geometry go on after its end");
+    }
+
+  private:
+    std::string_view bytes_;
+};
+
+// One pass for both directions. A writer changes nothing.
+
+template <class Archive, Number T>
+void pass(Archive& archive, T& value) {
+    archive(value);
+}
+
+template <class Archive>
+void pass(Archive& archive, std::string& text) {
+    text.resize(archive.size(text.size()));
+    archive.raw(text.data(), text.size());
+}
+
+template <class Archive>
+void pass(Archive& archive, Vec& vector) {
+    for (double& component : vector) archive(component);
+}
+
+template <class Archive>
+void pass(Archive& archive, Box& box) {
+    pass(archive, box.low);
+    pass(archive, box.high);
+}
+
+template <class Archive, class T, std::size_t N>
+void pass(Archive& archive, std::array<T, N>& values) {
+    for (T& value : values) pass(archive, value);
+}
+
+template <class Archive, class T>
+void pass(Archive& archive, std::vector<T>& values);
+template <class Archive, class T>
+void pass(Archive& archive, std::optional<T>& value);
+template <class Archive, class T>
+void pass(Archive& archive, std::map<std::string, T>& values);
+
+template <class Archive>
+void pass(Archive& archive, Place& place) {
+    pass(archive, place.file);
+    pass(archive, place.line);
+    pass(archive, place.column);
+}
+
+template <class Archive>
+void pass(Archive& archive, Polyline& line) {
+    pass(archive, line.points);
+    pass(archive, line.closed);
+}
+
+template <class Archive>
+void pass(Archive& archive, Region& region) {
+    pass(archive, region.name);
+    pass(archive, region.loops);
+}
+
+template <class Archive>
+void pass(Archive& archive, CurveSet& set) {
+    pass(archive, set.name);
+    pass(archive, set.pieces);
+}
+
+template <class Archive>
+void pass(Archive& archive, TriangleSurface& surface) {
+    pass(archive, surface.corners);
+    pass(archive, surface.triangles);
+    pass(archive, surface.left_out);
+}
+
+template <class Archive>
+void pass(Archive& archive, Solid& solid) {
+    pass(archive, solid.name);
+    pass(archive, solid.surface);
+}
+
+template <class Archive>
+void pass(Archive& archive, SurfaceSet& set) {
+    pass(archive, set.name);
+    pass(archive, set.surface);
+    pass(archive, set.why_open);
+}
+
+template <class Archive, class T>
+void pass(Archive& archive, std::vector<T>& values) {
+    values.resize(archive.size(values.size()));
+    for (T& value : values) pass(archive, value);
+}
+
+template <class Archive, class T>
+void pass(Archive& archive, std::optional<T>& value) {
+    bool given = value.has_value();
+    pass(archive, given);
+    if (!given) return;
+    if (!value) value.emplace();
+    pass(archive, *value);
+}
+
+template <class Archive, class T>
+void pass(Archive& archive, std::map<std::string, T>& values) {
+    const std::uint64_t count = archive.size(values.size());
+    if constexpr (Archive::reads) {
+        for (std::uint64_t k = 0; k < count; ++k) {
+            std::string key;
+            pass(archive, key);
+            pass(archive, values[key]);
+        }
+    } else {
+        for (auto& [key, value] : values) {
+            std::string copy = key;
+            pass(archive, copy);
+            pass(archive, value);
+        }
+    }
+}
+
+template <class Archive>
+void pass(Archive& archive, Geometry& geometry) {
+    pass(archive, geometry.file);
+    pass(archive, geometry.dimension);
+    pass(archive, geometry.box);
+    pass(archive, geometry.regions);
+    pass(archive, geometry.curves);
+    pass(archive, geometry.solids);
+    pass(archive, geometry.surfaces);
+    pass(archive, geometry.points);
+    pass(archive, geometry.unit);
+    pass(archive, geometry.unit_source);
+    pass(archive, geometry.warnings);
+}
+
+template <class Archive>
+void pass(Archive& archive, DrawingOptions& options) {
+    pass(archive, options.file);
+    pass(archive, options.unit);
+    pass(archive, options.parameters);
+    pass(archive, options.parameter_places);
+    pass(archive, options.chord_error);
+    pass(archive, options.place);
+}
+
+template <class Archive>
+void pass(Archive& archive, ErrorText& error) {
+    pass(archive, error.place);
+    pass(archive, error.problem);
+    pass(archive, error.what_to_do);
+}
+
+template <class T>
+std::string written(T value) {
+    Writer writer;
+    pass(writer, value);
+    return writer.finish();
+}
+
+template <class T>
+T read(std::string_view bytes) {
+    Reader reader(bytes);
+    T value;
+    pass(reader, value);
+    reader.finish();
+    return value;
+}
+
+}  // namespace
+
+std::string bytes_of(const Geometry& geometry) { return written(geometry); }
+std::string bytes_of(const DrawingOptions& options) { return written(options); }
+std::string bytes_of(const ErrorText& error) { return written(error); }
+
+Geometry geometry_of(std::string_view bytes) { return read<Geometry>(bytes); }
+DrawingOptions drawing_options_of(std::string_view bytes) { return read<DrawingOptions>(bytes); }
+ErrorText error_text_of(std::string_view bytes) { return read<ErrorText>(bytes); }
+
+}  // namespace dmp

@@ -1,0 +1,38 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace dmp {
+
+/// The lines of a text one after another, each cut into words at blanks. The text must outlive it.
+class WordLines {
+  public:
+    /// What follows `comment` on a line is none of it; '\0': there are no comments. `first_line` counts from 1.
+    explicit WordLines(std::string_view text, char comment = '\0', int first_line = 1)
+        : rest_(text), comment_(comment), number_(first_line - 1) {}
+
+    /// Goes to the next line; false where there is none. A line that ends with '\' goes on in the next one.
+    bool next();
+    /// Goes to the next line that has words.
+    bool next_with_words();
+
+    [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
+    [[nodiscard]] std::string_view line() const { return line_; }  ///< without its end
+    [[nodiscard]] int number() const { return number_; }
+
+  private:
+    std::string_view rest_, line_;
+    char comment_;
+    int number_;
+    std::vector<std::string_view> words_;
+};
+
+/// The number that a word is, finite or not; none where it is no number.
+[[nodiscard]] std::optional<double> number_in(std::string_view word);
+/// The whole number that a word is.
+[[nodiscard]] std::optional<long long> whole_number_in(std::string_view word);
+
+}  // namespace dmp

@@ -1,0 +1,70 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/select_faces.hpp"
+
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "temporary_drawing.hpp"
+#include "tests/unit/thrown.hpp"
+
+namespace dmp {
+namespace {
+
+using ::testing::HasSubstr;
+
+class SelectFaces : public testing::DrawingTest {
+  protected:
+    /// A pipe of radius 1 along x, from 0 to 4.
+    Geometry pipe_ = [this] {
+        auto options = options_for(write("pipe.geo",
+                                         "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 4, 0, 0, 1};\n"
+                                         "Physical Volume(\"blood\") = {1};\n"));
+        options.chord_error = 0.01;
+        return read_drawing(options);
+    }();
+
+    double area(const FaceSelection& selection) {
+        select_faces(pipe_, {selection});
+        return pipe_.surface_set(selection.name)->surface.area();
+    }
+};
+
+TEST_F(SelectFaces, ByPlaneBoxNormalAndWhatIsLeft) {
+    const double disc = std::numbers::pi;  // less what its edge of chords leaves out
+    FaceSelection inlet{.name = "inlet", .of = "blood"};
+    inlet.in_plane[0] = 0;
+    EXPECT_NEAR(area(inlet), disc, 0.06);
+    FaceSelection outlet{.name = "outlet", .of = "blood"};
+    outlet.normal = Vec(2, 0, 0);
+    outlet.angle = 0.1;
+    EXPECT_NEAR(area(outlet), disc, 0.06);
+    EXPECT_NEAR(pipe_.surface_set("outlet")->surface.corners[0].x(), 4, 1e-9);
+    FaceSelection boxed{.name = "boxed", .of = "blood"};
+    boxed.in_box = Box{.low = Vec(5, 2, 2), .high = Vec(3.9, -2, -2)};  // corners in any order
+    EXPECT_NEAR(area(boxed), disc, 0.06);
+    FaceSelection wall{.name = "wall", .of = "blood"};
+    wall.except = {"inlet", "outlet"};
+    EXPECT_NEAR(area(wall), pipe_.solid("blood")->surface.area() - 2 * disc, 0.06);
+    EXPECT_NEAR(area(wall = {.name = "both", .of = "wall"}), 2 * std::numbers::pi * 4, 0.1);
+}
+
+TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
+    const auto fault = [&](const FaceSelection& selection) {
+        return testing::text_thrown<InputError>([&] { select_faces(pipe_, {selection}); });
+    };
+    FaceSelection selection{.name = "lid", .of = "blod", .place = {"scene.toml", 9, 1}};
+    EXPECT_THAT(fault(selection),
+                HasSubstr("scene.toml:9:1: selection 'lid': the drawing has no volume or surface 'blod'"));
+    EXPECT_THAT(fault(selection), HasSubstr("did you mean 'blood'?"));
+    selection.of = "blood";
+    selection.in_plane[0] = 3;
+    EXPECT_THAT(fault(selection), HasSubstr("no face of 'blood' is like that\n  'blood' has x from"));
+    selection.except = {"rim"};
+    EXPECT_THAT(fault(selection), HasSubstr("there is no surface 'rim' to except"));
+    selection.name = "blood";
+    EXPECT_THAT(fault(selection), HasSubstr("the drawing has a 'blood' already"));
+}
+
+}  // namespace
+}  // namespace dmp
