@@ -19,6 +19,8 @@ class SpaceBuilder {
   public:
     SpaceBuilder(const Geometry& geometry, const Scene& scene);
 
+    /// Makes ready for the nearest points of surfaces, which all that follows asks for.
+    void sort_triangles();
     /// Every piece of a fluid's surface must be closed off: by a wall, another fluid, a periodic side or a plane of
     /// symmetry. Throws InputError with the area and place of one that is not.
     void check_boundary() const;
@@ -27,6 +29,8 @@ class SpaceBuilder {
     /// belongs to the nearest of them.
     void add_walls(const Part& part);
     [[nodiscard]] MeshResult finish();
+    /// Lattice points in and about the box.
+    [[nodiscard]] std::size_t candidates() const { return owner_.size(); }
 
   private:
     struct Wall {
@@ -34,15 +38,25 @@ class SpaceBuilder {
         const TriangleSurface* surface;
         bool is_solid;     ///< the part is a body in the fluid, not the fluid's edge
         double thickness;  ///< how far the part reaches behind its surface [m]
-        NearestTriangle nearest;
+        std::optional<NearestTriangle> nearest;
     };
     struct WallPoint {
         int wall = -1;  ///< index into walls_; -1: no wall reaches the point
         SurfacePoint surface;
     };
 
-    void claim(const TriangleSurface& solid, std::int16_t owner);
+    struct WallParticle {
+        Vec position, normal;
+        double distance;
+    };
+
+    /// Returns how many points in the solid others have.
+    std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner) const;
+    void mark_band(const Wall& wall);
+    void find_walls();
+    [[nodiscard]] WallParticle wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const;
+    void make_room(std::size_t particles);
     [[nodiscard]] bool closes(const Vec& point, const Part& fluid) const;
     [[nodiscard]] std::int16_t owner_near(const Vec& place) const;
     void add_particle(const Vec& position, int part, double density);
@@ -55,11 +69,13 @@ class SpaceBuilder {
     double spacing_;
     std::vector<const Part*> fluids_;
     std::vector<Wall> walls_;
-    std::vector<NearestTriangle> fluid_edges_;  ///< by fluid: what lies on its surface
+    std::vector<NearestTriangle> fluid_edges_;               ///< by fluid: what lies on its surface
+    std::vector<std::vector<WallParticle>> wall_particles_;  ///< by wall; empty before find_walls()
+    std::vector<std::size_t> taken_;                         ///< by fluid: points of its solid that others have
     MeshResult result_;
     std::optional<SpaceLattice> lattice_;
     /// By row, line and point of the lattice: the fluid (its index) or the solid wall (-2 less its index) that the
-    /// point lies in; -1: none.
+    /// point lies in; -1: none; the lowest number: none, but near a wall's surface.
     std::vector<std::int16_t> owner_;
 };
 
