@@ -4,12 +4,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "mesher/bond_report.hpp"
 #include "mesher/disorder.hpp"
 #include "mesher/names.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/quality.hpp"
 #include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
+#include "mesher/stopwatch.hpp"
 
 namespace dmp {
 
@@ -43,13 +45,25 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
         throw InputError(scene.particles.disorder.place,
                          "particles.disorder: lattices in space cannot be disturbed yet", "leave it out");
     check_periods(scene, fluid_box_in_space(geometry, scene));
+    MeshReport::Cost cost;
+    Stopwatch watch(cost);
     SpaceBuilder builder(geometry, scene);
+    watch.lap("lattice");
+    builder.sort_triangles();
+    watch.lap("nearest triangles");
     builder.check_boundary();
+    watch.lap("boundary");
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
+    watch.lap("fluids");
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
+    watch.lap("walls");
+    cost.candidates = builder.candidates();
     builder.fit();
+    watch.lap("fit");
     MeshResult result = builder.finish();
     measure_quality(result, scene);
+    watch.lap("quality");
+    result.report.cost = cost;
     return result;
 }
 
@@ -63,19 +77,29 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     check_periods(scene, box);
     check_boundary(geometry, scene, box);
 
+    MeshReport::Cost cost;
+    Stopwatch watch(cost);
     ParticleBuilder builder(geometry, scene);
     for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
+    watch.lap("springs");
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
+    watch.lap("fluids");
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
+    watch.lap("walls");
     const Disorder disorder{scene.particles.disorder, static_cast<std::uint64_t>(scene.particles.seed.value)};
     disturb(builder.particles(), disorder,
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
     builder.mark_seated(scene.contact.range * scene.particles.spacing);
     relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
                         [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
+    cost.candidates = builder.candidates();
     MeshResult result = builder.finish();
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
+    watch.lap("moves");
     measure_quality(result, scene);
+    count_bonds(result);
+    watch.lap("quality");
+    result.report.cost = cost;
     return result;
 }
 

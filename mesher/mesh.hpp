@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace dmp {
 
 /// What the mesher made, in numbers.
 struct MeshReport {
+    /// SUM V W over some particles: 1 where they fill the kernel's support evenly.
+    struct KernelSums {
+        std::size_t particles = 0;
+        double mean = 0, spread = 0;  ///< spread: standard deviation [-]
+    };
+    static constexpr double nearest_bar = 0.02;  ///< width of a bar of the histogram [spacings]
     struct PartLine {
         std::string name;
         std::string kind;
@@ -22,6 +29,12 @@ struct MeshReport {
         double nearest = 0;  ///< smallest distance to any other particle [spacings]
         double kernel_sum_mean = 0;    ///< SUM V W over the part's particles (fluid only, else 0) [-]
         double kernel_sum_spread = 0;  ///< standard deviation of it [-]
+        /// The same apart (fluid only): particles with one of a wall or a body within the kernel's support, and others.
+        KernelSums near_walls, inside;
+        /// Particles whose nearest neighbour is (k +- 1/2) nearest_bar spacings away, by k.
+        std::vector<std::size_t> nearest_counts;
+        /// Particles' volume less the drawn one, over the drawn one [-].
+        [[nodiscard]] double volume_error() const { return target > 0 ? reached / target - 1 : 0; }
     };
     struct SpringLine {
         std::string part;
@@ -35,6 +48,8 @@ struct MeshReport {
         double axial_stiffness_asked = 0;  ///< EA the scene asks for [N]
         double shear_stiffness = 0;        ///< GA_s the lattice gives [N]
         double particle_mass = 0;          ///< [kg]
+        std::vector<std::size_t> valence;  ///< nodes by their number of bonds
+        int pieces = 0;                    ///< of nodes that bonds join
     };
     struct SpheresLine {
         std::string part;
@@ -50,7 +65,58 @@ struct MeshReport {
         std::size_t triangles = 0;  ///< 0: a plane
         double area = 0;            ///< of the triangles [m^2]
     };
+    /// How far one surface is from another, over many places of it [spacings].
+    struct Deviation {
+        std::size_t places = 0;
+        double mean = 0, rms = 0, largest = 0;  ///< the last: of magnitudes
+        Vec where = Vec::Zero();                ///< of the largest [m]
+    };
+    /// How well a fluid's particles follow its drawn surface (mesher/surface_error.hpp).
+    struct SurfaceLine {
+        std::string part;
+        Deviation from_drawing, from_particles;
+        double farthest = 0;  ///< any place of the drawn surface from its nearest fluid particle [spacings]
+    };
+    /// How many layers of particles stand one behind the other (mesher/layers.hpp).
+    struct LayerLine {
+        std::string part;
+        double asked = 0;             ///< walls: the scene's layers; fluids: how far was looked
+        double fewest = 0, mean = 0;  ///< over the drawn surface
+        Vec where = Vec::Zero();      ///< of the fewest [m]
+    };
+    /// What a flood from outside found (mesher/leak_test.hpp).
+    struct LeakLine {
+        std::size_t cells = 0;      ///< flooded
+        std::size_t particles = 0;  ///< of fluid that it reached: 0 is tight
+        Vec where = Vec::Zero();    ///< of the first of them [m]
+    };
+    /// How the particles behaved when nothing drove them.
+    struct RestLine {
+        long steps = 0;
+        std::size_t lost = 0;     ///< particles that left
+        double largest_move = 0;  ///< of a fluid particle [spacings]
+        std::string fault;        ///< what the run stopped for; empty: it went to its end
+        [[nodiscard]] bool holds() const { return lost == 0 && fault.empty(); }
+    };
+    /// What the mesh took.
+    struct Stage {
+        std::string name;
+        double seconds = 0;
+        double processor_seconds = 0;  ///< of all threads together
+    };
+    struct Cost {
+        std::size_t candidates = 0;  ///< lattice points that were looked at
+        std::vector<Stage> stages;
+        std::size_t peak_bytes = 0;                              ///< most memory the program has had; 0: unknown
+        [[nodiscard]] Stage of(const std::string& stage) const;  ///< zeros where there was none
+    };
+    int dimension = 2;
     std::vector<PartLine> parts;
+    std::vector<SurfaceLine> surfaces;  ///< of inspected meshes, as the next two
+    std::vector<LayerLine> layers;
+    std::optional<LeakLine> leaks;
+    std::optional<RestLine> at_rest;  ///< where it was tried
+    Cost cost;
     std::vector<SpringLine> springs;
     std::vector<SpheresLine> spheres;
     std::vector<WallLine> walls;  ///< for spheres
@@ -61,11 +127,14 @@ struct MeshReport {
 
     /// The table a person reads.
     [[nodiscard]] std::string text() const;
+    /// The same figures for programs.
+    [[nodiscard]] std::string json() const;
 };
 
 struct MeshResult {
     ParticleSet particles;
     MeshReport report;
+    std::vector<float> kernel_sum;  ///< of each particle, SUM V W over all about it and itself; empty: spheres
 };
 
 /// Fills the drawing's regions, grows walls and builds spring bodies, as the scene's parts ask for.

@@ -271,6 +271,7 @@ void ParticleBuilder::add_fluid(const Part& part) {
     const double volume = lattice_.cell_area();
     std::size_t count = 0, left_out = 0;
     for (const Vec& point : lattice_.points(0)) {
+        ++candidates_;
         if (fluid_at(point) != &part) continue;
         if (!clear_of_bodies(point)) {
             ++left_out;
@@ -304,6 +305,7 @@ void ParticleBuilder::add_walls(const Part& part) {
     for (const Fluid& fluid : fluids_) density = std::max(density, fluid.part->density.value);
     std::size_t count = 0;
     for (const Vec& point : lattice_.points((part.layers + 1) * spacing_)) {
+        ++candidates_;
         if (fluid_at(point) != nullptr || is_beyond_a_plane(result_.particles, point)) continue;
         const auto [owner, surface] = wall_at(point);
         if (owner != &part || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;

@@ -41,6 +41,8 @@ class ParticleBuilder {
     [[nodiscard]] bool clear_of_bodies(const Vec& point) const;
 
     [[nodiscard]] MeshResult finish();
+    /// Lattice points that were looked at.
+    [[nodiscard]] std::size_t candidates() const { return candidates_; }
     [[nodiscard]] ParticleSet& particles() { return result_.particles; }
 
   private:
@@ -90,6 +92,7 @@ class ParticleBuilder {
     std::vector<Wall> walls_;
     CurveSet body_curves_;
     int bodies_ = 0;
+    std::size_t candidates_ = 0;
     MeshResult result_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 
@@ -38,55 +39,114 @@ double smallest_distance(const ParticleSet& set, std::size_t i, std::size_t j) {
         "draw them further apart: the rows of a springs part stand half a particle spacing beside its curve");
 }
 
-struct PartSums {
-    double nearest = std::numeric_limits<double>::infinity();
-    double kernel_sum = 0, kernel_sum_square = 0;
-    std::size_t count = 0;
+/// What the neighbours of each particle say.
+struct Surroundings {
+    std::vector<double> kernel_sum;         // SUM V W [-]
+    std::vector<float> nearest;             // distance of the nearest other particle, at most the support [m]
+    std::vector<std::uint8_t> near_solids;  // 1: one of a wall or a body is within the support
 };
 
 template <class Kernel>
-std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, const Kernel& kernel, double support) {
-    std::vector<PartSums> sums(set.parts.size());
-    const SearchableParticles search(set, support);
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        PartSums& part = sums[static_cast<std::size_t>(set.part[i])];
+Surroundings surroundings(const ParticleSet& set, const Scene& scene, const Kernel& kernel, double support) {
+    const SearchableParticles search(set, support, support / 3);
+    Surroundings found{std::vector<double>(set.size()), std::vector<float>(set.size()),
+                       std::vector<std::uint8_t>(set.size())};
+    const auto count = static_cast<std::int64_t>(set.size());
+    std::int64_t first_overlap = count;
+#pragma omp parallel for schedule(dynamic, 4096) reduction(min : first_overlap)
+    for (std::int64_t n = 0; n < count; ++n) {
+        const auto i = static_cast<std::size_t>(n);
         double nearest = support, kernel_sum = set.volume[i] * kernel.value(0.0);
         search.for_each_neighbour(i, [&](std::size_t j, const Vec& separation) {
             const double r = separation.norm();
             nearest = std::min(nearest, r);
             kernel_sum += set.volume[j] * kernel.value(r);
-            if (r < smallest_distance(set, i, j)) refuse_overlap(set, scene, i, j);
+            if (set.kind(j) != ParticleKind::fluid) found.near_solids[i] = 1;
+            if (r < smallest_distance(set, i, j)) first_overlap = std::min(first_overlap, n);
         });
-        part.nearest = std::min(part.nearest, nearest);
-        part.kernel_sum += kernel_sum;
-        part.kernel_sum_square += kernel_sum * kernel_sum;
-        ++part.count;
+        found.nearest[i] = static_cast<float>(nearest);
+        found.kernel_sum[i] = kernel_sum;
     }
-    return sums;
+    if (first_overlap == count) return found;
+    const auto i = static_cast<std::size_t>(first_overlap);
+    search.for_each_neighbour(i, [&](std::size_t j, const Vec& separation) {
+        if (separation.norm() < smallest_distance(set, i, j)) refuse_overlap(set, scene, i, j);
+    });
+    return found;
 }
 
 template <int D>
-std::vector<PartSums> sums_by_part(const ParticleSet& set, const Scene& scene, double support) {
+Surroundings surroundings(const ParticleSet& set, const Scene& scene, double support) {
     switch (*scene.accuracy.kernel) {
         case KernelKind::wendland_c4:
-            return sums_by_part(set, scene, WendlandC4<D>(support), support);
+            return surroundings(set, scene, WendlandC4<D>(support), support);
         case KernelKind::lucy:
-            return sums_by_part(set, scene, Lucy<D>(support), support);
+            return surroundings(set, scene, Lucy<D>(support), support);
         case KernelKind::cubic_spline:
-            return sums_by_part(set, scene, CubicSpline<D>(support), support);
+            return surroundings(set, scene, CubicSpline<D>(support), support);
         case KernelKind::quintic_spline:
-            return sums_by_part(set, scene, QuinticSpline<D>(support), support);
+            return surroundings(set, scene, QuinticSpline<D>(support), support);
         default:
-            return sums_by_part(set, scene, WendlandC2<D>(support), support);
+            return surroundings(set, scene, WendlandC2<D>(support), support);
     }
+}
+
+Surroundings surroundings(const ParticleSet& set, const Scene& scene) {
+    const double support = scene.accuracy.support * scene.particles.spacing;
+    return set.dimension == 3 ? surroundings<3>(set, scene, support) : surroundings<2>(set, scene, support);
+}
+
+/// Mean and standard deviation of what is added.
+class Sums {
+  public:
+    void add(double value) {
+        ++count_;
+        sum_ += value;
+        squares_ += value * value;
+    }
+    [[nodiscard]] MeshReport::KernelSums line() const {
+        if (count_ == 0) return {};
+        const auto count = static_cast<double>(count_);
+        const double mean = sum_ / count;
+        return {count_, mean, std::sqrt(std::max(0.0, squares_ / count - mean * mean))};
+    }
+
+  private:
+    std::size_t count_ = 0;
+    double sum_ = 0, squares_ = 0;
+};
+
+struct PartSums {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::vector<std::size_t> nearest_counts;
+    Sums all, inside, near_walls;
+    std::size_t count = 0;
+};
+
+std::vector<PartSums> sums_by_part(const ParticleSet& set, const Surroundings& found) {
+    std::vector<PartSums> sums(set.parts.size());
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        PartSums& part = sums[static_cast<std::size_t>(set.part[i])];
+        const auto nearest = static_cast<double>(found.nearest[i]);
+        part.nearest = std::min(part.nearest, nearest);
+        const auto bar = static_cast<std::size_t>(std::lround(nearest / set.spacing / MeshReport::nearest_bar));
+        if (part.nearest_counts.size() <= bar) part.nearest_counts.resize(bar + 1);
+        ++part.nearest_counts[bar];
+        part.all.add(found.kernel_sum[i]);
+        (found.near_solids[i] != 0 ? part.near_walls : part.inside).add(found.kernel_sum[i]);
+        ++part.count;
+    }
+    return sums;
 }
 
 }  // namespace
 
 void measure_quality(MeshResult& result, const Scene& scene) {
     const ParticleSet& set = result.particles;
-    const double support = scene.accuracy.support * scene.particles.spacing;
-    const auto sums = set.dimension == 3 ? sums_by_part<3>(set, scene, support) : sums_by_part<2>(set, scene, support);
+    const Surroundings found = surroundings(set, scene);
+    result.kernel_sum.assign(found.kernel_sum.begin(), found.kernel_sum.end());
+    const auto sums = sums_by_part(set, found);
+    result.report.dimension = set.dimension;
     for (const MeshReport::SpringLine& springs : result.report.springs) {
         MeshReport::PartLine line;
         line.name = springs.part;
@@ -99,11 +159,13 @@ void measure_quality(MeshResult& result, const Scene& scene) {
                                        [&](const MeshReport::PartLine& l) { return l.name == set.parts[p].name; });
         line->nearest = sums[p].nearest / set.spacing;
         line->particles = sums[p].count;
+        line->nearest_counts = sums[p].nearest_counts;
         if (set.parts[p].kind != ParticleKind::fluid) continue;
-        const auto count = static_cast<double>(sums[p].count);
-        line->kernel_sum_mean = sums[p].kernel_sum / count;
-        line->kernel_sum_spread =
-            std::sqrt(std::max(0.0, sums[p].kernel_sum_square / count - line->kernel_sum_mean * line->kernel_sum_mean));
+        const MeshReport::KernelSums all = sums[p].all.line();
+        line->kernel_sum_mean = all.mean;
+        line->kernel_sum_spread = all.spread;
+        line->inside = sums[p].inside.line();
+        line->near_walls = sums[p].near_walls.line();
     }
 }
 

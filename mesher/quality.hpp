@@ -5,8 +5,8 @@
 
 namespace dmp {
 
-/// Fills in the report's nearest distances and kernel sums, adds the spring parts' lines, and throws InputError where
-/// particles of different bodies stand on top of each other.
+/// Fills in kernel sums and the report's nearest distances, their histograms and kernel sums, adds the spring parts'
+/// lines, and throws InputError where particles of different bodies stand on top of each other.
 void measure_quality(MeshResult& result, const Scene& scene);
 
 }  // namespace dmp

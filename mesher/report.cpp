@@ -22,6 +22,95 @@ std::string line_of(const MeshReport::WallLine& line) {
     return fmt::format("wall {}: {} triangles of {:.4g} mm^2\n", line.part, line.triangles, 1e6 * line.area);
 }
 
+std::string place_text(const Vec& p, int dimension) {
+    return dimension == 3 ? fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2])
+                          : fmt::format("({:.4g}, {:.4g}) mm", 1e3 * p[0], 1e3 * p[1]);
+}
+
+std::string sums_text(const MeshReport::KernelSums& sums) {
+    return fmt::format("{:.4f} +- {:.4f} ({} particles)", sums.mean, sums.spread, sums.particles);
+}
+
+/// The tallest bars, by distance; with very many, where the middle ones of ten lie.
+std::string nearest_text(const MeshReport::PartLine& part) {
+    constexpr std::size_t most_bars = 6;
+    std::string bars;
+    std::size_t shown = 0, seen = 0;
+    double low = 0, high = 0;
+    const auto total = static_cast<double>(part.particles);
+    for (std::size_t bar = 0; bar < part.nearest_counts.size(); ++bar) {
+        const std::size_t count = part.nearest_counts[bar];
+        if (count == 0) continue;
+        const double distance = static_cast<double>(bar) * MeshReport::nearest_bar;
+        if (static_cast<double>(seen) <= 0.1 * total) low = distance;
+        if (static_cast<double>(seen) <= 0.9 * total) high = distance;
+        seen += count;
+        if (shown++ > 0) bars += ", ";
+        bars += fmt::format("{:.2f}: {:.4g} %", distance, 100 * static_cast<double>(count) / total);
+    }
+    return shown <= most_bars ? bars : fmt::format("{} bars, 80 % from {:.2f} to {:.2f}", shown, low, high);
+}
+
+std::string deviation_text(const MeshReport::Deviation& deviation, int dimension) {
+    return fmt::format("mean {:+.3f}, RMS {:.3f}, largest {:.3f} at {}", deviation.mean, deviation.rms,
+                       deviation.largest, place_text(deviation.where, dimension));
+}
+
+std::string cost_text(const MeshReport& report) {
+    std::size_t particles = 0, walls = 0;
+    for (const MeshReport::PartLine& part : report.parts) {
+        particles += part.particles;
+        if (part.kind == "rigid") walls += part.particles;
+    }
+    double all = 0;
+    std::string stages;
+    for (const MeshReport::Stage& stage : report.cost.stages) {
+        all += stage.seconds;
+        stages += fmt::format("{}{} {:.3g}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
+    }
+    if (stages.empty()) return "";
+    std::string text = fmt::format("cost: {:.3g} s ({})", all, stages);
+    const auto rate = [&](std::size_t count, const char* what, std::initializer_list<const char*> names) {
+        double seconds = 0;
+        for (const char* name : names) seconds += report.cost.of(name).seconds;
+        if (count > 0 && seconds > 0) text += fmt::format("; {:.2g} {}/s", static_cast<double>(count) / seconds, what);
+    };
+    rate(report.cost.candidates, "candidate points", {"lattice", "fluids"});
+    rate(walls, "wall particles", {"nearest triangles", "walls"});
+    rate(particles, "particles in all", {"lattice", "fluids", "nearest triangles", "walls"});
+    if (report.cost.peak_bytes > 0)
+        text += fmt::format("; at most {:.3g} MB of memory", 1e-6 * static_cast<double>(report.cost.peak_bytes));
+    return text + "\n";
+}
+
+/// What inspect() has found.
+std::string inspection_text(const MeshReport& report) {
+    std::string text;
+    for (const MeshReport::SurfaceLine& line : report.surfaces)
+        text += fmt::format(
+            "surface of {} [spacings]\n"
+            "  from its particles: {}\n  from the drawing:   {}; at most {:.3f} from a particle\n",
+            line.part, deviation_text(line.from_particles, report.dimension),
+            deviation_text(line.from_drawing, report.dimension), line.farthest);
+    for (const MeshReport::LayerLine& line : report.layers)
+        text += fmt::format("layers of {}: {:.2f} on average, at least {:.2f} of {} (at {})\n", line.part, line.mean,
+                            line.fewest, line.asked, place_text(line.where, report.dimension));
+    if (!report.leaks) return text;
+    if (report.leaks->cells == 0) return text + "leak test: there is nothing outside the fluid\n";
+    if (report.leaks->particles == 0)
+        return text + fmt::format("leak test: tight ({} cells flooded from outside)\n", report.leaks->cells);
+    return text + fmt::format("leak test: LEAKS; a flood from outside reaches {} fluid particles, the first at {}\n",
+                              report.leaks->particles, place_text(report.leaks->where, report.dimension));
+}
+
+std::string valence_text(const MeshReport::SpringLine& line) {
+    std::string text;
+    for (std::size_t bonds = 0; bonds < line.valence.size(); ++bonds)
+        if (line.valence[bonds] > 0)
+            text += fmt::format("{}{} nodes with {}", text.empty() ? "" : ", ", line.valence[bonds], bonds);
+    return text;
+}
+
 }  // namespace
 
 std::string MeshReport::text() const {
@@ -46,6 +135,21 @@ std::string MeshReport::text() const {
         text += fmt::format("{:<14} {:<8} {:>9}  {:>22}  {:>13.3f}  {:>16}\n", part.name, part.kind, part.particles,
                             size, part.nearest, sum);
     }
+    for (const PartLine& part : parts) {
+        if (part.kernel_sum_mean <= 0) continue;
+        text += fmt::format("{}: volume error {:+.3f} %\n", part.name, 100 * part.volume_error());
+        if (part.inside.particles > 0) text += fmt::format("  kernel sum inside:     {}\n", sums_text(part.inside));
+        if (part.near_walls.particles > 0)
+            text += fmt::format("  kernel sum near walls: {}\n", sums_text(part.near_walls));
+        text += fmt::format("  nearest neighbours [spacings]: {}\n", nearest_text(part));
+    }
+    text += inspection_text(*this);
+    if (at_rest)
+        text += at_rest->holds()
+                    ? fmt::format("at rest: no particle left in {} steps; fluid moved by {:.3f} spacings at most\n",
+                                  at_rest->steps, at_rest->largest_move)
+                    : fmt::format("at rest: PARTICLES LEAVE: {} lost in {} steps. {}\n", at_rest->lost, at_rest->steps,
+                                  at_rest->fault);
     for (const SpringLine& line : springs) {
         const std::string corners = line.cross_stiffness > 0
                                         ? fmt::format("of k_b = {:.4g} N/m along rows and k_c = {:.4g} N/m across",
@@ -57,7 +161,11 @@ std::string MeshReport::text() const {
             "  give EI = {:.4g} N*m^2, EA = {:.4g} N, GA_s = {:.4g} N; {:.4g} kg a node\n",
             line.part, line.bodies, line.bodies == 1 ? "body" : "bodies", line.bonds, corners, line.anchored,
             line.bending_stiffness, line.axial_stiffness, line.shear_stiffness, line.particle_mass);
+        if (!line.valence.empty())
+            text += fmt::format("  {} {}; bonds: {}\n", line.pieces, line.pieces == 1 ? "piece" : "pieces",
+                                valence_text(line));
     }
+    text += cost_text(*this);
     for (const std::string& note : notes) text += "note: " + note + "\n";
     return text;
 }

@@ -12,7 +12,8 @@ namespace dmp {
 /// A particle set with its periodic images and those at planes of symmetry, sorted for neighbour search.
 class SearchableParticles {
   public:
-    SearchableParticles(const ParticleSet& set, double reach) : owned_(set.size()) {
+    /// Images come within `reach`; cells of the grid have the edge `cell`, which suits searches about that far.
+    SearchableParticles(const ParticleSet& set, double reach, double cell) : owned_(set.size()) {
         for (int axis = 0; axis < set.dimension; ++axis)
             for (const Vec& point : set.position)
                 points_[axis].push_back(set.periodic[axis] ? wrapped(point[axis], set.box.low[axis], set.box.high[axis])
@@ -23,10 +24,11 @@ class SearchableParticles {
             for (const PeriodicImage& image : images_)
                 points_[axis].push_back(points_[axis][image.source] + image.shift[axis]);
         for (int axis = 0; axis < set.dimension; ++axis) mirror(set, axis, reach);
-        grid_ = CellGrid(points_, points_[0].size(), set.dimension, reach);
+        grid_ = CellGrid(points_, points_[0].size(), set.dimension, cell);
         reach_ = reach;
         dimension_ = set.dimension == 3 ? 3 : 2;
     }
+    SearchableParticles(const ParticleSet& set, double reach) : SearchableParticles(set, reach, reach) {}
 
     /// Calls visit(j, x_i - x_j) for every other particle j (or image of one) nearer than the reach.
     template <class Visit>
@@ -40,6 +42,19 @@ class SearchableParticles {
             if (separation.squaredNorm() >= reach_ * reach_) return;
             const auto index = static_cast<std::size_t>(k);
             visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), separation);
+        });
+    }
+
+    /// Calls visit(j, squared distance, place) for every particle j (or image of one, at its place) nearer to the point
+    /// than `radius`, which is at most the reach.
+    template <class Visit>
+    void for_each_near(const Vec& point, double radius, Visit&& visit) const {
+        grid_.for_each_near({point[0], point[1], point[2]}, radius, [&](int k) {
+            const auto index = static_cast<std::size_t>(k);
+            const Vec place(points_[0][index], points_[1][index], dimension_ == 3 ? points_[2][index] : 0.0);
+            const double square = (point - place).squaredNorm();
+            if (square >= radius * radius) return;
+            visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), square, place);
         });
     }
 

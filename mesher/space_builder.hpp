@@ -21,6 +21,8 @@ class SpaceBuilder {
   public:
     SpaceBuilder(const Geometry& geometry, const Scene& scene);
 
+    /// Makes ready for the nearest points of surfaces, which all that follows asks for.
+    void sort_triangles();
     /// Every piece of a fluid's surface must be closed off: by a wall, another fluid, a periodic side or a plane of
     /// symmetry. Throws InputError with the area and place of one that is not.
     void check_boundary() const;
@@ -31,6 +33,8 @@ class SpaceBuilder {
     /// Moves fluid and walls off the lattice until they follow the surfaces, where the scene asks for it.
     void fit();
     [[nodiscard]] MeshResult finish();
+    /// Lattice points in and about the box.
+    [[nodiscard]] std::size_t candidates() const { return owner_.size(); }
 
   private:
     struct Wall {
@@ -46,8 +50,14 @@ class SpaceBuilder {
         SurfacePoint surface;
     };
 
+    struct WallParticle {
+        Vec position, normal;
+        double distance;
+    };
+
+    /// Returns how many points in the solid others have.
+    std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     static Vec normal_of(const TriangleSurface& surface, int triangle);
-    void claim(const TriangleSurface& solid, std::int16_t owner);
     /// The nearest point of the walls that counts(index into walls_) is true for, as one of their searches finds it.
     template <class Counts>
     [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts) const;
@@ -58,6 +68,10 @@ class SpaceBuilder {
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner) const;
     [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& place) const;
     void trim_walls();
+    void mark_band(const Wall& wall);
+    void find_walls();
+    [[nodiscard]] WallParticle wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const;
+    void make_room(std::size_t particles);
     [[nodiscard]] bool closes(const Vec& point, const Part& fluid) const;
     [[nodiscard]] std::int16_t owner_near(const Vec& place) const;
     void add_particle(const Vec& position, int part, double density);
@@ -70,16 +84,20 @@ class SpaceBuilder {
     double spacing_;
     std::vector<const Part*> fluids_;
     std::vector<Wall> walls_;
-    std::vector<NearestTriangle> fluid_edges_;  ///< by fluid: what lies on its surface
+    std::vector<NearestTriangle> fluid_edges_;               ///< by fluid: what lies on its surface
+    std::vector<std::vector<WallParticle>> wall_particles_;  ///< by wall; empty before find_walls()
+    std::vector<std::size_t> taken_;                         ///< by fluid: points of its solid that others have
     MeshResult result_;
     std::optional<SpaceLattice> lattice_;
     /// By row, line and point of the lattice: the fluid (its index) or the solid wall (-2 less its index) that the
-    /// point lies in; -1: none.
+    /// point lies in; -1: none; the lowest number: none, but near a wall's surface.
     std::vector<std::int16_t> owner_;
 };
 
 /// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
-[[nodiscard]] inline int spare_layers(const Scene& scene) { return *scene.particles.fill == FillKind::relaxed ? 2 : 0; }
+[[nodiscard]] inline int spare_layers(const Scene& scene) {
+    return *scene.particles.fill == FillKind::relaxed ? static_cast<int>(std::ceil(scene.accuracy.support)) : 0;
+}
 
 template <class Counts>
 SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, NearestTriangle Wall::*search,

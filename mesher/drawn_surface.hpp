@@ -1,0 +1,51 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/geometry.hpp"
+#include "geometry/nearest_curve.hpp"
+#include "geometry/nearest_triangle.hpp"
+#include "particles/particle_set.hpp"
+#include "scene/scene.hpp"
+
+namespace dmp {
+
+/// The surface that the drawing gives one fluid: where the fluid ends at a wall or at another fluid. Sides of the box
+/// that are periodic or planes of symmetry are none, nor is what lies in a body or a fluid that has the room before it.
+class DrawnSurface {
+  public:
+    /// A place on the surface that stands for a piece of it.
+    struct Sample {
+        Vec point;
+        Vec normal;         ///< out of the fluid
+        double weight = 0;  ///< length [m] or area [m^2] of the piece
+    };
+
+    /// @param space the box, its periods and planes of symmetry
+    /// @param reach how far nearest() looks [m]
+    DrawnSurface(const Geometry& geometry, const Scene& scene, const ParticleSpace& space, const Part& fluid,
+                 double reach);
+
+    /// Evenly over the surface, about half a spacing apart; further where there would be more than two million.
+    [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+    /// Distance to the surface, across periodic sides too; nothing where it is further than the reach [m].
+    [[nodiscard]] std::optional<double> distance(const Vec& point) const;
+
+  private:
+    void sample_curves(const Geometry& geometry, const Part& fluid, const std::vector<const Part*>& fluids);
+    void sample_solids(const Geometry& geometry, const Scene& scene, const Part& fluid);
+    [[nodiscard]] bool is_on_a_side(const Vec& point) const;
+    [[nodiscard]] Vec back_in_box(Vec point) const;
+    [[nodiscard]] std::optional<double> distance_here(const Vec& point) const;
+
+    const ParticleSpace& space_;
+    double reach_;
+    std::vector<Sample> samples_;
+    std::optional<NearestCurve> curves_;
+    std::optional<NearestTriangle> triangles_;
+};
+
+}  // namespace dmp

@@ -1,0 +1,37 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/inspect.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesher/layers.hpp"
+#include "mesher/leak_test.hpp"
+#include "mesher/stopwatch.hpp"
+#include "mesher/surface_error.hpp"
+
+namespace dmp {
+
+MeshDetail inspect(MeshResult& result, const Geometry& geometry, const Scene& scene) {
+    const ParticleSet& set = result.particles;
+    MeshReport& report = result.report;
+    MeshDetail detail;
+    Stopwatch watch(report.cost);
+    detail.kernel_sum = result.kernel_sum;
+    detail.surface_error.assign(set.size(), std::numeric_limits<float>::quiet_NaN());
+    const SearchableParticles search(set, surface_search * set.spacing, set.spacing);
+    LayerCount layers(set, scene, search);
+    for (const Part* fluid : scene.parts_of(PartKind::fluid)) {
+        const auto named = std::ranges::find(set.parts, *fluid->name, &ParticleSpace::PartInfo::name);
+        const auto number = static_cast<int>(named - set.parts.begin());
+        const DrawnSurface surface(geometry, scene, set, *fluid, 1.01 * set.spacing);
+        report.surfaces.push_back(surface_error(set, search, surface, number, detail.surface_error));
+        layers.add(surface, number);
+    }
+    report.layers = layers.lines();
+    watch.lap("surfaces");
+    report.leaks = find_leaks(set);
+    watch.lap("leak test");
+    return detail;
+}
+
+}  // namespace dmp
