@@ -51,10 +51,6 @@ std::vector<Group> groups_of(int dimension, const std::string& file) {
     return groups;
 }
 
-std::string text_in_space(const Vec& point) {
-    return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m, " + number_text(point.z()) + " m)";
-}
-
 std::string text_of(const Vec& point) { return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m)"; }
 
 Region region_of(const Group& group, DrawnCurves& curves, const std::string& file) {
