@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "geometry/surface_crossings.hpp"
+#include "geometry/winding_number.hpp"
 #include "mesher/particle_builder.hpp"
 
 namespace dmp {
@@ -82,6 +83,10 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
 /// Gives the lattice points inside a solid, that nobody has yet, to `owner`. Inside is where more surfaces were entered
 /// than left; of a surface that runs through a point, the side that follows counts.
 void SpaceBuilder::claim(const TriangleSurface& solid, std::int16_t owner) {
+    if (solid.has_holes) {
+        claim_by_vote(solid, owner);
+        return;
+    }
     const auto& rows = lattice_->rows();
     const SurfaceCrossings crossings(solid, rows);
     const int points = lattice_->points();
@@ -105,6 +110,16 @@ void SpaceBuilder::claim(const TriangleSurface& solid, std::int16_t owner) {
                 }
             }
         }
+}
+
+/// The same for a surface with holes, through which lines would get out.
+void SpaceBuilder::claim_by_vote(const TriangleSurface& solid, std::int16_t owner) {
+    const WindingNumber winding(solid);
+    std::size_t index = 0;
+    for (std::size_t row = 0; row < lattice_->rows().size(); ++row)
+        for (int line = 0; line < lattice_->rows()[row].lines; ++line)
+            for (int point = 0; point < lattice_->points(); ++point, ++index)
+                if (owner_[index] == nobody && winding.inside(lattice_->at(row, line, point))) owner_[index] = owner;
 }
 
 bool SpaceBuilder::is_beyond_a_plane(const Vec& point) const {

@@ -42,6 +42,7 @@ class SpaceBuilder {
     };
 
     void claim(const TriangleSurface& solid, std::int16_t owner);
+    void claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner) const;
     [[nodiscard]] bool closes(const Vec& point, const Part& fluid) const;
     [[nodiscard]] std::int16_t owner_near(const Vec& place) const;
