@@ -5,35 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "geometry/surface_crossings.hpp"
+#include "geometry/surface_edges.hpp"
 
 namespace dmp {
 
 namespace {
-
-/// A side of a triangle; forward: the triangle runs through it from the corner with the lower number.
-struct Edge {
-    int low, high;
-    int triangle;
-    bool forward;
-};
-
-std::vector<Edge> edges_of(const TriangleSurface& surface) {
-    std::vector<Edge> edges;
-    edges.reserve(3 * surface.triangles.size());
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = surface.triangles[t].at(k), b = surface.triangles[t].at((k + 1) % 3);
-            edges.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
-        }
-    std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-        return std::pair{std::pair{a.low, a.high}, a.triangle} < std::pair{std::pair{b.low, b.high}, b.triangle};
-    });
-    return edges;
-}
 
 struct Neighbour {
     int triangle;
@@ -42,26 +24,24 @@ struct Neighbour {
 using Neighbours = std::vector<std::vector<Neighbour>>;
 
 Neighbours neighbours_of(const TriangleSurface& surface, Orientation& found) {
-    const std::vector<Edge> edges = edges_of(surface);
     Neighbours neighbours(surface.triangles.size());
-    for (auto edge = edges.begin(); edge != edges.end();) {
-        const auto next = std::find_if(
-            edge, edges.end(), [&](const Edge& other) { return other.low != edge->low || other.high != edge->high; });
-        if (next - edge == 1) {
+    const std::vector<SurfaceEdge> edges = edges_of(surface);
+    for_each_edge(edges, [&](std::span<const SurfaceEdge> sides) {
+        const SurfaceEdge& edge = sides.front();
+        if (sides.size() == 1) {
             ++found.open_edges;
             if (!found.first_open)
-                found.first_open = {surface.corners[static_cast<std::size_t>(edge->low)],
-                                    surface.corners[static_cast<std::size_t>(edge->high)]};
-        } else if (next - edge > 2) {
+                found.first_open = {surface.corners[static_cast<std::size_t>(edge.low)],
+                                    surface.corners[static_cast<std::size_t>(edge.high)]};
+        } else if (sides.size() > 2) {
             ++found.many_fold;
         } else {
-            const Edge& other = *(edge + 1);
-            const bool alike = edge->forward != other.forward;
-            neighbours[static_cast<std::size_t>(edge->triangle)].push_back({other.triangle, alike});
-            neighbours[static_cast<std::size_t>(other.triangle)].push_back({edge->triangle, alike});
+            const SurfaceEdge& other = sides[1];
+            const bool alike = edge.forward != other.forward;
+            neighbours[static_cast<std::size_t>(edge.triangle)].push_back({other.triangle, alike});
+            neighbours[static_cast<std::size_t>(other.triangle)].push_back({edge.triangle, alike});
         }
-        edge = next;
-    }
+    });
     return neighbours;
 }
 
@@ -86,21 +66,36 @@ std::vector<int> piece_around(int first, const Neighbours& neighbours, std::vect
     return piece;
 }
 
-/// Whether a triangle faces inward: on a line through it, in front of it lies an odd number of surfaces less than it
+/// Whether triangles face inward: on a line through one, in front of it lies an odd number of surfaces less than it
 /// should, if what the line meets first goes in, next out, and so on.
-bool faces_inward(const TriangleSurface& surface, int triangle) {
-    const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
-    // Weights without a common measure: not through the corners or edges of others where drawings are regular.
-    const Vec through = 0.41421356 * surface.corners[static_cast<std::size_t>(a)] +
-                        0.31783725 * surface.corners[static_cast<std::size_t>(b)] +
-                        0.26794919 * surface.corners[static_cast<std::size_t>(c)];
-    const SurfaceCrossings crossings(surface, {{through.z(), through.y(), 1, 1}});
-    bool goes_in = true;
-    for (const Crossing& crossing : crossings.of(0, 0)) {
-        if (crossing.triangle == triangle) return (crossing.direction > 0) != goes_in;
-        goes_in = !goes_in;
+std::vector<char> face_inward(const TriangleSurface& surface, const std::vector<int>& triangles) {
+    std::vector<LineRow> rows;
+    for (const int triangle : triangles) {
+        const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
+        // Weights without a common measure: not through the corners or edges of others where drawings are regular.
+        const Vec through = 0.41421356 * surface.corners[static_cast<std::size_t>(a)] +
+                            0.31783725 * surface.corners[static_cast<std::size_t>(b)] +
+                            0.26794919 * surface.corners[static_cast<std::size_t>(c)];
+        rows.push_back({through.z(), through.y(), 1, 1});
     }
-    return false;
+    std::vector<std::size_t> order(rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return rows[k].z; });
+    std::vector<LineRow> sorted;
+    for (const std::size_t k : order) sorted.push_back(rows[k]);
+    const SurfaceCrossings crossings(surface, sorted);
+    std::vector<char> inward(triangles.size(), 0);
+    for (std::size_t row = 0; row < order.size(); ++row) {
+        bool goes_in = true;
+        for (const Crossing& crossing : crossings.of(row, 0)) {
+            if (crossing.triangle == triangles[order[row]]) {
+                inward[order[row]] = (crossing.direction > 0) != goes_in ? 1 : 0;
+                break;
+            }
+            goes_in = !goes_in;
+        }
+    }
+    return inward;
 }
 
 /// The triangle that is seen largest along x.
@@ -129,12 +124,13 @@ Orientation orient_outward(TriangleSurface& surface) {
         auto& corners = surface.triangles[static_cast<std::size_t>(triangle)];
         std::swap(corners[1], corners[2]);
     };
-    for (const auto& piece : pieces) {
-        // Seen as they were drawn, what counts on a line are its crossings, not their senses.
-        const int seen = most_visible(surface, piece);
-        const bool inward = faces_inward(surface, seen);
-        const bool all = inward != (turned[static_cast<std::size_t>(seen)] != 0);
-        for (const int triangle : piece)
+    // Seen as they were drawn: what counts on a line are its crossings, not their senses.
+    std::vector<int> seen;
+    for (const auto& piece : pieces) seen.push_back(most_visible(surface, piece));
+    const std::vector<char> inward = face_inward(surface, seen);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const bool all = (inward[k] != 0) != (turned[static_cast<std::size_t>(seen[k])] != 0);
+        for (const int triangle : pieces[k])
             if (all != (turned[static_cast<std::size_t>(triangle)] != 0)) {
                 turn(triangle);
                 ++found.turned;

@@ -15,6 +15,8 @@ struct TriangleSurface {
     std::vector<Vec> corners;                   ///< each once [m]
     std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
     std::size_t left_out = 0;                   ///< triangles of the file without an area, which touch nothing
+    /// Holes are left: what is inside says its winding number, more than one half (geometry/winding_number.hpp).
+    bool has_holes = false;
 
     [[nodiscard]] double area() const;
     /// Of a closed surface whose triangles face outward [m^3].

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,11 @@ class SpaceBuilder {
         SurfacePoint surface;
     };
 
+    /// In owner_: none; none, but near a wall's surface; the solid wall with this index in walls_.
+    static constexpr std::int16_t nobody = -1, nobody_near_a_wall = std::numeric_limits<std::int16_t>::min();
+    static constexpr std::int16_t owner_of_wall(std::size_t wall) {
+        return static_cast<std::int16_t>(-2 - static_cast<int>(wall));
+    }
     struct WallParticle {
         Vec position, normal;
         double distance;
@@ -57,6 +63,7 @@ class SpaceBuilder {
 
     /// Returns how many points in the solid others have.
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
+    std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     static Vec normal_of(const TriangleSurface& surface, int triangle);
     /// The nearest point of the walls that counts(index into walls_) is true for, as one of their searches finds it.
     template <class Counts>
@@ -89,8 +96,8 @@ class SpaceBuilder {
     std::vector<std::size_t> taken_;                         ///< by fluid: points of its solid that others have
     MeshResult result_;
     std::optional<SpaceLattice> lattice_;
-    /// By row, line and point of the lattice: the fluid (its index) or the solid wall (-2 less its index) that the
-    /// point lies in; -1: none; the lowest number: none, but near a wall's surface.
+    /// By row, line and point of the lattice: the fluid (its index) or the solid wall that the point lies in, or
+    /// nobody.
     std::vector<std::int16_t> owner_;
 };
 

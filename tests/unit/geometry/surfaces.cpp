@@ -11,26 +11,12 @@
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/orient_surface.hpp"
 #include "geometry/surface_crossings.hpp"
+#include "tests/unit/geometry/surface_shapes.hpp"
 
 namespace dmp {
 namespace {
 
-/// A box of twelve triangles that face outward.
-TriangleSurface box(const Vec& low, const Vec& high) {
-    TriangleSurface surface;
-    for (int k = 0; k < 8; ++k)
-        surface.corners.emplace_back((k & 1) != 0 ? high.x() : low.x(), (k & 2) != 0 ? high.y() : low.y(),
-                                     (k & 4) != 0 ? high.z() : low.z());
-    surface.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                         {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return surface;
-}
-
-void append(TriangleSurface& to, const TriangleSurface& more) {
-    const auto first = static_cast<int>(to.corners.size());
-    to.corners.insert(to.corners.end(), more.corners.begin(), more.corners.end());
-    for (const auto& [a, b, c] : more.triangles) to.triangles.push_back({first + a, first + b, first + c});
-}
+using namespace dmp::testing;
 
 std::vector<LineRow> rows_over(double low, double step, int count) {
     std::vector<LineRow> rows;

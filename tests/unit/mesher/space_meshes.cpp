@@ -102,6 +102,22 @@ TEST(SpaceMeshes, a_body_that_overlaps_the_fluid_takes_its_room) {
     EXPECT_NEAR(static_cast<double>(shell) * std::pow(0.05, 3), volume - hollow, 0.01);
 }
 
+TEST(SpaceMeshes, a_body_with_holes_is_filled_all_the_same) {
+    const auto meshed = mesh_texts(ball.with("periodic = [\"x\"]", "periodic = [\"x\", \"y\", \"z\"]"));
+    Geometry torn = meshed.geometry;
+    for (Solid& solid : torn.solids) {
+        if (solid.name != "wall") continue;
+        std::size_t number = 0;
+        std::erase_if(solid.surface.triangles, [&](const auto&) { return number++ % 10 == 0; });
+        solid.surface.has_holes = true;
+    }
+    const MeshResult torn_mesh = mesh(torn, meshed.scene);
+    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::rigid}) {
+        const auto whole = static_cast<double>(meshed.particles.count(kind));
+        EXPECT_NEAR(static_cast<double>(torn_mesh.particles.count(kind)), whole, 0.02 * whole);
+    }
+}
+
 TEST(SpaceMeshes, arrangements_have_equally_many_particles) {
     const auto count = [](const char* arrangement) {
         const auto meshed = mesh_texts(duct.with(

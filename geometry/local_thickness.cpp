@@ -1,0 +1,79 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/local_thickness.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "geometry/triangle_tree.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// The middles of the small triangles that a triangle is divided into, `parts` along each side.
+template <class Visit>
+void for_each_middle(const std::array<Vec, 3>& triangle, int parts, const Visit& visit) {
+    const Vec first = (triangle[1] - triangle[0]) / parts, second = (triangle[2] - triangle[0]) / parts;
+    for (int i = 0; i < parts; ++i)
+        for (int j = 0; i + j < parts; ++j) {
+            visit(triangle[0] + (i + 1.0 / 3) * first + (j + 1.0 / 3) * second);
+            if (i + j + 1 < parts) visit(triangle[0] + (i + 2.0 / 3) * first + (j + 2.0 / 3) * second);
+        }
+}
+
+}  // namespace
+
+std::optional<ThicknessSample> LocalThickness::thinnest() const {
+    const auto least = std::ranges::min_element(samples, {}, &ThicknessSample::thickness);
+    if (least == samples.end()) return std::nullopt;
+    return *least;
+}
+
+double LocalThickness::share_thinner(double limit) const {
+    double thin = 0;
+    for (const ThicknessSample& sample : samples)
+        if (sample.thickness < limit) thin += sample.area;
+    return area > 0 ? thin / area : 0;
+}
+
+LocalThickness local_thickness(const TriangleSurface& surface, double distance) {
+    if (!(distance > 0)) throw std::invalid_argument("local_thickness: the distance of places must be positive");
+    LocalThickness found;
+    const TriangleTree tree(surface);
+    std::vector<Vec> normals;
+    for (const auto& [a, b, c] : surface.triangles) {
+        const Vec& corner = surface.corners[static_cast<std::size_t>(a)];
+        normals.push_back((surface.corners[static_cast<std::size_t>(b)] - corner)
+                              .cross(surface.corners[static_cast<std::size_t>(c)] - corner));
+    }
+    for (std::size_t t = 0; t < normals.size(); ++t) {
+        const double twice_area = normals[t].norm();
+        if (!(twice_area > 0)) continue;
+        found.area += 0.5 * twice_area;
+        std::array<Vec, 3> triangle;
+        double longest = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            triangle.at(k) = surface.corners[static_cast<std::size_t>(surface.triangles[t].at(k))];
+        for (std::size_t k = 0; k < 3; ++k)
+            longest = std::max(longest, (triangle.at((k + 1) % 3) - triangle.at(k)).norm());
+        const int parts = static_cast<int>(std::clamp(std::ceil(longest / distance), 1.0, 32.0));
+        const Vec inward = -normals[t] / twice_area;
+        const auto is_opposite = [&](int other) {
+            const Vec& normal = normals[static_cast<std::size_t>(other)];
+            return normal.dot(inward) >= std::numbers::sqrt2 / 2 * normal.norm();
+        };
+        for_each_middle(triangle, parts, [&](const Vec& place) {
+            const auto hit = tree.first_hit(place, inward, is_opposite);
+            if (hit)
+                found.samples.push_back(
+                    {place, place + hit->distance * inward, hit->distance, 0.5 * twice_area / (parts * parts)});
+        });
+    }
+    return found;
+}
+
+}  // namespace dmp
