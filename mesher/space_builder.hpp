@@ -52,7 +52,8 @@ class SpaceBuilder {
 
     /// Returns how many points in the solid others have.
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
-    [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner) const;
+    /// `last`: by wall, a point of its surface that was found nearby; it takes the new one.
+    [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const;
     void mark_band(const Wall& wall);
     void find_walls();
     [[nodiscard]] WallParticle wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const;
