@@ -126,6 +126,8 @@ class Parser {
                          "Also write them into a file for 'run --particles', e.g. on a "
                          "cluster")
             ->type_name("FILE");
+        mesh_app_->add_flag("--settle", mesh_.settle,
+                            "Run the particles for 500 steps with nothing that drives them: none may leave");
         mesh_app_->footer(
             examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\"",
                                 "mesh cases/vein_valve --particles valve.h5"}));

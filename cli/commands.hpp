@@ -39,6 +39,7 @@ struct MeshCommand {
     SceneChoice scene;
     std::string out;        ///< empty: out/NAME_mesh below the current folder
     std::string particles;  ///< file for 'dmp run --particles'; empty: none
+    bool settle = false;    ///< then run them at rest for a while
 };
 
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.

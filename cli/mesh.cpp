@@ -5,12 +5,15 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/mesh_drawing.hpp"
+#include "cli/mesh_look.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/particle_frame.hpp"
 #include "cli/particle_input.hpp"
 #include "cli/prepare.hpp"
+#include "cli/settle.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
+#include "mesher/mesh_spheres.hpp"
 #include "particles/particle_file.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "scene/read_scene.hpp"
@@ -20,11 +23,16 @@ namespace dmp::cli {
 int execute(const MeshCommand& command) {
     refuse_several_ranks();
     Scene scene = read_scene(command.scene.path, command.scene.overrides);
-    MeshResult made = mesh_drawing(scene);
+    if (command.settle && is_of_spheres(scene))
+        throw InputError("--settle is for fluids and their walls, and this is a scene of spheres",
+                         "leave --settle out");
+    MeshDetail detail;
+    MeshResult made = mesh_drawing(scene, detail);
     Origin origin = origin_of(scene, made.report);
     const Prepared prepared{std::move(scene), std::move(made.particles), std::move(origin)};
     const auto folder = output_folder(command.out, scene_name(prepared.scene) + "_mesh");
     const std::string removed = prepare_folder(folder);
+    if (command.settle) made.report.at_rest = settle(prepared.scene, prepared.particles);
     print(heading(prepared) + "\n" + made.report.text() + "\n");
     if (!removed.empty()) print(removed + "\n");
 
@@ -33,13 +41,23 @@ int execute(const MeshCommand& command) {
     sink.write(particle_frame(prepared.particles));
     std::vector<std::string> files = sink.files();
     files.emplace_back(resolved_scene_name);
+    write_file(folder / mesh_report_name, made.report.json());
+    files.emplace_back(mesh_report_name);
+    if (*prepared.scene.output.pictures && !is_of_spheres(prepared.scene)) {
+        const std::string& title = *prepared.scene.title;
+        const Pictures pictures = write_mesh_pictures(
+            folder, mesh_look(prepared.particles, detail, title.empty() ? scene_name(prepared.scene) : title));
+        files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+        if (!pictures.warning.empty()) print(Style(Stream::output).warning("warning: ") + pictures.warning + "\n");
+    }
     print(results_text(folder, files));
-    if (command.particles.empty()) return exit_done;
+    const ExitCode code = made.report.at_rest && !made.report.at_rest->holds() ? exit_diverged : exit_done;
+    if (command.particles.empty()) return code;
     const std::filesystem::path file = command.particles;
     if (file.has_parent_path()) make_folder(file.parent_path());
     write_particles(file, prepared.particles, values_behind_particles(prepared.scene));
     print("Particles for 'dmp run --particles': " + file.string() + "\n");
-    return exit_done;
+    return code;
 }
 
 }  // namespace dmp::cli

@@ -51,6 +51,14 @@ MeshResult mesh_drawing(const Scene& scene) {
     return is_of_spheres(scene) ? mesh_spheres(scene) : mesh(read_drawing(drawing_of(scene)), scene);
 }
 
+MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail) {
+    if (is_of_spheres(scene)) return mesh_spheres(scene);
+    const Geometry geometry = read_drawing(drawing_of(scene));
+    MeshResult result = mesh(geometry, scene);
+    detail = inspect(result, geometry, scene);
+    return result;
+}
+
 Origin origin_of(const Scene& scene, const MeshReport& report) {
     Origin origin{is_of_spheres(scene) ? "spheres" : "drawing", scene.geometry.file, {}, report.notes};
     for (const auto& line : report.springs) origin.springs.emplace_back(line.part, springs_text(line));

@@ -29,8 +29,9 @@ bool is_own(const fs::path& file) {
     const std::string name = file.filename().string();
     const bool in_frames = file.parent_path().filename() == "frames";
     if (in_frames) return name.ends_with(".vtp") && (name.starts_with("fluid_") || name.starts_with("solid_"));
-    constexpr std::array<std::string_view, 5> others{measures_file_name, paraview_script_name, "last_frame.png",
-                                                     "cycle.png", "measures.png"};
+    constexpr std::array<std::string_view, 9> others{measures_file_name, paraview_script_name, mesh_report_name,
+                                                     "last_frame.png",   "cycle.png",          "measures.png",
+                                                     "slices.png",       "surface_error.png",  "valence.png"};
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }
 

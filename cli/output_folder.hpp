@@ -9,6 +9,9 @@ namespace dmp::cli {
 /// The scene as it was run, every default filled in; written before anything else.
 inline constexpr const char* resolved_scene_name = "scene.resolved.toml";
 
+/// The figures of a mesh's report, for programs.
+inline constexpr const char* mesh_report_name = "mesh_report.json";
+
 /// The folder the results go to: `asked`, or out/NAME below the current folder.
 [[nodiscard]] std::filesystem::path output_folder(const std::string& asked, const std::string& name);
 

@@ -2,7 +2,6 @@
 #include "geometry/nearest_triangle.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -11,98 +10,107 @@
 
 namespace dmp {
 
+namespace {
+
+constexpr std::size_t leaf_size = 4;
+constexpr std::size_t deepest = 48;  // halves of 2^31 triangles are 31 deep
+
+}  // namespace
+
 NearestTriangle::NearestTriangle(const TriangleSurface& surface, double largest_distance)
     : largest_distance_(largest_distance) {
     if (!(largest_distance > 0)) throw std::invalid_argument("NearestTriangle: the largest distance must be positive");
     if (surface.triangles.empty()) return;
-    Vec high = Vec::Constant(-std::numeric_limits<double>::infinity());
-    low_ = -high;
+    triangles_.reserve(surface.triangles.size());
     for (const auto& corners : surface.triangles) {
-        std::array<Vec, 3>& triangle = triangles_.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k) {
-            triangle.at(k) = surface.corners[static_cast<std::size_t>(corners.at(k))];
-            low_ = low_.cwiseMin(triangle.at(k));
-            high = high.cwiseMax(triangle.at(k));
+        Triangle triangle{{}, static_cast<std::int32_t>(triangles_.size())};
+        for (std::size_t k = 0; k < 3; ++k)
+            triangle.corner.at(k) = surface.corners[static_cast<std::size_t>(corners.at(k))];
+        triangles_.push_back(triangle);
+    }
+    nodes_.reserve(triangles_.size());
+    build(triangles_, 0);
+}
+
+/// The tree over some triangles, of which `begin` lie before; returns its root.
+std::uint32_t NearestTriangle::build(std::span<Triangle> triangles, std::uint32_t begin) {
+    const auto number = static_cast<std::uint32_t>(nodes_.size());
+    const Vec far = Vec::Constant(std::numeric_limits<double>::infinity());
+    Node node{far, -far, begin, begin + static_cast<std::uint32_t>(triangles.size()), 0};
+    for (const auto& [corner, index] : triangles)
+        for (const Vec& point : corner) {
+            node.low = node.low.cwiseMin(point);
+            node.high = node.high.cwiseMax(point);
         }
-    }
-    for (const auto& [a, b, c] : triangles_) {
-        const Vec centre = (a + b + c) / 3;
-        const double square =
-            std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()});
-        balls_.push_back({centre, std::sqrt(square) * (1 + 1e-12)});
-    }
-    // Slightly more than asked for: rounding may not push a triangle out of a point's cell.
-    const double reach = largest_distance * (1 + 1e-9) + 1e-14 * (high - low_).norm();
-    low_ -= Vec::Constant(reach);
-    high += Vec::Constant(reach);
-    // No more than 2^20 cells along an axis: three indices make one key.
-    cell_ = std::max(largest_distance, (high - low_).maxCoeff() / (1 << 20));
-
-    const double farthest = reach + 0.5 * std::sqrt(3.0) * cell_;  // from a cell's middle
-    std::vector<std::pair<std::uint64_t, std::int32_t>> found;     // cell, triangle
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        const auto& [a, b, c] = triangles_[t];
-        const Index first = index_of(a.cwiseMin(b).cwiseMin(c) - Vec::Constant(reach));
-        const Index last = index_of(a.cwiseMax(b).cwiseMax(c) + Vec::Constant(reach));
-        Index at{};
-        for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
-            for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
-                for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
-                    const Vec middle =
-                        low_ + cell_ * Vec(static_cast<double>(at[0]) + 0.5, static_cast<double>(at[1]) + 0.5,
-                                           static_cast<double>(at[2]) + 0.5);
-                    if ((closest_on_triangle(middle, a, b, c) - middle).norm() <= farthest)
-                        found.emplace_back(key_of(at), static_cast<std::int32_t>(t));
-                }
-    }
-    std::ranges::sort(found);
-    entries_.reserve(found.size());
-    for (const auto& [cell, triangle] : found) {
-        const auto end = static_cast<std::uint32_t>(entries_.size());
-        cells_.try_emplace(cell, Cell{end, end}).first->second.end = end + 1;
-        entries_.push_back(triangle);
-    }
+    nodes_.push_back(node);
+    if (triangles.size() <= leaf_size) return number;
+    Eigen::Index axis = 0;
+    (node.high - node.low).maxCoeff(&axis);
+    const std::size_t half = triangles.size() / 2;
+    const auto place = [axis](const Triangle& t) { return t.corner[0][axis] + t.corner[1][axis] + t.corner[2][axis]; };
+    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
+    build(triangles.first(half), begin);
+    const std::uint32_t second = build(triangles.subspan(half), begin + static_cast<std::uint32_t>(half));
+    nodes_[number].second = second;
+    return number;
 }
 
-NearestTriangle::Index NearestTriangle::index_of(const Vec& point) const {
-    Index index{};
-    for (int axis = 0; axis < 3; ++axis)
-        index.at(static_cast<std::size_t>(axis)) =
-            static_cast<std::int64_t>(std::floor((point[axis] - low_[axis]) / cell_));
-    return index;
-}
-
-std::uint64_t NearestTriangle::key_of(const Index& index) {
-    std::uint64_t key = 0;
-    for (const std::int64_t axis : index) key = key << 21U | static_cast<std::uint64_t>(axis);
-    return key;
+double NearestTriangle::square_to(const Node& node, const Vec& point) {
+    return (point - point.cwiseMax(node.low).cwiseMin(node.high)).squaredNorm();
 }
 
 std::optional<SurfacePoint> NearestTriangle::nearest(const Vec& point) const {
-    if (triangles_.empty() || !point.allFinite()) return std::nullopt;
-    const Vec place = (point - low_) / cell_;
-    if (place.minCoeff() < 0 || place.maxCoeff() >= 1 << 21) return std::nullopt;
-    const auto cell = cells_.find(key_of(index_of(point)));
-    if (cell == cells_.end()) return std::nullopt;
-    SurfacePoint best{.distance = std::numeric_limits<double>::infinity()};
-    double nearest_square = std::numeric_limits<double>::infinity();
-    double nearest = nearest_square;
-    for (std::uint32_t k = cell->second.begin; k < cell->second.end; ++k) {
-        const std::int32_t t = entries_[k];
-        const Ball& ball = balls_[static_cast<std::size_t>(t)];
-        const double reach = ball.radius + nearest;
-        if ((point - ball.centre).squaredNorm() > reach * reach) continue;
-        const auto& [a, b, c] = triangles_[static_cast<std::size_t>(t)];
-        const Vec here = closest_on_triangle(point, a, b, c);
-        const double square = (here - point).squaredNorm();
-        if (square >= nearest_square) continue;
-        nearest_square = square;
-        nearest = std::sqrt(square);
-        best.point = here;
-        best.triangle = t;
+    return within(point, largest_distance_ * largest_distance_);
+}
+
+std::optional<SurfacePoint> NearestTriangle::nearest(const Vec& point, const Vec& on_surface) const {
+    // How far the triangle is from where its point was rounded to does not matter: 1e-6 of the limit is added.
+    const double distance = std::min(largest_distance_, (point - on_surface).norm() + 1e-6 * largest_distance_);
+    return within(point, distance * distance);
+}
+
+std::optional<SurfacePoint> NearestTriangle::within(const Vec& point, double square_of_reach) const {
+    if (nodes_.empty() || !point.allFinite()) return std::nullopt;
+    // A little more than asked for: rounding may not leave out what is as near as that.
+    constexpr double slack = 1 + 1e-12;
+    double nearest_square = square_of_reach * slack;
+    SurfacePoint best;
+    struct Open {
+        double square;
+        std::uint32_t node;
+    };
+    std::array<Open, deepest> open;  // NOLINT(cppcoreguidelines-pro-type-member-init): a stack, empty
+    std::size_t waiting = 0;
+    open.at(waiting++) = {square_to(nodes_.front(), point), 0};
+    while (waiting > 0) {
+        auto [square, number] = open.at(--waiting);
+        if (square > nearest_square * slack) continue;
+        while (nodes_[number].second != 0) {
+            std::uint32_t nearer = number + 1, further = nodes_[number].second;
+            double to_nearer = square_to(nodes_[nearer], point), to_further = square_to(nodes_[further], point);
+            if (to_further < to_nearer) {
+                std::swap(nearer, further);
+                std::swap(to_nearer, to_further);
+            }
+            if (to_further <= nearest_square * slack) open.at(waiting++) = {to_further, further};
+            number = nearer;
+            square = to_nearer;
+            if (square > nearest_square * slack) break;
+        }
+        if (square > nearest_square * slack) continue;
+        for (std::uint32_t k = nodes_[number].begin; k < nodes_[number].end; ++k) {
+            const auto& [corner, index] = triangles_[k];
+            const Vec here = closest_on_triangle(point, corner[0], corner[1], corner[2]);
+            const double to_here = (here - point).squaredNorm();
+            if (to_here > nearest_square || (to_here == nearest_square && best.triangle >= 0 && index > best.triangle))
+                continue;
+            nearest_square = to_here;
+            best.point = here;
+            best.triangle = index;
+        }
     }
-    best.distance = nearest;
-    if (!(best.distance <= largest_distance_)) return std::nullopt;
+    best.distance = (best.point - point).norm();
+    if (best.triangle < 0 || !(best.distance <= largest_distance_)) return std::nullopt;
     return best;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
 #include "geometry/triangle_surface.hpp"
@@ -19,39 +19,38 @@ struct SurfacePoint {
 };
 
 /// The nearest point of a surface, for many points and distances up to a limit: the band around a surface. Triangles
-/// are sorted once into the cells of a grid, of which only those near the surface exist. After construction it is never
-/// changed, so any number of threads may ask it.
+/// lie in a tree of boxes, halved along the longest side until four are left; a search goes into the nearer half first
+/// and leaves out what is further than the best so far. After construction it is never changed, so any number of
+/// threads may ask it.
 class NearestTriangle {
   public:
     /// Of no surface: finds nothing.
     NearestTriangle() = default;
-    /// @param largest_distance how far to look [m]; must be positive (throws std::invalid_argument). Memory grows with
-    /// the surface's area over its square.
+    /// @param largest_distance how far to look [m]; must be positive (throws std::invalid_argument).
     NearestTriangle(const TriangleSurface& surface, double largest_distance);
 
     /// Nothing where all triangles are further than the largest distance.
     [[nodiscard]] std::optional<SurfacePoint> nearest(const Vec& point) const;
+    /// The same, faster where a point of the surface is known that is near, as the last answer of a walk.
+    [[nodiscard]] std::optional<SurfacePoint> nearest(const Vec& point, const Vec& on_surface) const;
 
   private:
-    struct Cell {
-        std::uint32_t begin = 0, end = 0;  ///< of its triangles, in entries_
+    struct Triangle {
+        std::array<Vec, 3> corner;
+        std::int32_t number;
     };
-    /// A ball around a triangle: most are too far away already.
-    struct Ball {
-        Vec centre;
-        double radius;
+    struct Node {
+        Vec low, high;
+        std::uint32_t begin = 0, end = 0;  ///< of its triangles
+        std::uint32_t second = 0;          ///< its second half; the first one follows it. 0: a leaf
     };
-    using Index = std::array<std::int64_t, 3>;
-    [[nodiscard]] Index index_of(const Vec& point) const;
-    static std::uint64_t key_of(const Index& index);
+    std::uint32_t build(std::span<Triangle> triangles, std::uint32_t begin);
+    [[nodiscard]] std::optional<SurfacePoint> within(const Vec& point, double square) const;
+    static double square_to(const Node& node, const Vec& point);
 
     double largest_distance_ = 0;
-    double cell_ = 0;  ///< edge of a grid cell [m]
-    Vec low_ = Vec::Zero();
-    std::vector<std::array<Vec, 3>> triangles_;
-    std::vector<Ball> balls_;  ///< by triangle
-    std::unordered_map<std::uint64_t, Cell> cells_;
-    std::vector<std::int32_t> entries_;  ///< numbers of triangles, ascending in each cell
+    std::vector<Triangle> triangles_;  ///< leaf after leaf
+    std::vector<Node> nodes_;
 };
 
 }  // namespace dmp

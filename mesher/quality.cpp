@@ -51,19 +51,25 @@ Surroundings surroundings(const ParticleSet& set, const Scene& scene, const Kern
     const SearchableParticles search(set, support, support / 3);
     Surroundings found{std::vector<double>(set.size()), std::vector<float>(set.size()),
                        std::vector<std::uint8_t>(set.size())};
+    // What most neighbours are asked is one array; those that nothing can be wrong with are asked no more.
+    std::vector<std::uint8_t> is_solid(set.size());
+    for (std::size_t i = 0; i < set.size(); ++i) is_solid[i] = set.kind(i) != ParticleKind::fluid ? 1 : 0;
+    const double always_far_enough = std::max(too_near, bodies_too_near) * set.spacing;
     const auto count = static_cast<std::int64_t>(set.size());
     std::int64_t first_overlap = count;
 #pragma omp parallel for schedule(dynamic, 4096) reduction(min : first_overlap)
     for (std::int64_t n = 0; n < count; ++n) {
         const auto i = static_cast<std::size_t>(n);
+        std::uint8_t near_solids = 0;
         double nearest = support, kernel_sum = set.volume[i] * kernel.value(0.0);
         search.for_each_neighbour(i, [&](std::size_t j, const Vec& separation) {
             const double r = separation.norm();
             nearest = std::min(nearest, r);
             kernel_sum += set.volume[j] * kernel.value(r);
-            if (set.kind(j) != ParticleKind::fluid) found.near_solids[i] = 1;
-            if (r < smallest_distance(set, i, j)) first_overlap = std::min(first_overlap, n);
+            near_solids |= is_solid[j];
+            if (r < always_far_enough && r < smallest_distance(set, i, j)) first_overlap = std::min(first_overlap, n);
         });
+        found.near_solids[i] = near_solids;
         found.nearest[i] = static_cast<float>(nearest);
         found.kernel_sum[i] = kernel_sum;
     }

@@ -35,12 +35,10 @@ class SearchableParticles {
     void for_each_neighbour(std::size_t i, Visit&& visit) const {
         const std::array<double, 3> here{points_[0][i], points_[1][i], dimension_ == 3 ? points_[2][i] : 0.0};
         grid_.for_each_near(here, reach_, [&](int k) {
-            if (static_cast<std::size_t>(k) == i) return;
-            Vec separation = Vec::Zero();
-            for (int axis = 0; axis < (dimension_ == 3 ? 3 : 2); ++axis)
-                separation[axis] = here[axis] - points_[axis][k];
-            if (separation.squaredNorm() >= reach_ * reach_) return;
             const auto index = static_cast<std::size_t>(k);
+            const Vec separation(here[0] - points_[0][index], here[1] - points_[1][index],
+                                 dimension_ == 3 ? here[2] - points_[2][index] : 0.0);
+            if (separation.squaredNorm() >= reach_ * reach_ || index == i) return;
             visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), separation);
         });
     }

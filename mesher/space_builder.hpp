@@ -66,13 +66,15 @@ class SpaceBuilder {
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     static Vec normal_of(const TriangleSurface& surface, int triangle);
     /// The nearest point of the walls that counts(index into walls_) is true for, as one of their searches finds it.
+    /// `last`, if given: by wall, a point of its surface that was found nearby; it takes the new one.
     template <class Counts>
-    [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts) const;
+    [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts,
+                                       std::vector<Vec>* last = nullptr) const;
     [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search) const {
         return surface_at(point, search, [](std::size_t) { return true; });
     }
     /// The same for a lattice point of which `owner_` says who owns it: the wall that it may belong to.
-    [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner) const;
+    [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const;
     [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& place) const;
     void trim_walls();
     void mark_band(const Wall& wall);
@@ -107,13 +109,15 @@ class SpaceBuilder {
 }
 
 template <class Counts>
-SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, NearestTriangle Wall::*search,
-                                                 const Counts& counts) const {
+SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts,
+                                                 std::vector<Vec>* last) const {
     WallPoint best;
     const auto look_from = [&](const Vec& shift) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             if (!counts(w)) continue;
-            auto found = (walls_[w].*search).nearest(point + shift);
+            const NearestTriangle& surface = walls_[w].*search;
+            auto found = last != nullptr ? surface.nearest(point + shift, (*last)[w]) : surface.nearest(point + shift);
+            if (found && last != nullptr) (*last)[w] = found->point;
             if (!found || found->distance >= walls_[w].thickness) continue;
             if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
             found->point -= shift;

@@ -2,24 +2,24 @@
 // Of the SpaceBuilder: walls behind surfaces, and bodies in the fluid.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "mesher/space_builder.hpp"
 
 namespace dmp {
 
-SpaceBuilder::WallPoint SpaceBuilder::wall_at(const Vec& point, std::int16_t owner) const {
+SpaceBuilder::WallPoint SpaceBuilder::wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const {
     // A body's own particles stand in it, those of other walls outside all bodies.
-    return surface_at(point, &Wall::nearest,
-                      [&](std::size_t w) { return walls_[w].is_solid ? owner == owner_of_wall(w) : owner == nobody; });
+    const auto counts = [&](std::size_t w) { return walls_[w].is_solid ? owner == owner_of_wall(w) : owner == nobody; };
+    return surface_at(point, &Wall::nearest, counts, &last);
 }
 
-/// Marks the lattice points of nobody in the boxes about a wall's triangles that its layers may reach; the others are
-/// never asked.
+/// Marks the lattice points of nobody within reach of the boxes about a wall's triangles; the others are never asked.
 void SpaceBuilder::mark_band(const Wall& wall) {
     const auto& rows = lattice_->rows();
     const auto& step = lattice_->step();
-    const double reach = wall.thickness;
+    const double reach = 1.001 * wall.thickness;
     const auto first_index = [](double low, double first, double between, int count) {
         return static_cast<int>(std::clamp(std::ceil((low - first) / between), 0.0, static_cast<double>(count)));
     };
@@ -27,15 +27,21 @@ void SpaceBuilder::mark_band(const Wall& wall) {
         return static_cast<int>(std::clamp(std::floor((high - first) / between), -1.0, count - 1.0));
     };
     const int points = lattice_->points(), lines = rows.front().lines, layers = static_cast<int>(rows.size());
+    const auto beyond = [](double x, double low, double high) { return std::max({low - x, x - high, 0.0}); };
     const auto mark = [&](const Vec& low, const Vec& high) {
         const int last_row = last_index(high.z() + reach, rows.front().z, step[2], layers);
         for (int row = first_index(low.z() - reach, rows.front().z, step[2], layers); row <= last_row; ++row) {
             const LineRow& here = rows[static_cast<std::size_t>(row)];
-            const int last_line = last_index(high.y() + reach, here.first_y, here.step_y, lines);
-            for (int line = first_index(low.y() - reach, here.first_y, here.step_y, lines); line <= last_line; ++line) {
+            const double above = beyond(here.z, low.z(), high.z());
+            const double reach_y = std::sqrt(std::max(0.0, reach * reach - above * above));
+            const int last_line = last_index(high.y() + reach_y, here.first_y, here.step_y, lines);
+            for (int line = first_index(low.y() - reach_y, here.first_y, here.step_y, lines); line <= last_line;
+                 ++line) {
+                const double aside = beyond(here.first_y + line * here.step_y, low.y(), high.y());
+                const double reach_x = std::sqrt(std::max(0.0, reach_y * reach_y - aside * aside));
                 const double first_x = lattice_->first_x(static_cast<std::size_t>(row), line);
-                const int first = first_index(low.x() - reach, first_x, step[0], points);
-                const int last = last_index(high.x() + reach, first_x, step[0], points);
+                const int first = first_index(low.x() - reach_x, first_x, step[0], points);
+                const int last = last_index(high.x() + reach_x, first_x, step[0], points);
                 const std::size_t start =
                     (static_cast<std::size_t>(row) * static_cast<std::size_t>(lines) + static_cast<std::size_t>(line)) *
                     static_cast<std::size_t>(points);
@@ -72,6 +78,7 @@ void SpaceBuilder::find_walls() {
     std::vector<std::vector<std::pair<int, WallParticle>>> found(rows.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t row = 0; row < rows.size(); ++row) {
+        std::vector<Vec> last(walls_.size(), Vec::Constant(std::numeric_limits<double>::infinity()));
         std::size_t index = row * static_cast<std::size_t>(rows[row].lines) * points;
         for (int line = 0; line < rows[row].lines; ++line)
             for (std::size_t k = 0; k < points; ++k, ++index) {
@@ -79,7 +86,7 @@ void SpaceBuilder::find_walls() {
                 if (marked >= 0 || marked == nobody) continue;
                 const Vec point = lattice_->at(row, line, static_cast<int>(k));
                 if (is_beyond_a_plane(point)) continue;
-                const auto [wall, surface] = wall_at(point, marked == nobody_near_a_wall ? nobody : marked);
+                const auto [wall, surface] = wall_at(point, marked == nobody_near_a_wall ? nobody : marked, last);
                 if (wall >= 0) found[row].emplace_back(wall, wall_particle(point, wall, surface));
             }
     }

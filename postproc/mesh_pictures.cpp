@@ -1,0 +1,247 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/mesh_pictures.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "postproc/sheet.hpp"
+#include "postproc/virtual_display.hpp"
+#include "postproc/vtk_messages.hpp"
+
+namespace dmp {
+
+namespace {
+
+using Kind = MeshLook::Kind;
+
+constexpr double disc = 0.5;          // radius of what stands in slices [spacings]
+constexpr double least_span = 0.005;  // of kernel sums: smaller differences look alike
+
+/// A direction to look along: where x goes to the right and y up.
+using View = Eigen::Matrix3d;
+
+View along(int right, int up) {
+    View view = View::Zero();
+    view(0, right) = 1;
+    view(1, up) = 1;
+    view(2, 3 - right - up) = 1;
+    return view;
+}
+
+Box around(const MeshLook& look, const View& view, const std::vector<std::size_t>& members) {
+    Box box{Vec::Constant(std::numeric_limits<double>::infinity()),
+            Vec::Constant(-std::numeric_limits<double>::infinity())};
+    for (const std::size_t i : members) {
+        const Vec seen = view * look.position[i];
+        box.low = box.low.cwiseMin(seen);
+        box.high = box.high.cwiseMax(seen);
+    }
+    const Vec margin = Vec::Constant(std::max(look.spacing, 1e-3 * box.extent().maxCoeff()));
+    return {box.low - margin, box.high + margin};
+}
+
+template <class Which>
+std::vector<std::size_t> members(const MeshLook& look, const Which& which) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < look.position.size(); ++i)
+        if (which(i)) found.push_back(i);
+    return found;
+}
+
+template <class ColourOf>
+ParticleLayer layer(const MeshLook& look, const View& view, const std::vector<std::size_t>& members, double radius,
+                    const ColourOf& colour_of) {
+    ParticleLayer layer;
+    layer.radius = radius * look.spacing;
+    for (const std::size_t i : members) {
+        const Vec seen = view * look.position[i];
+        for (Eigen::Index axis = 0; axis < 3; ++axis) layer.position.push_back(static_cast<float>(seen[axis]));
+        layer.colour.push_back(colour_of(i));
+    }
+    return layer;
+}
+
+/// About `middle`, as wide as the values that come; at least `least`.
+ColourScale scale_about(double middle, double least, const std::vector<float>& values,
+                        const std::vector<std::size_t>& members, const std::string& label) {
+    std::vector<double> away;
+    for (const std::size_t i : members) away.push_back(std::abs(static_cast<double>(values[i]) - middle));
+    std::ranges::sort(away);
+    double span = least;
+    if (!away.empty()) span = std::max(span, away[away.size() - 1 - away.size() / 1000]);
+    const bool beyond = !away.empty() && away.back() > 1.001 * span;
+    return {ColourMap::diverging(middle, span), label, beyond, beyond, colours::dark_solid, true};
+}
+
+/// Draws one sheet of one or more views.
+class Painter {
+  public:
+    Painter(std::filesystem::path folder, const MeshLook& look, int width)
+        : folder_(std::move(folder)), look_(look), width_(width) {}
+
+    void slices() {
+        const auto fluid = members(look_, [&](std::size_t i) { return look_.kind[i] == Kind::fluid; });
+        if (fluid.empty()) return;
+        const ColourScale scale = scale_about(1, least_span, look_.kernel_sum, fluid, "kernel sum of the fluid");
+        if (look_.dimension == 2) {
+            const View view = along(0, 1);
+            const Box area = around(look_, view, members(look_, [](std::size_t) { return true; }));
+            Sheet sheet(area, 1, width_, look_.title);
+            sheet.add(slice(view, area, sheet, scale, [](std::size_t) { return true; }), "");
+            finish(sheet, scale, "slices.png");
+            return;
+        }
+        constexpr std::array<std::array<int, 2>, 3> axes{{{0, 1}, {0, 2}, {1, 2}}};
+        const Vec middle = middle_of(fluid);
+        Vec size = Vec::Zero();
+        for (const auto& [right, up] : axes)
+            size = size.cwiseMax(
+                around(look_, along(right, up), members(look_, [](std::size_t) { return true; })).extent());
+        std::vector<Box> areas;
+        for (const auto& [right, up] : axes) {
+            const View view = along(right, up);
+            const Box own = around(look_, view, members(look_, [](std::size_t) { return true; }));
+            const Vec centre = (own.low + own.high) / 2;
+            areas.push_back({centre - size / 2, centre + size / 2});
+        }
+        Sheet sheet(areas[0], 3, width_, look_.title);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [right, up] = axes.at(k);
+            const int across = 3 - right - up;
+            const auto in_slice = [&](std::size_t i) {
+                return std::abs(look_.position[i][across] - middle[across]) <= 0.5001 * look_.spacing;
+            };
+            std::array<char, 64> caption{};
+            std::snprintf(caption.data(), caption.size(), "%c to the right, %c up, at %c = %.4g mm", "xyz"[right],
+                          "xyz"[up], "xyz"[across], 1e3 * middle[across]);
+            sheet.add(slice(along(right, up), areas[k], sheet, scale, in_slice), caption.data());
+        }
+        finish(sheet, scale, "slices.png");
+    }
+
+    void surface_error() {
+        const auto shown = members(look_, [&](std::size_t i) { return std::isfinite(look_.surface_error[i]); });
+        if (shown.empty()) return;
+        const ColourScale scale =
+            scale_about(0, 0.05, look_.surface_error, shown,
+                        "distance of the outermost particles to the drawn surface less 1/2 [spacings]");
+        View view = along(0, 1);
+        if (look_.dimension == 3) {
+            const Vec towards = Vec(0.45, -1, 0.5).normalized();
+            const Vec right = Vec::UnitZ().cross(towards).normalized();
+            view.row(0) = right;
+            view.row(1) = towards.cross(right);
+            view.row(2) = towards;
+        }
+        const auto colour = [&](std::size_t i) { return scale.map(look_.surface_error[i]); };
+        std::vector<ParticleLayer> layers;
+        Box area = around(look_, view, shown);
+        if (look_.dimension == 2) {
+            const auto all = members(look_, [](std::size_t) { return true; });
+            area = around(look_, view, all);
+            layers.push_back(layer(look_, view, all, 0.25, [](std::size_t) { return colours::grid; }));
+            layers.push_back(layer(look_, view, shown, 0.8, colour));
+        } else {
+            layers.push_back(layer(look_, view, shown, disc, colour));
+            layers.back().radii.assign(shown.size(), static_cast<float>(0.6 * look_.spacing));
+        }
+        draw(area, layers, scale, "surface_error.png");
+    }
+
+    void valence() {
+        if (look_.bond_ends.empty()) return;
+        const auto nodes = members(look_, [&](std::size_t i) { return look_.kind[i] == Kind::solid; });
+        int most = 1, fewest = std::numeric_limits<int>::max();
+        for (const std::size_t i : nodes) {
+            most = std::max(most, look_.valence[i]);
+            fewest = std::min(fewest, look_.valence[i]);
+        }
+        const double low = std::min(fewest, most - 1);
+        const ColourScale scale{
+            ColourMap::sequential(low, most), "bonds of a node", false, false, colours::solid, true};
+        const View view = along(0, 1);
+        ParticleLayer shown = layer(look_, view, nodes, 0.35,
+                                    [&](std::size_t i) { return scale.map(static_cast<double>(look_.valence[i])); });
+        std::vector<std::int32_t> place(look_.position.size(), -1);
+        for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<std::int32_t>(k);
+        ParticleLayer bonds = shown;
+        bonds.radius = 0.05 * look_.spacing;
+        for (const std::int32_t end : look_.bond_ends) bonds.lines.push_back(place[static_cast<std::size_t>(end)]);
+        bonds.line_colour = colours::frame;
+        bonds.line_width = 0.1 * look_.spacing;
+        draw(around(look_, view, nodes), {bonds, shown}, scale, "valence.png");
+    }
+
+    [[nodiscard]] const Pictures& pictures() const { return pictures_; }
+    void warn(const std::string& words) { pictures_.warning += (pictures_.warning.empty() ? "" : "\n") + words; }
+
+  private:
+    [[nodiscard]] Vec middle_of(const std::vector<std::size_t>& fluid) const {
+        Vec middle;
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            const auto by_place = [&](std::size_t a, std::size_t b) {
+                return look_.position[a][axis] < look_.position[b][axis];
+            };
+            std::vector<std::size_t> sorted = fluid;
+            const auto half = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+            std::nth_element(sorted.begin(), half, sorted.end(), by_place);
+            middle[axis] = look_.position[*half][axis];
+        }
+        return middle;
+    }
+
+    template <class Which>
+    Image slice(const View& view, const Box& area, const Sheet& sheet, const ColourScale& scale, const Which& which) {
+        std::vector<ParticleLayer> layers;
+        const auto of_kind = [&](Kind kind) {
+            return members(look_, [&](std::size_t i) { return look_.kind[i] == kind && which(i); });
+        };
+        const auto add = [&](Kind kind, const auto& colour_of) {
+            layers.push_back(layer(look_, view, of_kind(kind), disc, colour_of));
+        };
+        add(Kind::fluid, [&](std::size_t i) { return scale.map(look_.kernel_sum[i]); });
+        add(Kind::wall, [](std::size_t) { return colours::wall; });
+        add(Kind::solid, [](std::size_t) { return colours::dark_solid; });
+        return view_.draw(layers, area, sheet.panel_width(), sheet.panel_height());
+    }
+
+    void draw(const Box& area, const std::vector<ParticleLayer>& layers, const ColourScale& scale,
+              const std::string& file) {
+        Sheet sheet(area, 1, width_, look_.title);
+        const Image image = view_.draw(layers, area, sheet.panel_width(), sheet.panel_height());
+        if (distinct_colours(image, 2) < 2) warn(file + " came out blank");
+        sheet.add(image, "");
+        finish(sheet, scale, file);
+    }
+
+    void finish(Sheet& sheet, const ColourScale& scale, const std::string& file) {
+        sheet.finish(scale);
+        sheet.save(folder_ / file);
+        pictures_.files.push_back(file);
+    }
+
+    std::filesystem::path folder_;
+    const MeshLook& look_;
+    int width_;
+    ParticleView view_;
+    Pictures pictures_;
+};
+
+}  // namespace
+
+Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshLook& look, int width) {
+    const VirtualDisplay display;
+    if (!display.usable()) return {{}, "no pictures of the mesh: " + display.problem()};
+    const VtkMessages messages;
+    Painter painter(folder, look, width);
+    painter.slices();
+    painter.surface_error();
+    painter.valence();
+    if (!messages.text().empty()) painter.warn("while drawing: " + messages.text());
+    return painter.pictures();
+}
+
+}  // namespace dmp
