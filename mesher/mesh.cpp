@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "mesher/disorder.hpp"
@@ -10,6 +12,7 @@
 #include "mesher/quality.hpp"
 #include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
+#include "mesher/thin_places.hpp"
 
 namespace dmp {
 
@@ -49,6 +52,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
     MeshResult result = builder.finish();
     measure_quality(result, scene);
+    std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
     return result;
 }
 
