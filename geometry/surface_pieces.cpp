@@ -113,19 +113,18 @@ std::size_t separate_closed_pieces(TriangleSurface& surface) {
 }
 
 TriangleSurface part_of(const TriangleSurface& surface, const std::vector<int>& triangles) {
+    // Sorted, not by a table of all corners: there may be as many parts as triangles.
+    std::vector<int> used;
+    for (const int t : triangles)
+        for (const int corner : surface.triangles[static_cast<std::size_t>(t)]) used.push_back(corner);
+    std::ranges::sort(used);
+    const auto repeated = std::ranges::unique(used);
+    used.erase(repeated.begin(), repeated.end());
     TriangleSurface part;
-    std::vector<int> number(surface.corners.size(), -1);
-    for (const int t : triangles) {
-        auto& corners = part.triangles.emplace_back(surface.triangles[static_cast<std::size_t>(t)]);
-        for (int& corner : corners) {
-            int& known = number[static_cast<std::size_t>(corner)];
-            if (known < 0) {
-                known = static_cast<int>(part.corners.size());
-                part.corners.push_back(surface.corners[static_cast<std::size_t>(corner)]);
-            }
-            corner = known;
-        }
-    }
+    for (const int corner : used) part.corners.push_back(surface.corners[static_cast<std::size_t>(corner)]);
+    for (const int t : triangles)
+        for (int& corner : part.triangles.emplace_back(surface.triangles[static_cast<std::size_t>(t)]))
+            corner = static_cast<int>(std::ranges::lower_bound(used, corner) - used.begin());
     return part;
 }
 

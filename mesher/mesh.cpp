@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "mesher/bond_report.hpp"
@@ -12,6 +14,7 @@
 #include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/stopwatch.hpp"
+#include "mesher/thin_places.hpp"
 
 namespace dmp {
 
@@ -63,6 +66,8 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     MeshResult result = builder.finish();
     measure_quality(result, scene);
     watch.lap("quality");
+    std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
+    watch.lap("thin places");
     result.report.cost = cost;
     return result;
 }

@@ -11,6 +11,7 @@
 
 #include <gmock/gmock.h>
 
+#include "geometry/repair_solids.hpp"
 #include "geometry/surface_edges.hpp"
 #include "geometry/winding_number.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
@@ -355,6 +356,24 @@ TEST(Repair, refuses_numbers_that_are_none) {
     surface.triangles[5][2] = 8;
     EXPECT_THAT(refusal(surface, {.spacing = 0.1}).first, HasSubstr("has a triangle, number 5, with corner 8 of 8"));
     EXPECT_THROW(repair_surface(cube(), {}, "solid 'heart'", {}), std::invalid_argument);
+}
+
+TEST(RepairSolids, makes_solids_of_surfaces_that_are_to_be_solids) {
+    Geometry geometry;
+    geometry.file = "valve.stl";
+    TriangleSurface torn = cube();
+    torn.triangles.pop_back();
+    geometry.solids.push_back({"frame", cube()});
+    geometry.surfaces.push_back({"wall", sheet()});
+    geometry.surfaces.push_back({"blood", torn});
+    const RepairLimits limits{.spacing = 0.5};
+    EXPECT_THAT(repair_solids(geometry, {"frame", "blood", "elsewhere"}, limits),
+                ElementsAre(HasSubstr("blood: a hole of 3 edges around (1 m, 0.666667 m, 0.666667 m), ")));
+    ASSERT_NE(geometry.solid("blood"), nullptr);
+    EXPECT_NEAR(geometry.solid("blood")->volume(), 1, 1e-12);
+    EXPECT_EQ(geometry.surface_set("blood"), nullptr);
+    EXPECT_THAT(text_thrown<UnusableSurface>([&] { repair_solids(geometry, {"wall"}, limits); }),
+                HasSubstr("valve.stl: solid 'wall' is not closed and cannot be repaired: 4 edges with one triangle"));
 }
 
 TEST(Repair, of_a_million_triangles_takes_seconds) {
