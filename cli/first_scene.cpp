@@ -32,6 +32,17 @@ Box box_of(const TriangleSurface& surface) {
     return box;
 }
 
+/// A length as scenes have it; what is as good as 0 beside `size` is 0.
+std::string in_millimetres(double length, double size) {
+    return std::abs(length) < 1e-9 * size ? "0 mm" : fmt::format("{:.9g} mm", 1e3 * length);
+}
+
+/// To two digits.
+double rounded(double value) {
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return std::max(1.0, std::round(value / unit)) * unit;
+}
+
 bool sounds_like_a_fluid(const std::string& name) {
     std::string lower = name;
     std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -77,7 +88,8 @@ class Author {
         text_ += fmt::format("schema = 1\ntitle = \"First scene of {}\"\ndimension = 3\n\n[geometry]\nfile = {}\n",
                              fluid_.name, toml_quoted(file_name()));
         if (unit_given_) text_ += fmt::format("unit = \"{:.17g} m\"\n", geometry_.unit);
-        text_ += fmt::format("\n[particles]\nspacing = \"{:.6g} m\"\n", spacing_) + parts + written_flow() +
+        text_ += fmt::format("\n[particles]\nspacing = \"{}\"\n", in_millimetres(spacing_, 0)) + parts +
+                 written_flow() +
                  fmt::format(
                      "\n[run]\nduration = \"{:.3g} s\"\n\n[output]\nevery = \"{:.3g} s\"\n"
                      "fields = [\"velocity\", \"pressure\"]\n",
@@ -133,6 +145,7 @@ class Author {
         const double count = fluid_.volume() / std::pow(spacing_, 3);
         if (count > most_particles) spacing_ *= std::cbrt(count / most_particles);
         if (periodic_) spacing_ = std::min(spacing_, box_.extent()[axis_] / 4.5);
+        spacing_ = rounded(spacing_);
         assume(fmt::format("{} between particles: {:.3g} across the fluid's smallest extent, {}", length_text(spacing_),
                            across / spacing_, length_text(across)));
         assume("it is water: 1000 kg/m^3, 1 mPa s");
@@ -186,8 +199,8 @@ class Author {
             FaceSelection cap{.name = free_name(high ? "outlet" : "inlet"), .of = fluid_.name};
             const double place = (high ? box_.high : box_.low)[axis_];
             cap.in_plane.at(static_cast<std::size_t>(axis_)) = place;
-            selections += fmt::format("\n[[select]]\nname = \"{}\"\nof = \"{}\"\n{} = \"{:.17g} m\"\n", cap.name,
-                                      fluid_.name, axis_name(), place);
+            selections += fmt::format("\n[[select]]\nname = \"{}\"\nof = \"{}\"\n{} = \"{}\"\n", cap.name, fluid_.name,
+                                      axis_name(), in_millimetres(place, box_.extent().norm()));
             taken.push_back(cap.name);
             asked.push_back(cap);
         }
@@ -216,8 +229,11 @@ class Author {
         return true;
     }
 
-    static std::string written(const Vec& place) {
-        return fmt::format("\"{:.17g} m\", \"{:.17g} m\", \"{:.17g} m\"", place[0], place[1], place[2]);
+    [[nodiscard]] std::string written(const Vec& place) const {
+        std::string list;
+        for (const double x : place)
+            list += (list.empty() ? "\"" : ", \"") + in_millimetres(x, box_.extent().norm()) + "\"";
+        return list;
     }
     static std::string listed(const std::vector<std::string>& names) {
         std::string list;
@@ -235,12 +251,12 @@ class Author {
         if (radius_) {
             const int one = (axis_ + 1) % 3, other = (axis_ + 2) % 3;
             const auto from_centre = [&](int axis) {
-                return fmt::format("({} {} {:.9g} m)^2", "xyz"[axis], centre_[axis] < 0 ? '+' : '-',
-                                   std::abs(centre_[axis]));
+                return fmt::format("({} {} {})^2", "xyz"[axis], centre_[axis] < 0 ? '+' : '-',
+                                   in_millimetres(std::abs(centre_[axis]), box_.extent().norm()));
             };
             start.at(static_cast<std::size_t>(axis_)) =
-                fmt::format("\"{:.4g} m/s * (1 - ({} + {}) / ({:.9g} m)^2)\"", speed_, from_centre(one),
-                            from_centre(other), *radius_);
+                fmt::format("\"{:.4g} m/s * (1 - ({} + {}) / ({})^2)\"", speed_, from_centre(one), from_centre(other),
+                            in_millimetres(*radius_, 0));
             flow += fmt::format("initial_velocity = [{}, {}, {}]\n", start[0], start[1], start[2]);
         }
         return flow;

@@ -16,13 +16,16 @@ using ::testing::HasSubstr;
 class SelectFaces : public testing::DrawingTest {
   protected:
     /// A pipe of radius 1 along x, from 0 to 4.
-    Geometry pipe_ = [this] {
+    void SetUp() override {
+        testing::DrawingTest::SetUp();
         auto options = options_for(write("pipe.geo",
                                          "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 4, 0, 0, 1};\n"
                                          "Physical Volume(\"blood\") = {1};\n"));
         options.chord_error = 0.01;
-        return read_drawing(options);
-    }();
+        pipe_ = read_drawing(options);
+    }
+
+    Geometry pipe_;
 
     double area(const FaceSelection& selection) {
         select_faces(pipe_, {selection});
