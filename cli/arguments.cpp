@@ -58,6 +58,8 @@ class Parser {
         app_.get_formatter()->column_width(26);
         add_run();
         add_mesh();
+        add_inspect();
+        add_new();
         add_convert();
         add_explain();
         add_escape();
@@ -66,6 +68,7 @@ class Parser {
     }
 
     Command read(std::span<const char* const> argv) {
+        if (argv.size() == 2 && std::string_view(argv[1]) == read_drawing_word) return ReadDrawingCommand{};
         try {
             app_.parse(static_cast<int>(argv.size()), argv.data());
         } catch (const CLI::CallForHelp&) {
@@ -79,6 +82,8 @@ class Parser {
         }
         if (*run_app_) return run_;
         if (*mesh_app_) return mesh_;
+        if (*inspect_app_) return inspect_;
+        if (*new_app_) return new_;
         if (*convert_app_) return convert_;
         if (*explain_app_) return explain_;
         if (*escape_app_) return finished(escape_);
@@ -131,6 +136,34 @@ class Parser {
         mesh_app_->footer(
             examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\"",
                                 "mesh cases/vein_valve --particles valve.h5"}));
+    }
+
+    void add_inspect() {
+        inspect_app_ = app_.add_subcommand("inspect", "What a drawing holds: parts, sizes, unit, closed or not");
+        inspect_app_->add_option("FILE", inspect_.file, "A CAD file, a mesh or a gmsh script (docs/cad.md)")
+            ->required()
+            ->type_name("");
+        add_unit(*inspect_app_, inspect_.unit);
+        inspect_app_->add_flag("--json", inspect_.json, "Say it in JSON, for programs");
+        inspect_app_->footer(
+            examples(program_, {"inspect stent.step", "inspect artery.stl --unit mm", "inspect valve.geo --json"}));
+    }
+
+    void add_new() {
+        new_app_ = app_.add_subcommand("new", "Make a first scene for a drawing, which runs");
+        new_app_->add_option("NAME", new_.folder, "The folder to make, for the scene and the drawing")
+            ->required()
+            ->type_name("");
+        new_app_->add_option("--from", new_.drawing, "The drawing: any file that 'inspect' reads")
+            ->required()
+            ->type_name("FILE");
+        add_unit(*new_app_, new_.unit);
+        new_app_->footer(examples(program_, {"new my_pipe --from pipe.step", "new my_pipe --from pipe.stl --unit mm"}));
+    }
+
+    static void add_unit(CLI::App& app, std::string& unit) {
+        app.add_option("--unit", unit, "Length of one unit of the drawing, e.g. mm, where the file does not say it")
+            ->type_name("LENGTH");
     }
 
     void add_convert() {
@@ -285,6 +318,8 @@ class Parser {
         std::string text = error.what();
         if (text.starts_with("SCENE is required")) return "a scene is missing";
         if (text.starts_with("DIR is required")) return "a folder is missing";
+        if (text.starts_with("FILE is required")) return "a drawing is missing";
+        if (text.starts_with("NAME is required")) return "a name for the new folder is missing";
         if (text.starts_with("SCENE|KEY is required")) return "a scene or a key is missing";
         return text;
     }
@@ -317,12 +352,16 @@ class Parser {
     CLI::App app_;
     CLI::App* run_app_ = nullptr;
     CLI::App* mesh_app_ = nullptr;
+    CLI::App* inspect_app_ = nullptr;
+    CLI::App* new_app_ = nullptr;
     CLI::App* convert_app_ = nullptr;
     CLI::App* explain_app_ = nullptr;
     CLI::App* escape_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
     RunCommand run_;
     MeshCommand mesh_;
+    InspectCommand inspect_;
+    NewCommand new_;
     ConvertCommand convert_;
     ExplainCommand explain_;
     EscapeCommand escape_;

@@ -38,6 +38,16 @@ int execute(const MeshCommand& /*command*/) {
         "Make them on a workstation, with --particles FILE.h5, and run them here: dmp run SCENE --particles FILE.h5");
 }
 
+int execute(const InspectCommand& /*command*/) {
+    refuse("cannot read drawings", "Look at them on a workstation: dmp inspect FILE");
+}
+
+int execute(const NewCommand& /*command*/) {
+    refuse("cannot read drawings", "Make the scene on a workstation: dmp new NAME --from FILE");
+}
+
+int execute(const ReadDrawingCommand& /*command*/) { refuse("cannot read drawings", "Do so on a workstation."); }
+
 int execute(const ConvertCommand& /*command*/) {
     refuse("cannot write ParaView's files", "Copy the run's folder to a workstation and convert it there.");
 }

@@ -67,6 +67,24 @@ struct EscapeCommand {
     double carrier_poisson_ratio = 0.24, particle_poisson_ratio = 0.3;
 };
 
+/// `dmp inspect`: what a drawing holds (docs/cad.md).
+struct InspectCommand {
+    std::string file;
+    std::string unit;   ///< length of one unit of the drawing, "mm" or "1 mm"; empty: what the file says
+    bool json = false;  ///< for programs
+};
+
+/// `dmp new`: a first scene for a drawing, which runs (docs/cad.md).
+struct NewCommand {
+    std::string folder;   ///< to make
+    std::string drawing;  ///< goes there, too
+    std::string unit;     ///< as for `dmp inspect`
+};
+
+/// What dmp starts itself with to read a drawing in another process (geometry/drawing_child.hpp); no help tells of it.
+struct ReadDrawingCommand {};
+inline constexpr const char* read_drawing_word = "read-drawing";
+
 /// `dmp doctor`: is this machine all right?
 struct DoctorCommand {};
 
@@ -75,12 +93,15 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, MeshCommand, ConvertCommand, ExplainCommand, EscapeCommand, DoctorCommand, PrintCommand>;
+using Command = std::variant<RunCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, ExplainCommand,
+                             EscapeCommand, DoctorCommand, ReadDrawingCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
 int execute(const MeshCommand& command);
+int execute(const InspectCommand& command);
+int execute(const NewCommand& command);
+int execute(const ReadDrawingCommand& command);
 int execute(const ConvertCommand& command);
 int execute(const ExplainCommand& command);
 int execute(const EscapeCommand& command);

@@ -2,34 +2,19 @@
 #include "cli/mesh_drawing.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
+#include "cli/commands.hpp"
 #include "cli/text.hpp"
-#include "geometry/geometry.hpp"
+#include "geometry/drawing_child.hpp"
+#include "geometry/triangle_file.hpp"
+#include "mesher/drawing_of.hpp"
 #include "mesher/mesh_spheres.hpp"
 
 namespace dmp::cli {
 
 namespace {
-
-/// Polylines follow the drawing's curves this closely [spacings].
-constexpr double chord_error_in_spacings = 1e-3;
-
-DrawingOptions drawing_of(const Scene& scene) {
-    const std::filesystem::path file = *scene.geometry.file;
-    DrawingOptions options;
-    options.file = file.is_absolute() ? file.string() : (std::filesystem::path(scene.directory) / file).string();
-    options.unit = scene.geometry.unit;
-    options.chord_error = chord_error_in_spacings * scene.particles.spacing;
-    options.place = scene.geometry.file.place;
-    for (const auto& [name, value] : scene.geometry.parameters) {
-        options.parameters[name] = value;
-        options.parameter_places[name] = value.place;
-    }
-    return options;
-}
 
 std::string springs_text(const MeshReport::SpringLine& line) {
     const std::string corners = line.cross_stiffness > 0 ? "k_c " + quantity_text(line.cross_stiffness, "N/m")
@@ -47,8 +32,19 @@ std::string springs_text(const MeshReport::SpringLine& line) {
 
 }  // namespace
 
+Geometry read_drawing_of_a_stranger(const DrawingOptions& options) {
+    return read_drawing_apart(options, {.command = {"/proc/self/exe", read_drawing_word}});
+}
+
+int execute(const ReadDrawingCommand& /*command*/) { return answer_drawing_request(); }
+
 MeshResult mesh_drawing(const Scene& scene) {
-    return is_of_spheres(scene) ? mesh_spheres(scene) : mesh(read_drawing(drawing_of(scene)), scene);
+    if (is_of_spheres(scene)) return mesh_spheres(scene);
+    const Geometry geometry = read_drawing_of_a_stranger(drawing_of(scene));
+    MeshResult result = mesh(geometry, scene);
+    if (is_triangle_file(geometry.file))  // what was changed in it
+        result.report.notes.insert(result.report.notes.end(), geometry.warnings.begin(), geometry.warnings.end());
+    return result;
 }
 
 MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail) {

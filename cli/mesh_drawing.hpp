@@ -2,9 +2,14 @@
 #pragma once
 
 #include "cli/prepare.hpp"
+#include "geometry/geometry.hpp"
 #include "mesher/inspect.hpp"
+#include "mesher/mesh.hpp"
 
 namespace dmp::cli {
+
+/// Reads a drawing; what others' programs parse in a process of its own, which is this program once more.
+[[nodiscard]] Geometry read_drawing_of_a_stranger(const DrawingOptions& options);
 
 /// From a scene's drawing, or its spheres, to particles and the report on them. Throws InputError.
 [[nodiscard]] MeshResult mesh_drawing(const Scene& scene);

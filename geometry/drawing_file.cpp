@@ -54,7 +54,12 @@ bool is_cad_file(const std::string& file) {
 
 bool states_its_unit(const std::string& file) {
     const std::string extension = extension_of(file);
-    return extension == ".step" || extension == ".stp" || extension == ".iges" || extension == ".igs";
+    return extension == ".step" || extension == ".stp" || is_iges_file(file);
+}
+
+bool is_iges_file(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".iges" || extension == ".igs";
 }
 
 bool needs_a_unit(const std::string& file) {

@@ -13,6 +13,8 @@ namespace dmp {
 /// Whether a drawing is of OpenCASCADE's formats (STEP, IGES, BREP), by its extension.
 [[nodiscard]] bool is_cad_file(const std::string& file);
 
+[[nodiscard]] bool is_iges_file(const std::string& file);
+
 /// Whether the format states its unit: STEP and IGES.
 [[nodiscard]] bool states_its_unit(const std::string& file);
 

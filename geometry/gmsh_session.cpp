@@ -145,11 +145,14 @@ void check_parameters(const DrawingOptions& options, const std::map<std::string,
 
 /// In millimetres, whatever the file's unit: OpenCASCADE's tolerances (1e-7) are made for such numbers, and parts of a
 /// millimetre in metres would come near them.
-void prepare_for_cad() {
-    gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
+void prepare_for_cad(const std::string& file) {
+    const bool loose = is_iges_file(file);
+    // For IGES millimetres are OpenCASCADE's own choice, and gmsh 4.8 cannot set them.
+    gmsh::option::setString("Geometry.OCCTargetUnit", loose ? "" : "MM");
     gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
-    gmsh::option::setNumber("Geometry.OCCSewFaces", 1);  // bodies that were written as loose faces
-    gmsh::option::setNumber("Geometry.OCCMakeSolids", 1);
+    // IGES files have loose faces, as a rule. Elsewhere sewing would make one body of several and lose their names.
+    gmsh::option::setNumber("Geometry.OCCSewFaces", loose ? 1 : 0);
+    gmsh::option::setNumber("Geometry.OCCMakeSolids", loose ? 1 : 0);
 }
 
 }  // namespace
@@ -164,7 +167,7 @@ std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options) {
         session.reset();
         session = std::make_unique<GmshSession>();
         for (const auto& [name, value] : known) gmsh::onelab::setNumber(name, {value});
-        if (is_cad_file(options.file)) prepare_for_cad();
+        if (is_cad_file(options.file)) prepare_for_cad(options.file);
         gmsh::open(options.file);
         offered = offered_constants();
         more = false;

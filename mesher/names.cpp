@@ -33,9 +33,11 @@ std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
     const std::string found = kind_in_drawing(geometry, name);
     const auto names = geometry.names();
     const std::string near = nearest_name(name.value, names);
+    const SurfaceSet* set = geometry.surface_set(name);
+    const std::string why = set != nullptr && !set->why_open.empty() ? "; " + set->why_open : "";
     const std::string problem =
         found.empty() ? "the drawing has nothing named '" + name.value + "'"
-                      : "'" + name.value + "' is " + found + " in the drawing, but " + wanted + " is needed here";
+                      : "'" + name.value + "' is " + found + " in the drawing, but " + wanted + " is needed here" + why;
     throw InputError(name.place, problem + " (" + geometry.file + ")",
                      "it names " + quoted_list(names) +
                          (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
@@ -97,6 +99,7 @@ void need_in_space(const Geometry& geometry, const Part& part) {
 
 void check_names(const Geometry& geometry, const Scene& scene) {
     std::set<std::string> used;
+    for (const Selection& selection : scene.selections) used.insert({*selection.name, *selection.of});
     for (const Part& part : scene.parts) {
         used.insert(part.name);
         if (!part.anchor->empty()) used.insert(part.anchor);

@@ -327,10 +327,39 @@ void check_measure(const Scene& scene, const Measure& measure) {
                                      : "did you mean '" + nearest + "'?");
 }
 
+/// Faces are selected in space, by something.
+void check_selection(const Scene& scene, const Selection& selection) {
+    const std::string name = "selection '" + *selection.name + "'";
+    if (scene.dimension == 2)
+        throw InputError(selection.name.place, name + ": faces are selected in space only",
+                         "write dimension = 3, or name the curves in the drawing");
+    if (selection.from.given() != selection.to.given())
+        throw InputError(first_known(scene, {&selection.from.place, &selection.to.place}),
+                         name + " has one corner of a box only", "give from and to");
+    const bool by_place = selection.x.given() || selection.y.given() || selection.z.given() || selection.from.given();
+    if (!by_place && !selection.normal.given() && !selection.except.given())
+        throw InputError(selection.name.place, name + " does not say which faces",
+                         "give a plane (x, y or z), a box (from and to), a normal, or except");
+    if (selection.angle.given() && !selection.normal.given())
+        throw InputError(selection.angle.place, name + " has an angle, and no normal that it is from", "give normal");
+    for (const std::string& other : *selection.except) {
+        bool known = false;
+        for (const Selection& one : scene.selections) {
+            if (&one == &selection) break;
+            known = known || *one.name == other;
+        }
+        if (known) continue;
+        throw InputError(selection.except.place, name + ": there is no selection '" + other + "' before it",
+                         "give [[select]] of '" + other + "' first, or correct the name");
+    }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
+    refuse_equal_names(scene.selections, "select");
+    for (const auto& selection : scene.selections) check_selection(scene, selection);
     refuse_equal_names(scene.species, "species");
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");

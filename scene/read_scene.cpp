@@ -184,6 +184,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
         read_key(scene, key, document.find(key.facts.path), key.facts.path, table,
                  *scene.quality);  // the quality itself comes before what depends on it
     }
+    scene.selections = read_items(document, "select", schema().select, *scene.quality);
     scene.parts = read_items(document, "part", schema().part, *scene.quality);
     scene.species = read_items(document, "species", schema().species, *scene.quality);
     scene.contact_pairs = read_items(document, "contact_pair", schema().contact_pair, *scene.quality);

@@ -303,6 +303,19 @@ struct Breaking {
     Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
 };
 
+/// [[select]]: faces of a drawing in space by where they lie, for what the drawing gives no name. All that is given
+/// must hold at once.
+struct Selection {
+    Value<std::string> name;                 ///< of the surface that they make up
+    Value<std::string> of;                   ///< the drawing's volume or surface whose faces they are
+    Value<double> x, y, z;                   ///< if given: they lie in this plane [m]
+    Value<Vec> from{Vec::Zero()};            ///< if given: they lie in a box with this corner [m]
+    Value<Vec> to{Vec::Zero()};              ///< and the opposite one [m]
+    Value<Vec> normal{Vec::Zero()};          ///< if given: where they face, any length
+    Value<double> angle = 0.0;               ///< largest one between `normal` and where a face faces [rad]
+    Value<std::vector<std::string>> except;  ///< if given: they are in none of these selections
+};
+
 /// [[region]]: a box along the axes, whose residence time is followed.
 struct ResidenceRegion {
     Value<std::string> name;
@@ -322,10 +335,11 @@ struct Scene {
 
     struct {
         Value<std::string> file;   ///< the drawing, absolute or relative to `directory`
-        Value<double> unit = 1.0;  ///< one unit of the drawing [m]
+        Value<double> unit = 1.0;  ///< one unit of the drawing [m]; drawings without a unit need it given
         /// DefineConstant names -> values in the drawing's own units (lengths already divided by `unit`).
         std::map<std::string, Value<double>> parameters;
     } geometry;
+    std::vector<Selection> selections;
 
     struct {
         Value<double> spacing;  ///< particle spacing [m]

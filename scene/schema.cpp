@@ -39,10 +39,28 @@ std::vector<Key<Geometry>> geometry_keys() {
     return {
         {"file", &Geometry::file, text_not_empty(), not_given,
          "The drawing, beside the scene file or with its full path; scenes of spheres and their walls have none."},
-        {"unit", &Geometry::unit, quantity("1 mm", positive), "1 m", "Length of one unit of the drawing."},
+        {"unit", &Geometry::unit, quantity("1 mm", positive), "1 m",
+         "Length of one unit of the drawing. STL, OBJ, PLY, OFF and BREP files do not say it: the scene must; STEP and IGES "
+         "files do, and it is left out."},
         {"parameters", {}, &Geometry::parameters, [](const Geometry& geometry) { return parameters(geometry.unit); },
          parameters(1).description, "{}",
          "Values for the drawing's DefineConstant names; lengths are turned into the drawing's unit, angles into radians."},
+    };
+}
+
+std::vector<Key<Selection>> select_keys() {
+    return {
+        {"name", &Selection::name, name(), required, "What the selected faces are called, for a part of this name."},
+        {"of", &Selection::of, name(), required, "The volume or surface of the drawing whose faces they are."},
+        {"x", &Selection::x, quantity("2 mm"), not_given, "Faces that lie in the plane of this x."},
+        {"y", &Selection::y, quantity("2 mm"), not_given, "Faces that lie in the plane of this y."},
+        {"z", &Selection::z, quantity("2 mm"), not_given, "Faces that lie in the plane of this z."},
+        {"from", &Selection::from, point(), not_given, "One corner of a box along the axes that the faces lie in."},
+        {"to", &Selection::to, point(), not_given, "The opposite corner."},
+        {"normal", &Selection::normal, direction(), not_given, "Faces that face this way, out of the body."},
+        {"angle", &Selection::angle, quantity("30 deg", Range{0, 3.15, true, {}}), "10 deg",
+         "How far from the normal they may face."},
+        {"except", &Selection::except, names(), not_given, "Faces that are in none of these selections; with nothing else: all the others."},
     };
 }
 
@@ -55,7 +73,7 @@ std::vector<Key<Particles>> particles_keys() {
          "face-centred cubic, \"fcc\"."},
         {"fill", &Particles::fill, word_of<FillKind>(), "lattice",
          "\"relaxed\" moves particles off the lattice until they follow the surfaces of a drawing in space, those of walls "
-         "too; arrangement is then where they start from, and \"fcc\" the best start."},
+         "too; arrangement is then where they start from, and \"square\" a good start."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
          "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
         {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements, and the places of spheres."},
@@ -385,6 +403,7 @@ Schema whole_schema() {
     add_section(schema.scene, "output", &Scene::output, output_keys());
     auto parts = part_keys();
     for (auto& row : sphere_part_keys()) parts.push_back(std::move(row));
+    schema.select = each_item("select", select_keys());
     schema.part = each_item("part", std::move(parts));
     schema.species = each_item("species", species_keys());
     schema.contact_pair = each_item("contact_pair", contact_pair_keys());
@@ -405,8 +424,8 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"part",   "species", "contact_pair", "force", "moving_shape",
-                                                "region", "measure", "solidify",     "break"};
+    static const std::vector<std::string> names{"select",       "part",   "species", "contact_pair", "force",
+                                                "moving_shape", "region", "measure", "solidify",     "break"};
     return names;
 }
 
@@ -414,6 +433,8 @@ std::vector<KeyFacts> Schema::facts() const {
     std::vector<KeyFacts> facts;
     const auto section_of = [&](const std::string& path) { return path.substr(0, path.find('.')); };
     for (const auto& key : scene) {
+        if (section_of(key.facts.path) == "particles" && section_of(facts.back().path) == "geometry")
+            for (const auto& select_key : select) facts.push_back(select_key.facts);
         if (section_of(key.facts.path) == "box" && section_of(facts.back().path) == "particles") {
             for (const auto& part_key : part)
                 facts.push_back(part_key.facts);  // after [particles], as scenes are written

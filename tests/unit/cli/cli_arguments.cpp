@@ -108,6 +108,26 @@ TEST(Arguments, MeshConvertExplainAndDoctor) {
     EXPECT_TRUE(std::holds_alternative<DoctorCommand>(read({"doctor"})));
 }
 
+TEST(Arguments, InspectAndNewTakeADrawingAndItsUnit) {
+    const auto inspect = std::get<InspectCommand>(read({"inspect", "a.stl", "--unit", "mm", "--json"}));
+    EXPECT_EQ(inspect.file, "a.stl");
+    EXPECT_EQ(inspect.unit, "mm");
+    EXPECT_TRUE(inspect.json);
+    EXPECT_FALSE(std::get<InspectCommand>(read({"inspect", "a.step"})).json);
+    const auto made = std::get<NewCommand>(read({"new", "pipe", "--from", "a.stl"}));
+    EXPECT_EQ(made.folder, "pipe");
+    EXPECT_EQ(made.drawing, "a.stl");
+    EXPECT_EQ(made.unit, "");
+    EXPECT_EQ(error_of({"inspect"}).problem(), "a drawing is missing");
+    EXPECT_EQ(error_of({"new", "--from", "a.stl"}).problem(), "a name for the new folder is missing");
+    EXPECT_THAT(error_of({"new", "pipe"}).problem(), HasSubstr("--from"));
+}
+
+TEST(Arguments, TheReaderOfDrawingsIsNoCommandToSee) {
+    EXPECT_TRUE(std::holds_alternative<ReadDrawingCommand>(read({"read-drawing"})));
+    EXPECT_THAT(text_of({"--help"}), testing::Not(HasSubstr("read-drawing")));
+}
+
 TEST(Arguments, UnknownCommandNamesTheNearest) {
     const auto error = error_of({"explian", "x"});
     EXPECT_EQ(error.problem(), "there is no command 'explian'");
@@ -118,7 +138,8 @@ TEST(Arguments, UnknownCommandNamesTheNearest) {
 TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
-    EXPECT_THAT(error.what_to_do(), HasSubstr("'run', 'mesh', 'convert', 'explain', 'escape' and 'doctor'"));
+    EXPECT_THAT(error.what_to_do(),
+                HasSubstr("'run', 'mesh', 'inspect', 'new', 'convert', 'explain', 'escape' and 'doctor'"));
 }
 
 TEST(Arguments, UnknownOptionNamesTheNearest) {
@@ -154,7 +175,7 @@ TEST(Arguments, UnknownVectorUnitNamesTheKnownOnes) {
 
 TEST(Arguments, HelpShowsCommandsExamplesAndExitCodes) {
     const std::string help = text_of({"--help"});
-    for (const char* word : {"run", "mesh", "convert", "explain", "escape", "doctor",
+    for (const char* word : {"run", "mesh", "inspect", "new", "convert", "explain", "escape", "doctor",
                              "Examples:", "dmp run cases/vein_valve", "Exit codes:"}) {
         EXPECT_THAT(help, HasSubstr(word));
     }

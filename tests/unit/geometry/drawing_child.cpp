@@ -18,7 +18,12 @@ using ::testing::HasSubstr;
 
 class DrawingChildren : public testing::DrawingTest {
   protected:
-    const std::string drawing_ = write("d.geo", testing::unit_square + "Physical Surface(\"water\") = {1};\n");
+    void SetUp() override {
+        testing::DrawingTest::SetUp();
+        drawing_ = write("d.geo", testing::unit_square + "Physical Surface(\"water\") = {1};\n");
+    }
+
+    std::string drawing_;
 
     /// What comes of a child that runs this shell command.
     [[nodiscard]] std::string fault(const std::string& command, double seconds = 20) const {

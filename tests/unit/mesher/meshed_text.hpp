@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/drawing_of.hpp"
 #include "mesher/mesh.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
@@ -23,12 +24,8 @@ inline Meshed mesh_file(const std::string& file, const std::vector<std::string>&
     Meshed meshed;
     meshed.scene = read_scene(file, overrides);
     const Scene& scene = meshed.scene;
-    DrawingOptions options;
-    options.file = (std::filesystem::path(scene.directory) / *scene.geometry.file).lexically_normal().string();
-    options.unit = scene.geometry.unit;
-    options.chord_error = 1e-3 * scene.particles.spacing;
-    options.place = scene.geometry.file.place;
-    for (const auto& [name, value] : scene.geometry.parameters) options.parameters[name] = value;
+    DrawingOptions options = drawing_of(scene);
+    options.file = std::filesystem::path(options.file).lexically_normal().string();
     meshed.geometry = read_drawing(options);
     MeshResult result = mesh(meshed.geometry, scene);
     meshed.particles = std::move(result.particles);

@@ -364,7 +364,8 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a length for unit"},
         Fault{"unknown_table", "[run]", "[foo]\n[run]",
               "scene.toml:30:2: unknown key 'foo'\n"
-              "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
+              "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [[select]], "
+              "[particles], "
               "[[part]], [[contact_pair]], [box], "
               "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
               "[[measure]], [[solidify]], [[break]]"}}),

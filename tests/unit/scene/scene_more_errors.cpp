@@ -42,10 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'part' in [[measure]]?"},
         Fault{"path_into_a_value", "particles.spacing.x=1", "",
               "--set particles.spacing.x=1: unknown key 'particles.spacing.x'\n"
-              "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [particles], "
-              "[[part]], [[contact_pair]], [box], "
-              "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
-              "[[measure]], [[solidify]], [[break]]"},
+              "  did you mean 'x' in [[select]]?"},
         Fault{"fault_inside_a_formula", "flow.acceleration=[\"1 m/s^2 * sin(t)\"]", "",
               "--set flow.acceleration=[\"1 m/s^2 * sin(t)\"]: sin is given a time, expected a plain number in \"1 "
               "m/s^2 * sin(t)\"\n"

@@ -88,7 +88,7 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(
         fault_of("zzz"),
         "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
-        "[geometry], [particles], "
+        "[geometry], [[select]], [particles], "
         "[[part]], [[contact_pair]], [box], [flow], [contact], [accuracy], [run], [output], [[species]], [[force]], "
         "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
 }

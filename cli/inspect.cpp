@@ -1,0 +1,20 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.hpp"
+#include "cli/drawing_report.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/prepare.hpp"
+#include "cli/terminal.hpp"
+#include "geometry/drawing_file.hpp"
+
+namespace dmp::cli {
+
+int execute(const InspectCommand& command) {
+    refuse_several_ranks();
+    const DrawingOptions options = drawing_options(command.file, command.unit);
+    const Geometry geometry = read_to_look_at(options);
+    const bool unit_known = options.unit.has_value() || !needs_a_unit(options.file);
+    print(command.json ? drawing_json(geometry, unit_known) : drawing_text(geometry, unit_known));
+    return exit_done;
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,55 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/safe_file.hpp"
+#include "cli/commands.hpp"
+#include "cli/drawing_report.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/first_scene.hpp"
+#include "cli/prepare.hpp"
+#include "cli/terminal.hpp"
+#include "geometry/drawing_file.hpp"
+#include "geometry/triangle_drawing.hpp"
+#include "scene/read_scene.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void refuse_what_is_there(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::exists(folder, error) || (fs::is_directory(folder, error) && fs::is_empty(folder, error))) return;
+    throw InputError({folder.string(), 0, 0}, "there is something of this name already",
+                     "Give the new scene another name; nothing is overwritten.");
+}
+
+}  // namespace
+
+int execute(const NewCommand& command) {
+    refuse_several_ranks();
+    const fs::path folder = command.folder;
+    refuse_what_is_there(folder);
+    const DrawingOptions options = drawing_options(command.drawing, command.unit);
+    const Geometry geometry = read_to_look_at(options);
+    if (needs_a_unit(options.file) && !options.unit) throw missing_unit(options, geometry.box);
+    const FirstScene first = first_scene(geometry, options.unit.has_value());
+
+    make_folder(folder);
+    const fs::path scene = folder / "scene.toml";
+    std::error_code error;
+    fs::copy_file(command.drawing, folder / fs::path(command.drawing).filename(), error);
+    if (error) throw_write_error(folder / fs::path(command.drawing).filename(), error.message());
+    write_file(scene, first.text);
+    (void)read_scene(scene.string(), {});
+    std::string text = Style(Stream::output).strong(scene.string()) + " assumes:\n";
+    for (const std::string& assumption : first.assumptions) text += "  - " + assumption + "\n";
+    print(text +
+          fmt::format("\nNext: dmp mesh {0}\n      dmp run {0} --dry-run\n      dmp run {0}\n", folder.string()));
+    return exit_done;
+}
+
+}  // namespace dmp::cli

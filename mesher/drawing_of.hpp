@@ -1,0 +1,14 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/geometry.hpp"
+#include "scene/scene.hpp"
+
+namespace dmp {
+
+/// What a scene asks of its drawing: the file, its unit where the scene gives it, parameters and selections. Curves in
+/// the plane are followed to a thousandth of a spacing, surfaces in space to a two-hundredth: their triangles grow with
+/// the inverse of that.
+[[nodiscard]] DrawingOptions drawing_of(const Scene& scene);
+
+}  // namespace dmp

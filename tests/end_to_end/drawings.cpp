@@ -1,0 +1,123 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// `dmp inspect` and `dmp new`, and drawings that another process reads.
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace {
+
+using namespace dmp::end_to_end;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A tube of 4 x 1 x 1 along x with eight sides, closed, as OBJ.
+std::string tube(double scale = 1) {
+    std::string text;
+    const double c = 0.5, s = 0.353553390593;
+    const double ring[8][2] = {{c, 0}, {s, s}, {0, c}, {-s, s}, {-c, 0}, {-s, -s}, {0, -c}, {s, -s}};
+    for (const double x : {0.0, 4.0})
+        for (const auto& [y, z] : ring)
+            text += "v " + std::to_string(scale * x) + " " + std::to_string(scale * y) + " " +
+                    std::to_string(scale * z) + "\n";
+    text += "f 8 7 6 5 4 3 2 1\nf 9 10 11 12 13 14 15 16\n";
+    for (int k = 1; k <= 8; ++k) {
+        const int next = k % 8 + 1;
+        text += "f " + std::to_string(k) + " " + std::to_string(next) + " " + std::to_string(next + 8) + " " +
+                std::to_string(k + 8) + "\n";
+    }
+    return text;
+}
+
+class Drawings : public testing::Test {
+  protected:
+    [[nodiscard]] Outcome dmp(const std::vector<std::string>& words, const Surroundings& with = {}) const {
+        return run_dmp(folder_.path(), words, with);
+    }
+    /// A STEP file of a round pipe, 3 mm long and 1 mm wide, made by gmsh in its own process.
+    void write_step() const {
+        folder_.write("export.geo",
+                      "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 3, 0, 0, 0.5};\n"
+                      "Physical Volume(\"pipe\") = {1};\nSave \"pipe.step\";\n");
+        EXPECT_EQ(dmp({"inspect", "export.geo"}).code, 0);
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Drawings, InspectTellsPartsSizesAndThatTheUnitIsUnknown) {
+    folder_.write("tube.obj", tube());
+    Outcome shown = dmp({"inspect", "tube.obj"});
+    EXPECT_EQ(shown.code, 0) << shown.errors;
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("unknown: the file does not say it"),
+                                    HasSubstr("4 x 1 x 1 m, 4 x 1 x 1 mm or 4 x 1 x 1 um"),
+                                    HasSubstr("tube  solid, watertight, 2.8284 units^3"), HasSubstr("28 triangles")));
+    shown = dmp({"inspect", "tube.obj", "--unit", "mm"});
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("1 mm, as given"), HasSubstr("2.8284 mm^3")));
+    shown = dmp({"inspect", "tube.obj", "--unit", "0.5 mm", "--json"});
+    const auto json = nlohmann::json::parse(shown.output);
+    EXPECT_EQ(json["unit"]["metres"], 5e-4);
+    EXPECT_EQ(json["parts"][0]["name"], "tube");
+    EXPECT_EQ(json["parts"][0]["watertight"], true);
+    EXPECT_NEAR(json["parts"][0]["volume"].get<double>(), 2.8284e-9 / 8, 1e-13);
+    EXPECT_TRUE(nlohmann::json::parse(dmp({"inspect", "tube.obj", "--json"}).output)["unit"].is_null());
+}
+
+TEST_F(Drawings, WhatIsWrongIsSaidInOneMessage) {
+    folder_.write("broken.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.");
+    folder_.write("nan.obj", "v nan 0 0\n");
+    for (const auto& [words, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"inspect", "none.step"}, "the drawing 'none.step' does not exist"},
+             {{"inspect", "."}, "the drawing '.' is a folder"},
+             {{"inspect", "broken.step"}, "broken.step"},
+             {{"inspect", "nan.obj"}, "nan.obj:1:1: corner 1 is not finite"},
+             {{"inspect", "nan.obj", "--unit", "s"}, "--unit"},
+             {{"inspect", "nan.obj", "--unit", "-1 mm"}, "'-1 mm' is no length of a unit"}}) {
+        const Outcome outcome = dmp(words);
+        EXPECT_EQ(outcome.code, 2) << outcome.output;
+        EXPECT_THAT(outcome.errors, HasSubstr(says));
+        EXPECT_EQ(outcome.output, "");
+    }
+}
+
+TEST_F(Drawings, ANewSceneOfAStepFileRunsAsItIs) {
+    write_step();
+    const Outcome made = dmp({"new", "my_pipe", "--from", "pipe.step"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output,
+                AllOf(HasSubstr("'pipe' is the fluid: the only body"), HasSubstr("it is water"),
+                      HasSubstr("what leaves along x comes in again"),
+                      HasSubstr("it starts from the parabolic profile"), HasSubstr("Next: dmp mesh my_pipe")));
+    EXPECT_THAT(folder_.read("my_pipe/scene.toml"), HasSubstr("except = [\"inlet\", \"outlet\"]"));
+    const Outcome run = dmp({"run", "my_pipe", "--until", "0.5 ms", "--set", "particles.spacing=\"0.1 mm\"", "--set",
+                             "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("Done"));
+    const Outcome again = dmp({"new", "my_pipe", "--from", "pipe.step"});
+    EXPECT_EQ(again.code, 2);
+    EXPECT_THAT(again.errors, HasSubstr("there is something of this name already"));
+}
+
+TEST_F(Drawings, ANewSceneOfTrianglesNeedsTheirUnit) {
+    folder_.write("tube.obj", tube());
+    const Outcome refused = dmp({"new", "my_tube", "--from", "tube.obj"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("4 x 1 x 1 mm"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "my_tube"));
+    ASSERT_EQ(dmp({"new", "my_tube", "--from", "tube.obj", "--unit", "mm"}).code, 0);
+    const Outcome run = dmp({"run", "my_tube", "--until", "0.5 ms", "--set", "particles.spacing=\"0.1 mm\"", "--set",
+                             "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
+TEST_F(Drawings, AClosedBodyBecomesABasinAtRest) {
+    folder_.write("ball.geo",
+                  "SetFactory(\"OpenCASCADE\");\nSphere(1) = {0, 0, 0, 0.001};\nPhysical Volume(\"b\") = {1};\n");
+    const Outcome made = dmp({"new", "ball", "--from", "ball.geo"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output, HasSubstr("it is enclosed, at rest and not driven"));
+    const Outcome run = dmp({"run", "ball", "--until", "0.5 ms", "--set", "particles.spacing=\"0.2 mm\"", "--set",
+                             "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
+}  // namespace
