@@ -229,8 +229,8 @@ TEST(BentChannelMesh, IsSoundOnAllArrangements) {
     }
 }
 
-TEST(HeartValveMesh, AtItsOwnSpacing) {
-    const Meshed meshed = mesh_case("heart_valve");
+TEST(HeartValveMesh, AtHalfItsSpacing) {
+    const Meshed meshed = mesh_case("heart_valve", {"particles.spacing=0.5 mm"});
     expect_a_sound_mesh(meshed, "blood", 4);
     expect_two_clamped_leaflets(meshed, 33);
     const auto& set = meshed.particles;
@@ -241,7 +241,7 @@ TEST(HeartValveMesh, AtItsOwnSpacing) {
     EXPECT_EQ(set.box.high[0], 0.0525);
 }
 
-TEST(HeartValveMesh, AtHalfTheSpacingHasTheParticlesOfThePublishedOne) {
+TEST(HeartValveMesh, AtAQuarterHasTheParticlesOfThePublishedOne) {
     const Meshed meshed =
         mesh_case("heart_valve", {"particles.spacing=0.25 mm", "geometry.parameters.leaflet_length=16.75 mm"});
     const ParticleSet& set = meshed.particles;
