@@ -250,8 +250,7 @@ class Ladder {
                         text_in_space(surface_.corners[static_cast<std::size_t>(sides[0].high)]);
         });
         std::ranges::sort(bad);
-        const auto repeated = std::ranges::unique(bad);
-        bad.erase(repeated.begin(), repeated.end());
+        bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
         const EdgeCounts counts = count_edges(surface_);
         std::string problem = "is not closed and cannot be repaired: " + std::to_string(counts.open) +
                               " edges with one triangle, " + std::to_string(counts.many_fold) +

@@ -40,8 +40,7 @@ std::vector<Junction> junctions(const TriangleSurface& surface, const std::vecto
         ends.push_back(edge.high);
     }
     std::ranges::sort(ends);
-    const auto repeated = std::ranges::unique(ends);
-    ends.erase(repeated.begin(), repeated.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     const TriangleTree tree(edges);
     std::vector<Junction> found;
     const Vec margin = Vec::Constant(distance);

@@ -102,7 +102,8 @@ std::size_t separate_closed_pieces(TriangleSurface& surface) {
             if (known == number) return;
             const auto [copy, is_new] = copies.try_emplace(corner, static_cast<int>(surface.corners.size()));
             if (is_new) {
-                surface.corners.push_back(Vec(surface.corners[static_cast<std::size_t>(corner)]));
+                const Vec place = surface.corners[static_cast<std::size_t>(corner)];
+                surface.corners.push_back(place);
                 owner.push_back(number);
             }
             corner = copy->second;
@@ -118,8 +119,7 @@ TriangleSurface part_of(const TriangleSurface& surface, const std::vector<int>& 
     for (const int t : triangles)
         for (const int corner : surface.triangles[static_cast<std::size_t>(t)]) used.push_back(corner);
     std::ranges::sort(used);
-    const auto repeated = std::ranges::unique(used);
-    used.erase(repeated.begin(), repeated.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
     TriangleSurface part;
     for (const int corner : used) part.corners.push_back(surface.corners[static_cast<std::size_t>(corner)]);
     for (const int t : triangles)

@@ -87,6 +87,7 @@ std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scen
                                      part->name.value + ": a thickness", ends_on_walls));
     }
     std::vector<WindingNumber> in_body;
+    in_body.reserve(bodies.size());
     for (const TriangleSurface* body : bodies) in_body.emplace_back(*body);
     for (const Part* part : scene.parts_of(PartKind::fluid)) {
         TriangleSurface around = geometry.solid(part->name)->surface;
