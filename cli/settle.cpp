@@ -70,10 +70,12 @@ Scene at_rest(Scene scene, double sound_speed) {
 }  // namespace
 
 MeshReport::RestLine settle(const Scene& scene, const ParticleSet& particles, long steps) {
-    const Plan plan = Simulation(scene, particles).plan();
-    Scene quiet = at_rest(scene, plan.sound_speed);
+    Scene quiet = at_rest(scene, Simulation(scene, particles).plan().sound_speed);
+    const Plan plan = Simulation(quiet, particles).plan();
     RunOptions options;
-    options.until = static_cast<double>(steps) * plan.dt;
+    // Steps follow what the particles do, and are longer than planned where they do little.
+    constexpr double longer = 1.2;
+    options.until = longer * static_cast<double>(steps) * plan.dt;
     quiet.output.every = options.until;
     Moves moves(particles);
     options.sink = &moves;

@@ -43,6 +43,13 @@ int LayerCount::behind(const Vec& point, int fluid) const {
     return near != none ? near : nearest_part(point, search_radius, is_other);
 }
 
+bool LayerCount::is_near_a_body(const Vec& point) const {
+    const auto is_body = [&](int part) {
+        return set_.parts[static_cast<std::size_t>(part)].kind == ParticleKind::springs;
+    };
+    return nearest_part(point, 2, is_body) != none;
+}
+
 void LayerCount::walk(const Vec& from, const Vec& direction, int part) {
     // The largest holes of a lattice are sqrt(1/2) and sqrt(3)/2 spacings from its points.
     const double widest = set_.dimension == 3 ? 0.87 : 0.72;
@@ -71,6 +78,7 @@ void LayerCount::add(const DrawnSurface& surface, int fluid) {
     const std::size_t step = samples.size() / most_places + 1;
     for (std::size_t k = 0; k < samples.size(); k += step) {
         const DrawnSurface::Sample& sample = samples[k];
+        if (is_near_a_body(sample.point)) continue;
         walk(sample.point, -sample.normal, fluid);
         const int part = behind(sample.point + start * set_.spacing * sample.normal, fluid);
         if (part != none && set_.parts[static_cast<std::size_t>(part)].kind == ParticleKind::rigid)

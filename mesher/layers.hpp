@@ -16,8 +16,8 @@ inline constexpr double layers_of_fluid = 5;
 /// Counts the layers of particles through walls and fluids. From places on fluids' drawn surfaces it walks along the
 /// normal, outward through the wall and inward through the fluid, for as long as the nearest particle is of that part
 /// and no further than the largest hole in a lattice is wide. Layers are how far it comes [spacings], at most as many
-/// as were asked for: where a lattice runs along the surface, exactly that; where it is cut at an angle, up to one
-/// less.
+/// as were asked for; not from places within two spacings of a spring body, which has the room. Where a lattice runs
+/// along the surface, exactly that; where it is cut at an angle, up to one less.
 class LayerCount {
   public:
     /// @param search knows images within three spacings
@@ -39,6 +39,7 @@ class LayerCount {
     [[nodiscard]] int nearest_part(const Vec& point, double radius, const Counts& counts) const;
     [[nodiscard]] double asked_of(int part) const;
     [[nodiscard]] int behind(const Vec& point, int fluid) const;
+    [[nodiscard]] bool is_near_a_body(const Vec& point) const;
     void walk(const Vec& from, const Vec& direction, int part);
 
     const ParticleSet& set_;

@@ -154,6 +154,9 @@ TEST_F(Poiseuille, MeshLeavesParticlesToLookAt) {
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("water"), HasSubstr("wall"), HasSubstr("160")));
     EXPECT_TRUE(has("particles/fluid.pvd"));
     EXPECT_TRUE(has("particles/walls.vtp"));
+    const auto report = nlohmann::json::parse(folder_.read("particles/mesh_report.json"));
+    EXPECT_EQ(report["leak_test"]["tight"], true);
+    EXPECT_NEAR(report["surfaces"][0]["from_particles"]["rms"].get<double>(), 0, 1e-9);
 }
 
 TEST_F(Poiseuille, ExplainNamesModelsSourcesFieldsAndLimits) {
