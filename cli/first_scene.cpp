@@ -206,11 +206,13 @@ class Author {
         }
         const FaceSelection rest{.name = free_name("wall"), .of = fluid_.name, .except = taken};
         asked.push_back(rest);
-        if (taken.empty()) asked.back().in_box = box_;
+        // All of it, with room to spare: finer particles follow round walls further out.
+        const Box around{.low = box_.low - box_.extent(), .high = box_.high + box_.extent()};
+        if (taken.empty()) asked.back().in_box = around;
         if (has_faces(asked)) {
             selections += fmt::format("\n[[select]]\nname = \"{}\"\nof = \"{}\"\n", rest.name, fluid_.name);
             if (taken.empty())
-                selections += fmt::format("from = [{}]\nto = [{}]\n", written(box_.low), written(box_.high));
+                selections += fmt::format("from = [{}]\nto = [{}]\n", written(around.low), written(around.high));
             else
                 selections += fmt::format("except = [{}]\n", listed(taken));
             wall(rest.name);
