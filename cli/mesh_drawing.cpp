@@ -8,9 +8,11 @@
 #include "cli/commands.hpp"
 #include "cli/text.hpp"
 #include "geometry/drawing_child.hpp"
+#include "geometry/repair_solids.hpp"
 #include "geometry/triangle_file.hpp"
 #include "mesher/drawing_of.hpp"
 #include "mesher/mesh_spheres.hpp"
+#include "postproc/triangle_file.hpp"
 
 namespace dmp::cli {
 
@@ -30,6 +32,37 @@ std::string springs_text(const MeshReport::SpringLine& line) {
     return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));
 }
 
+/// A drawing and what was changed in it.
+struct Repaired {
+    Geometry geometry;
+    std::vector<std::string> changes;
+};
+
+/// Fluids of which the drawing has an open surface are closed as far as that can be done.
+Repaired repaired_drawing(const Scene& scene) {
+    Repaired drawing{read_drawing_of_a_stranger(drawing_of(scene)), {}};
+    if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
+    if (drawing.geometry.dimension != 3) return drawing;
+    std::vector<std::string> fluids;
+    for (const Part* part : scene.parts_of(PartKind::fluid)) fluids.push_back(part->name);
+    try {
+        RepairLimits limits;
+        limits.spacing = scene.particles.spacing;
+        const auto lines = repair_solids(drawing.geometry, fluids, limits);
+        drawing.changes.insert(drawing.changes.end(), lines.begin(), lines.end());
+    } catch (const UnusableSurface& error) {
+        const std::string file = scene_name(scene) + "_bad_triangles.vtp";
+        write_triangles(file, error.bad_triangles().corners, error.bad_triangles().triangles);
+        throw InputError(error.where(), error.problem(), error.what_to_do() + " (the triangles are in " + file + ")");
+    }
+    return drawing;
+}
+
+MeshResult with_notes(MeshResult result, const Repaired& drawing) {
+    result.report.notes.insert(result.report.notes.end(), drawing.changes.begin(), drawing.changes.end());
+    return result;
+}
+
 }  // namespace
 
 Geometry read_drawing_of_a_stranger(const DrawingOptions& options) {
@@ -40,18 +73,15 @@ int execute(const ReadDrawingCommand& /*command*/) { return answer_drawing_reque
 
 MeshResult mesh_drawing(const Scene& scene) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Geometry geometry = read_drawing_of_a_stranger(drawing_of(scene));
-    MeshResult result = mesh(geometry, scene);
-    if (is_triangle_file(geometry.file))  // what was changed in it
-        result.report.notes.insert(result.report.notes.end(), geometry.warnings.begin(), geometry.warnings.end());
-    return result;
+    const Repaired drawing = repaired_drawing(scene);
+    return with_notes(mesh(drawing.geometry, scene), drawing);
 }
 
 MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Geometry geometry = read_drawing(drawing_of(scene));
-    MeshResult result = mesh(geometry, scene);
-    detail = inspect(result, geometry, scene);
+    const Repaired drawing = repaired_drawing(scene);
+    MeshResult result = with_notes(mesh(drawing.geometry, scene), drawing);
+    detail = inspect(result, drawing.geometry, scene);
     return result;
 }
 
