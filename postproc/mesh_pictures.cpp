@@ -126,8 +126,7 @@ class Painter {
         const auto shown = members(look_, [&](std::size_t i) { return std::isfinite(look_.surface_error[i]); });
         if (shown.empty()) return;
         const ColourScale scale =
-            scale_about(0, 0.05, look_.surface_error, shown,
-                        "distance of the outermost particles to the drawn surface less 1/2 [spacings]");
+            scale_about(0, 0.05, look_.surface_error, shown, "distance to the drawn surface less 1/2 [spacings]");
         View view = along(0, 1);
         if (look_.dimension == 3) {
             const Vec towards = Vec(0.45, -1, 0.5).normalized();
