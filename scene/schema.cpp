@@ -48,6 +48,13 @@ std::vector<Key<Geometry>> geometry_keys() {
     };
 }
 
+ValueType<double> angle_type() {
+    ValueType<double> type = quantity("30 deg", Range{0, 3.15, true, {}});
+    type.description = "an angle such as \"30 deg\", more than 0";
+    type.write = [](const double& angle) { return toml_quoted(exact_text(angle) + " rad"); };
+    return type;
+}
+
 std::vector<Key<Selection>> select_keys() {
     return {
         {"name", &Selection::name, name(), required, "What the selected faces are called, for a part of this name."},
@@ -58,7 +65,7 @@ std::vector<Key<Selection>> select_keys() {
         {"from", &Selection::from, point(), not_given, "One corner of a box along the axes that the faces lie in."},
         {"to", &Selection::to, point(), not_given, "The opposite corner."},
         {"normal", &Selection::normal, direction(), not_given, "Faces that face this way, out of the body."},
-        {"angle", &Selection::angle, quantity("30 deg", Range{0, 3.15, true, {}}), "10 deg",
+        {"angle", &Selection::angle, angle_type(), "10 deg",
          "How far from the normal they may face."},
         {"except", &Selection::except, names(), not_given, "Faces that are in none of these selections; with nothing else: all the others."},
     };
