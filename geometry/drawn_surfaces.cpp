@@ -63,10 +63,10 @@ void DrawnSurfaces::make_mesh() const {
     std::array<double, 3> extents{high_x - low_x, high_y - low_y, high_z - low_z};
     std::ranges::sort(extents);
     const double size = Vec(extents[0], extents[1], extents[2]).norm();
-    const double widest = 1.1 * extents[1];                 // a circle lies across two axes
-    gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);  // the drawing's sizes are for other purposes
-    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature",
-                            edges_around(widest, options_.chord_error / options_.metres()));
+    const double widest = 1.1 * extents[1];                               // a circle lies across two axes
+    const double error = 0.5 * options_.chord_error / options_.metres();  // gmsh's edges come out longer than asked for
+    gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);                // the drawing's sizes are for other purposes
+    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", edges_around(widest, error));
     gmsh::option::setNumber("Mesh.MeshSizeMax", size);
     gmsh::option::setNumber("Mesh.Algorithm", 6);
     gmsh::model::mesh::generate(2);

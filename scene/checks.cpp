@@ -2,6 +2,8 @@
 #include "scene/checks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "base/nearest_name.hpp"
@@ -340,7 +342,9 @@ void check_selection(const Scene& scene, const Selection& selection) {
     if (!by_place && !selection.normal.given() && !selection.except.given())
         throw InputError(selection.name.place, name + " does not say which faces",
                          "give a plane (x, y or z), a box (from and to), a normal, or except");
-    if (selection.angle.given() && !selection.normal.given())
+    // The default angle may stand there: resolved scenes say it.
+    const bool own_angle = selection.angle.given() && std::abs(selection.angle - std::numbers::pi / 18) > 1e-9;
+    if (own_angle && !selection.normal.given())
         throw InputError(selection.angle.place, name + " has an angle, and no normal that it is from", "give normal");
     for (const std::string& other : *selection.except) {
         bool known = false;

@@ -92,7 +92,7 @@ std::vector<WrongInput> wrong_inputs() {
          set("accuracy.kernel=wendland"),
          {"--set accuracy.kernel=wendland:", "wendland_c2"}},
         {"OtherSchema", poiseuille, {{scene, "schema = 1", "schema = 7"}}, {}, {"scene.toml:2:10:", "schema = 1"}},
-        {"ThreeDimensions", poiseuille, {{scene, "dimension = 2", "dimension = 3"}}, {}, {"scene.toml:4:13:", "3-D"}},
+        {"ThreeDimensions", poiseuille, {{scene, "dimension = 2", "dimension = 3"}}, {}, {"scene.toml:4:13:", "lies in the plane"}},
         {"PartTwice",
          poiseuille,
          {{scene, "name = \"wall\"", "name = \"water\""}},

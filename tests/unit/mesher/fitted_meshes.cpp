@@ -78,7 +78,7 @@ TEST_P(FittedPipe, follows_its_wall) {
         }
         if (fluid) continue;
         EXPECT_LT(d, 3 + 1e-3);
-        EXPECT_NEAR(set.wall_distance[i], d * spacing, 2e-3 * spacing);
+        EXPECT_NEAR(set.wall_distance[i], d * spacing, 5e-3 * spacing);  // how far triangles are from the round wall
         const Vec inward = -Vec(0, set.position[i].y(), set.position[i].z()).normalized();
         EXPECT_GT(set.wall_normal[i].dot(inward), 0.99);
     }

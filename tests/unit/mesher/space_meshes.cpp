@@ -125,14 +125,14 @@ TEST(SpaceMeshes, say_what_is_too_thin_for_particles) {
                 ::testing::ElementsAre(::testing::HasSubstr("water: a gap of 2 spacings near (")));
     const Texts around = ball.with("periodic = [\"x\"]", "periodic = [\"x\", \"y\", \"z\"]");
     EXPECT_THAT(notes(around.with("Sphere(2) = {1, 0.5, 0.5, 0.4}", "Box(2) = {0.5, 0.3, 0.3, 0.2, 0.4, 0.4}")),
-                ::testing::ElementsAre(
+                ::testing::Contains(
                     ::testing::AllOf(::testing::HasSubstr("wall: a thickness of 1.6 spacings near (600, "),
                                      ::testing::HasSubstr(" mm, less than 2 particles, as are 50 % of its surface"))));
     EXPECT_THAT(notes(around
                           .with("Sphere(2) = {1, 0.5, 0.5, 0.4}",
                                 "Box(2) = {0.2, 0.2, 0.2, 0.4, 0.6, 0.6};\nBox(3) = {0.85, 0.2, 0.2, 0.4, 0.6, 0.6}")
                           .with("\"wall\") = {2}", "\"wall\") = {2, 3}")),
-                ::testing::ElementsAre(::testing::HasSubstr("water: a gap of 2 spacings near (725, ")));
+                ::testing::Contains(::testing::HasSubstr("water: a gap of 2 spacings near (725, ")));
 }
 
 TEST(SpaceMeshes, arrangements_have_equally_many_particles) {

@@ -137,8 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
               "not be "
               "alike\n  leave out that component, or the side"},
         Fault{"unknown_side", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nsymmetry = [\"bottom\"]",
-              "scene.toml:29:13: flow.symmetry: found \"bottom\", expected one of 'x_low', 'x_high', 'y_low' and "
-              "'y_high'\n  write one of these words"},
+              "scene.toml:29:13: flow.symmetry: found \"bottom\", expected one of 'x_low', 'x_high', 'y_low', "
+              "'y_high', 'z_low' and 'z_high'\n  write one of these words"},
         Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
               "  springs parts have two rows of particles for now: write layers = 2"},

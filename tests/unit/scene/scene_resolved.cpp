@@ -99,6 +99,7 @@ parameters = { "odd name" = 1, w = 2 }
 [particles]
 spacing = "1e-04 m"
 arrangement = "square"
+fill = "lattice"
 disorder = 0
 seed = 1
 
