@@ -99,7 +99,8 @@ void check_drawing_file(const DrawingOptions& options) {
     if (!std::filesystem::is_regular_file(status) || !std::ifstream(file)) {
         refuse(drawing + " cannot be read", "Check its permissions.");
     }
-    if (is_cad_file(file) && std::filesystem::file_size(file, error) == 0) refuse(drawing + " is empty", "Save or export it again.");
+    if (is_cad_file(file) && std::filesystem::file_size(file, error) == 0)
+        refuse(drawing + " is empty", "Save or export it again.");
     if (states_its_unit(file) && options.metres() != 1) {
         refuse(drawing + " states its unit itself, and the scene gives another",
                "Leave geometry.unit out, or correct the unit in the program that made the drawing.");
