@@ -173,7 +173,8 @@ void Ranks::exchange_bytes(const std::vector<std::span<const std::byte>>& sent,
 MpiSession::MpiSession() {
     if (!started_by_mpirun()) return;
     int provided = MPI_THREAD_SINGLE;
-    // hwloc would ask display :0 for graphics cards, and end with it: another dmp draws its pictures on one for a moment.
+    // hwloc would ask display :0 for graphics cards, and end with it: another dmp draws its pictures on one for a
+    // moment.
     setenv("HWLOC_COMPONENTS", "-gl", 0);
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     if (provided < MPI_THREAD_FUNNELED) {
