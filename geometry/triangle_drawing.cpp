@@ -13,6 +13,7 @@
 
 #include "geometry/number_text.hpp"
 #include "geometry/orient_surface.hpp"
+#include "geometry/surface_pieces.hpp"
 #include "geometry/triangle_file.hpp"
 
 namespace dmp {
@@ -29,28 +30,12 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-std::string point_text(const Vec& point) {
-    return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m, " + number_text(point.z()) + " m)";
-}
-
-/// The triangles of some groups, with the corners that they use.
-TriangleSurface part_of(const TriangleSurface& whole, const std::vector<int>& group, const std::vector<bool>& wanted) {
-    TriangleSurface part;
-    std::vector<int> number(whole.corners.size(), -1);
-    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
-        if (!wanted[static_cast<std::size_t>(group[t])]) continue;
-        std::array<int, 3> corners{};
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto corner = static_cast<std::size_t>(whole.triangles[t].at(c));
-            if (number[corner] < 0) {
-                number[corner] = static_cast<int>(part.corners.size());
-                part.corners.push_back(whole.corners[corner]);
-            }
-            corners.at(c) = number[corner];
-        }
-        part.triangles.push_back(corners);
-    }
-    return part;
+/// The triangles of each group.
+std::vector<std::vector<int>> by_group(const TriangleSoup& soup) {
+    std::vector<std::vector<int>> triangles(soup.names.size());
+    for (std::size_t t = 0; t < soup.group.size(); ++t)
+        triangles[static_cast<std::size_t>(soup.group[t])].push_back(static_cast<int>(t));
+    return triangles;
 }
 
 /// Gives groups names as scenes have them; those without one get the file's. Groups with one name become one.
@@ -119,7 +104,7 @@ std::string why_open(const std::string& name, TriangleSurface& surface, const st
     if (surface.triangles.empty()) return "it has no triangles";
     if (found.open_edges > 0)
         return std::to_string(found.open_edges) + " edges of its surface have one side only, the first from " +
-               point_text((*found.first_open)[0]) + " to " + point_text((*found.first_open)[1]);
+               text_in_space((*found.first_open)[0]) + " to " + text_in_space((*found.first_open)[1]);
     if (!found.closed())
         return std::to_string(found.many_fold + found.contradicted) + " edges of its surface have no clear sides";
     if (!(std::abs(surface.enclosed_volume()) > 1e-12 * std::pow(surface.area(), 1.5)))
@@ -135,10 +120,9 @@ void add_soup(Geometry& geometry, TriangleSoup soup) {
         geometry.warnings.push_back(std::to_string(soup.surface.left_out) + " triangles without an area were left out");
     std::vector<bool> open(soup.names.size(), false);
     std::vector<std::string> why(soup.names.size());
+    std::vector<std::vector<int>> triangles = by_group(soup);
     for (std::size_t k = 0; k < soup.names.size(); ++k) {
-        std::vector<bool> wanted(soup.names.size(), false);
-        wanted[k] = true;
-        TriangleSurface surface = part_of(soup.surface, soup.group, wanted);
+        TriangleSurface surface = part_of(soup.surface, triangles[k]);
         std::size_t turned = 0;
         why[k] = why_open(soup.names[k], surface, geometry.file, &turned);
         open[k] = !why[k].empty();
@@ -154,7 +138,10 @@ void add_soup(Geometry& geometry, TriangleSoup soup) {
     std::string name = file_name;
     bool closed = false;
     if (count > 1) {
-        together = part_of(soup.surface, soup.group, open);
+        std::vector<int> of_open;
+        for (std::size_t t = 0; t < soup.group.size(); ++t)
+            if (open[static_cast<std::size_t>(soup.group[t])]) of_open.push_back(static_cast<int>(t));
+        together = part_of(soup.surface, of_open);
         if (geometry.solid(name) != nullptr) name += "_body";
         closed = why_open(name, together, geometry.file).empty();
     }
@@ -165,13 +152,12 @@ void add_soup(Geometry& geometry, TriangleSoup soup) {
             if (open[static_cast<std::size_t>(g)]) group.push_back(g);
         soup.surface = together;
         soup.group = std::move(group);
+        triangles = by_group(soup);
     }
     for (std::size_t k = 0; k < soup.names.size(); ++k) {
         if (!open[k] || (closed && soup.names[k] == name)) continue;
-        std::vector<bool> wanted(soup.names.size(), false);
-        wanted[k] = true;
         geometry.surfaces.push_back(
-            {soup.names[k], part_of(soup.surface, soup.group, wanted), "it is not closed: " + why[k]});
+            {soup.names[k], part_of(soup.surface, triangles[k]), "it is not closed: " + why[k]});
     }
     if (closed) geometry.solids.push_back({name, std::move(together)});
 }

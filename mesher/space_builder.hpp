@@ -44,7 +44,6 @@ class SpaceBuilder {
         bool is_solid;     ///< the part is a body in the fluid, not the fluid's edge
         double thickness;  ///< how far the part reaches behind its surface, until it is fitted [m]
         NearestTriangle nearest;
-        NearestTriangle close_by;  ///< the same no further than fitting looks
     };
     struct WallPoint {
         int wall = -1;  ///< index into walls_; -1: no wall reaches the point
@@ -65,13 +64,12 @@ class SpaceBuilder {
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     static Vec normal_of(const TriangleSurface& surface, int triangle);
-    /// The nearest point of the walls that counts(index into walls_) is true for, as one of their searches finds it.
+    /// The nearest point of the walls that counts(index into walls_) is true for, no further than they are thick.
     /// `last`, if given: by wall, a point of its surface that was found nearby; it takes the new one.
     template <class Counts>
-    [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts,
-                                       std::vector<Vec>* last = nullptr) const;
-    [[nodiscard]] WallPoint surface_at(const Vec& point, NearestTriangle Wall::*search) const {
-        return surface_at(point, search, [](std::size_t) { return true; });
+    [[nodiscard]] WallPoint surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last = nullptr) const;
+    [[nodiscard]] WallPoint surface_at(const Vec& point) const {
+        return surface_at(point, [](std::size_t) { return true; });
     }
     /// The same for a lattice point of which `owner_` says who owns it: the wall that it may belong to.
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const;
@@ -109,13 +107,12 @@ class SpaceBuilder {
 }
 
 template <class Counts>
-SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, NearestTriangle Wall::*search, const Counts& counts,
-                                                 std::vector<Vec>* last) const {
+SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last) const {
     WallPoint best;
     const auto look_from = [&](const Vec& shift) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             if (!counts(w)) continue;
-            const NearestTriangle& surface = walls_[w].*search;
+            const NearestTriangle& surface = walls_[w].nearest;
             auto found = last != nullptr ? surface.nearest(point + shift, (*last)[w]) : surface.nearest(point + shift);
             if (found && last != nullptr) (*last)[w] = found->point;
             if (!found || found->distance >= walls_[w].thickness) continue;

@@ -29,8 +29,8 @@ void keep_flagged(std::vector<T>& values, const std::vector<std::uint8_t>& keep)
 }  // namespace
 
 std::optional<SurfaceHold> SpaceBuilder::hold_of(std::size_t i, const Vec& place) const {
-    const auto found = surface_at(place, &Wall::close_by);
-    if (found.wall < 0) return std::nullopt;
+    const auto found = surface_at(place);
+    if (found.wall < 0 || found.surface.distance > reach * spacing_) return std::nullopt;
     const Vec apart = place - found.surface.point;
     if (found.surface.distance > on_surface * spacing_) return SurfaceHold{found.surface.point, apart.normalized()};
     const Vec across = normal_of(*walls_[static_cast<std::size_t>(found.wall)].surface, found.surface.triangle);
@@ -44,14 +44,13 @@ void SpaceBuilder::fit() {
     ParticleSet& set = result_.particles;
     // What stands still behind the layers asked for fills the kernels of the last one.
     std::vector<std::uint8_t> held(set.size(), 0);
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) == ParticleKind::fluid) continue;
-        const Wall& wall = *std::ranges::find_if(walls_, [&](const Wall& w) {
-            return *w.part->name == set.parts[static_cast<std::size_t>(set.part[i])].name;
-        });
-        held[i] = set.wall_distance[i] > (wall.part->layers + 0.5) * spacing_ ? 1 : 0;
-    }
-    for (Wall& wall : walls_) wall.close_by = NearestTriangle(*wall.surface, reach * spacing_);
+    std::vector<double> held_behind(set.parts.size(), 0);  // by part
+    for (const Wall& wall : walls_)
+        for (std::size_t part = 0; part < set.parts.size(); ++part)
+            if (set.parts[part].name == *wall.part->name) held_behind[part] = (wall.part->layers + 0.5) * spacing_;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) != ParticleKind::fluid)
+            held[i] = set.wall_distance[i] > held_behind[static_cast<std::size_t>(set.part[i])] ? 1 : 0;
     const Fit fit = fit_to_surfaces(
         set, scene_.accuracy.support * spacing_, held,
         [&](std::size_t i, const Vec& place) { return hold_of(i, place); }, omp_get_max_threads());
@@ -70,7 +69,7 @@ void SpaceBuilder::trim_walls() {
     std::vector<std::uint8_t> keep(set.size(), 1);
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.kind(i) == ParticleKind::fluid) continue;
-        const auto found = surface_at(set.position[i], &Wall::nearest);
+        const auto found = surface_at(set.position[i]);
         const Wall& wall = walls_[static_cast<std::size_t>(std::max(0, found.wall))];
         const double kept = wall.part->layers * spacing_;
         keep[i] = found.wall >= 0 && found.surface.distance < kept ? 1 : 0;

@@ -12,7 +12,7 @@ namespace dmp {
 SpaceBuilder::WallPoint SpaceBuilder::wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const {
     // A body's own particles stand in it, those of other walls outside all bodies.
     const auto counts = [&](std::size_t w) { return walls_[w].is_solid ? owner == owner_of_wall(w) : owner == nobody; };
-    return surface_at(point, &Wall::nearest, counts, &last);
+    return surface_at(point, counts, &last);
 }
 
 /// Marks the lattice points of nobody within reach of the boxes about a wall's triangles; the others are never asked.
