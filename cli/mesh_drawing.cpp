@@ -19,6 +19,22 @@ namespace dmp::cli {
 namespace {
 
 std::string springs_text(const MeshReport::SpringLine& line) {
+    if (line.cubes) {
+        const CubeConstants& cubes = line.cubes->constants;
+        return fmt::format("a solid of E {}, nu {:.3g}; k_b {} and {}", quantity_text(cubes.youngs_modulus(), "Pa"),
+                           cubes.poisson_ratio(), quantity_text(line.cubes->stiffened * cubes.edge_stiffness, "N/m"),
+                           quantity_text(line.cubes->stiffened * cubes.diagonal_stiffness, "N/m"));
+    }
+    if (line.shell) {
+        const ShellConstants& shell = line.shell->constants;
+        return fmt::format("a shell of D {}, E h {}{}; k_b {}, k_d {}", quantity_text(shell.bending_stiffness(), "N m"),
+                           quantity_text(shell.membrane_stiffness(), "N/m"),
+                           shell.membrane_stiffness() < 0.999 * line.shell->membrane_stiffness_asked
+                               ? " (lowered from " + quantity_text(line.shell->membrane_stiffness_asked, "N/m") +
+                                     ": the layers cannot hold both at this spacing)"
+                               : "",
+                           quantity_text(shell.bond_stiffness, "N/m"), quantity_text(shell.dihedral_stiffness, "J"));
+    }
     const std::string corners = line.cross_stiffness > 0 ? "k_c " + quantity_text(line.cross_stiffness, "N/m")
                                                          : "k_a " + quantity_text(line.hinge_stiffness, "J");
     std::string text =

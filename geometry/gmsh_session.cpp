@@ -15,7 +15,17 @@
 
 namespace dmp {
 
-GmshSession::GmshSession() : threads_(omp_get_max_threads()), locale_(std::setlocale(LC_ALL, nullptr)) {
+namespace {
+
+std::mutex& gmsh_is_a_global() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+}  // namespace
+
+GmshSession::GmshSession()
+    : only_one_(gmsh_is_a_global()), threads_(omp_get_max_threads()), locale_(std::setlocale(LC_ALL, nullptr)) {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
     throw_on_error(false);

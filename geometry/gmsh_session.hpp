@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 namespace dmp {
 
 /// gmsh from initialize to finalize. It keeps its state in globals, sets OpenMP to one thread and the numeric locale to
-/// "C": all of that is undone at the end. One at a time.
+/// "C": all of that is undone at the end. One at a time: others wait.
 class GmshSession {
   public:
     GmshSession();
@@ -26,6 +27,7 @@ class GmshSession {
     [[nodiscard]] static std::vector<std::string> logged(const std::string& level);
 
   private:
+    std::unique_lock<std::mutex> only_one_;
     int threads_;
     std::string locale_;
 };

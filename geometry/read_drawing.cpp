@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <mutex>
 
 #include <gmsh.h>
 
@@ -173,8 +172,6 @@ Geometry read_open_drawing(const DrawingOptions& options) {
 }
 
 Geometry read_with_gmsh(const DrawingOptions& options) {
-    static std::mutex one_at_a_time;  // gmsh is a global
-    const std::scoped_lock lock(one_at_a_time);
     const auto session = open_drawing(options);
     try {
         if (is_cad_file(options.file)) return read_open_cad(options);

@@ -6,40 +6,18 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <span>
 
+#include "base/disjoint_sets.hpp"
 #include "geometry/surface_edges.hpp"
 
 namespace dmp {
-
-namespace {
-
-/// Which of some things belong together (union by the lower number, with path halving).
-class Union {
-  public:
-    explicit Union(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-    std::size_t find(std::size_t k) {
-        while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-        return k;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::size_t> parent_;
-};
-
-}  // namespace
 
 bool SurfacePiece::has_no_volume() const { return closed && std::abs(volume) <= 1e-9 * area * box.extent().maxCoeff(); }
 
 SurfacePieces::SurfacePieces(const TriangleSurface& surface) : piece_of_(surface.triangles.size()) {
     const std::vector<SurfaceEdge> edges = edges_of(surface);
-    Union together(piece_of_.size());
+    DisjointSets together(piece_of_.size());
     for_each_edge(edges, [&](std::span<const SurfaceEdge> sides) {
         if (sides.size() == 2)
             together.join(static_cast<std::size_t>(sides[0].triangle), static_cast<std::size_t>(sides[1].triangle));

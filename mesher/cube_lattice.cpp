@@ -19,13 +19,13 @@ namespace {
 using GridPlace = std::array<long, 3>;
 
 /// Point numbers by their place on the grid.
-std::map<GridPlace, int> on_grid(const std::vector<Vec>& points, double spacing) {
+std::map<GridPlace, int> on_grid(const std::vector<Vec>& points, const Vec& step) {
     std::map<GridPlace, int> number;
     for (std::size_t n = 0; n < points.size(); ++n) {
         GridPlace place{};
         double off = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const double steps = (points[n][axis] - points[0][axis]) / spacing;
+            const double steps = (points[n][axis] - points[0][axis]) / step[axis];
             place[axis] = std::lround(steps);
             off = std::max(off, std::abs(steps - static_cast<double>(place[axis])));
         }
@@ -70,8 +70,19 @@ CubeConstants cube_constants(double youngs_modulus, double poisson_ratio, double
     return constants;
 }
 
-SpringLattice cube_lattice(const std::vector<Vec>& points, const CubeConstants& constants) {
-    const std::map<GridPlace, int> number = on_grid(points, constants.spacing);
+std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step) {
+    const std::map<GridPlace, int> number = on_grid(points, step);
+    std::vector<bool> whole(points.size(), false);
+    for (const auto& [place, lowest] : number) {
+        std::array<int, 8> corners{};
+        if (!corners_of(number, place, corners)) continue;
+        for (const int corner : corners) whole[static_cast<std::size_t>(corner)] = true;
+    }
+    return whole;
+}
+
+SpringLattice cube_lattice(const std::vector<Vec>& points, const CubeConstants& constants, const Vec& step) {
+    const std::map<GridPlace, int> number = on_grid(points, step);
     std::map<std::pair<int, int>, double> bonds;  // stiffness by ends, the smaller number first
     std::map<std::array<int, 3>, double> hinges;  // by a, centre, b, a < b
     SpringLattice lattice;
@@ -80,7 +91,7 @@ SpringLattice cube_lattice(const std::vector<Vec>& points, const CubeConstants& 
     for (const auto& [place, lowest] : number) {
         std::array<int, 8> corners{};
         if (!corners_of(number, place, corners)) continue;
-        for (const int corner : corners) lattice.share[corner] += std::pow(constants.spacing, 3) / 8;
+        for (const int corner : corners) lattice.share[corner] += step.prod() / 8;
         for (int k = 0; k < 8; ++k)
             for (int m = k + 1; m < 8; ++m) {
                 const int axes = std::popcount(static_cast<unsigned>(k ^ m));  // along which they differ

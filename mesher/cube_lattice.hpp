@@ -41,8 +41,16 @@ struct CubeConstants {
 /// k_2 = E a / 5. Throws InputError for other ratios: bonds alone give 1/4 and hinges lower it.
 CubeConstants cube_constants(double youngs_modulus, double poisson_ratio, double spacing);
 
-/// The lattice on points of a cubic grid along the axes: the springs of each cell whose eight corners are there. Throws
-/// InputError when a point is not on the grid that the first one begins, two are one, or a point belongs to no cell.
-SpringLattice cube_lattice(const std::vector<Vec>& points, const CubeConstants& constants);
+/// The lattice on points of a cubic grid along the axes: the springs of each cell whose eight corners are there.
+/// `step`: of the grid along each axis [m], for one that was stretched a little; rest lengths and shares follow it.
+/// Throws InputError when a point is not on the grid that the first one begins, two are one, or a point belongs to no
+/// cell.
+SpringLattice cube_lattice(const std::vector<Vec>& points, const CubeConstants& constants, const Vec& step);
+inline SpringLattice cube_lattice(const std::vector<Vec>& points, const CubeConstants& constants) {
+    return cube_lattice(points, constants, Vec::Constant(constants.spacing));
+}
+
+/// For points of such a grid, whether each is a corner of a cell whose eight corners are there. Throws as above.
+std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step);
 
 }  // namespace dmp

@@ -56,15 +56,23 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     watch.lap("nearest triangles");
     builder.check_boundary();
     watch.lap("boundary");
+    for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
+    watch.lap("springs");
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
     watch.lap("fluids");
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
     watch.lap("walls");
     cost.candidates = builder.candidates();
-    builder.fit();
+    mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
+    if (*scene.particles.fill == FillKind::relaxed)
+        builder.fit();
+    else
+        relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
+                            [&](std::size_t, const Vec& point) { return builder.may_stand(point); });
     watch.lap("fit");
     MeshResult result = builder.finish();
     measure_quality(result, scene);
+    count_bonds(result);
     watch.lap("quality");
     std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
     watch.lap("thin places");
@@ -94,7 +102,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     const Disorder disorder{scene.particles.disorder, static_cast<std::uint64_t>(scene.particles.seed.value)};
     disturb(builder.particles(), disorder,
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
-    builder.mark_seated(scene.contact.range * scene.particles.spacing);
+    mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
     relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
                         [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     cost.candidates = builder.candidates();

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
+#include "mesher/cube_lattice.hpp"
+#include "mesher/shell_lattice.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 
@@ -39,7 +41,20 @@ struct MeshReport {
     struct SpringLine {
         std::string part;
         int bodies = 0;
-        std::size_t bonds = 0, hinges = 0, anchored = 0;
+        std::size_t bonds = 0, hinges = 0, dihedrals = 0, anchored = 0;
+        /// Of a solid in space.
+        struct Cubes {
+            CubeConstants constants;
+            double stiffened = 1;  ///< see SolidBody
+        };
+        /// Of a shell in space.
+        struct Shell {
+            ShellConstants constants;
+            double membrane_stiffness_asked = 0;  ///< E h [N/m]
+        };
+        std::optional<Cubes> cubes;
+        std::optional<Shell> shell;
+        // of a strip in the plane
         double bond_stiffness = 0;         ///< k_b [N/m]
         double hinge_stiffness = 0;        ///< k_a [J]
         double cross_stiffness = 0;        ///< k_c of diagonals and rungs [N/m]; 0: hinges in their place
@@ -47,6 +62,7 @@ struct MeshReport {
         double axial_stiffness = 0;        ///< EA the lattice gives [N]
         double axial_stiffness_asked = 0;  ///< EA the scene asks for [N]
         double shear_stiffness = 0;        ///< GA_s the lattice gives [N]
+
         double particle_mass = 0;          ///< [kg]
         std::vector<std::size_t> valence;  ///< nodes by their number of bonds
         int pieces = 0;                    ///< of nodes that bonds join

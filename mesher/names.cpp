@@ -85,14 +85,24 @@ void need_in_plane(const Geometry& geometry, const Part& part) {
 }
 
 void need_in_space(const Geometry& geometry, const Part& part) {
-    if (part.kind.value == PartKind::springs)
-        throw InputError(part.kind.place, "part '" + part.name.value + "': springs are drawn in the plane only",
-                         "bodies of springs in space are not there yet: leave the part out (enabled = false)");
     if (part.kind.value == PartKind::fluid) {
         if (geometry.solid(part.name) == nullptr) missing(geometry, part.name, "a volume for a fluid");
-    } else if (geometry.solid(part.name) == nullptr && geometry.surface_set(part.name) == nullptr) {
-        missing(geometry, part.name, "a surface or a volume");
+        return;
     }
+    if (geometry.solid(part.name) == nullptr && geometry.surface_set(part.name) == nullptr)
+        missing(geometry, part.name, "a surface or a volume");
+    if (part.kind.value != PartKind::springs) return;
+    const bool is_shell = geometry.solid(part.name) == nullptr;
+    if (is_shell && !part.thickness.given())
+        throw InputError(part.name.place,
+                         "part '" + part.name.value +
+                             "' is a surface in the drawing, a shell of springs: its thickness "
+                             "is missing",
+                         "add thickness, such as thickness = \"0.3 mm\"");
+    if (!is_shell && part.thickness.given())
+        throw InputError(part.thickness.place,
+                         "part '" + part.name.value + "' is a volume in the drawing: it is as thick as it is drawn",
+                         "take `thickness` out, or draw a surface to make it a shell");
 }
 
 }  // namespace
@@ -108,7 +118,13 @@ void check_names(const Geometry& geometry, const Scene& scene) {
             need_in_space(geometry, part);
         else
             need_in_plane(geometry, part);
-        if (!part.anchor->empty() && !geometry.points.contains(part.anchor)) missing(geometry, part.anchor, "a point");
+        if (part.anchor->empty()) continue;
+        if (geometry.dimension == 3) {
+            if (geometry.solid(part.anchor) == nullptr && geometry.surface_set(part.anchor) == nullptr)
+                missing(geometry, part.anchor, "a surface or a volume");
+        } else if (!geometry.points.contains(part.anchor)) {
+            missing(geometry, part.anchor, "a point");
+        }
     }
     for (const std::string& name : geometry.names()) {
         if (used.contains(name)) continue;

@@ -14,9 +14,6 @@ namespace dmp {
 
 namespace {
 
-/// A wall particle nearer than this to a body's node would stand in its place [spacings].
-constexpr double wall_clearance = 0.75;
-
 bool is_beyond_a_plane(const ParticleSet& set, const Vec& point) {
     for (int axis = 0; axis < set.dimension; ++axis)
         if (set.mirrored_back(point[axis], axis) != point[axis]) return true;
@@ -327,16 +324,6 @@ void ParticleBuilder::add_walls(const Part& part) {
     line.reached = static_cast<double>(count) / part.layers * spacing_;
     line.unit = "m";
     result_.report.parts.push_back(line);
-}
-
-void ParticleBuilder::mark_seated(double contact_range) {
-    ParticleSet& set = result_.particles;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::springs) continue;
-        for (std::size_t j = 0; j < set.size(); ++j)
-            if (set.kind(j) == ParticleKind::rigid && (set.position[i] - set.position[j]).norm() < contact_range)
-                set.seated[i] = 1;
-    }
 }
 
 bool ParticleBuilder::holds(std::size_t i, const Vec& point) const {

@@ -11,6 +11,9 @@
 
 namespace dmp {
 
+/// A wall particle nearer than this to a body's node would stand in its place [spacings].
+constexpr double wall_clearance = 0.75;
+
 /// The sides of the box that are planes of symmetry: by axis, low and high.
 std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene);
 
@@ -31,9 +34,6 @@ class ParticleBuilder {
     /// Lattice points outside all fluid, at most `layers` spacings behind the curve, that do not overlap a body. Where
     /// rigid parts meet, a point belongs to the nearest of them.
     void add_walls(const Part& part);
-    /// Marks spring nodes drawn so near a wall that contact would push from the start.
-    void mark_seated(double contact_range);
-
     /// True where the point belongs to the region of fluid particle i.
     [[nodiscard]] bool holds(std::size_t i, const Vec& point) const;
 

@@ -30,12 +30,9 @@ std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distan
     return near;
 }
 
-}  // namespace
-
-void relax_around_bodies(ParticleSet& set, double support,
-                         const std::function<bool(std::size_t, const Vec&)>& may_stand) {
-    if (set.count(ParticleKind::springs) == 0) return;
-    const WendlandC2<2> kernel(support);
+template <int D>
+void relax(ParticleSet& set, double support, const std::function<bool(std::size_t, const Vec&)>& may_stand) {
+    const WendlandC2<D> kernel(support);
     const double inverse_at_spacing = 1 / kernel.value(set.spacing);
     const std::vector<std::size_t> moving = fluid_near_bodies(set, moving_zone * support);
     std::vector<Vec> step(moving.size());
@@ -58,6 +55,25 @@ void relax_around_bodies(ParticleSet& set, double support,
                 if (set.periodic[axis]) moved[axis] = wrapped(moved[axis], set.box.low[axis], set.box.high[axis]);
             if (may_stand(moving[k], moved)) set.position[moving[k]] = moved;
         }
+    }
+}
+
+}  // namespace
+
+void relax_around_bodies(ParticleSet& set, double support,
+                         const std::function<bool(std::size_t, const Vec&)>& may_stand) {
+    if (set.count(ParticleKind::springs) == 0) return;
+    set.dimension == 3 ? relax<3>(set, support, may_stand) : relax<2>(set, support, may_stand);
+}
+
+void mark_seated(ParticleSet& set, double contact_range) {
+    if (set.count(ParticleKind::springs) == 0 || contact_range <= 0) return;
+    const SearchableParticles search(set, contact_range);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::springs) continue;
+        search.for_each_neighbour(i, [&](std::size_t j, const Vec&) {
+            if (set.kind(j) == ParticleKind::rigid) set.seated[i] = 1;
+        });
     }
 }
 

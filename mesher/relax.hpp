@@ -14,4 +14,7 @@ namespace dmp {
 void relax_around_bodies(ParticleSet& set, double support,
                          const std::function<bool(std::size_t, const Vec&)>& may_stand);
 
+/// Marks spring nodes drawn so near a wall that contact would push from the start: nearer than `contact_range` [m].
+void mark_seated(ParticleSet& set, double contact_range);
+
 }  // namespace dmp

@@ -103,6 +103,42 @@ std::string inspection_text(const MeshReport& report) {
                               report.leaks->particles, place_text(report.leaks->where, report.dimension));
 }
 
+/// What the springs of a part are, and what they give as a solid.
+std::string springs_text(const MeshReport::SpringLine& line) {
+    const std::string head = fmt::format("springs of {}: {} {}, {} bonds", line.part, line.bodies,
+                                         line.bodies == 1 ? "body" : "bodies", line.bonds);
+    const std::string clamped = fmt::format(", {} nodes clamped\n", line.anchored);
+    if (line.cubes) {
+        const auto& [constants, stiffened] = *line.cubes;
+        return head +
+               fmt::format(
+                   " of k_b = {:.4g} N/m along edges and {:.4g} N/m along diagonals, {} hinges of k_a = {:.4g} J{}"
+                   "  give E = {:.4g} Pa, nu = {:.3g}; {:.4g} kg a node. They span 1/{:.3g} of the volume, and "
+                   "are {:.3g} times as stiff for it\n",
+                   stiffened * constants.edge_stiffness, stiffened * constants.diagonal_stiffness, line.hinges,
+                   stiffened * constants.hinge_stiffness, clamped, constants.youngs_modulus(),
+                   constants.poisson_ratio(), line.particle_mass, stiffened, stiffened);
+    }
+    if (line.shell) {
+        const ShellConstants& shell = line.shell->constants;
+        return head + fmt::format(
+                          " of k_b = {:.4g} N/m, {} dihedrals of k_d = {:.4g} J{}"
+                          "  give D = {:.4g} N*m, E h = {:.4g} N/m (asked: {:.4g}), shear {:.4g} N/m; {:.4g} kg a "
+                          "node\n",
+                          shell.bond_stiffness, line.dihedrals, shell.dihedral_stiffness, clamped,
+                          shell.bending_stiffness(), shell.membrane_stiffness(), line.shell->membrane_stiffness_asked,
+                          shell.shear_stiffness(), line.particle_mass);
+    }
+    const std::string corners = line.cross_stiffness > 0
+                                    ? fmt::format(" of k_b = {:.4g} N/m along rows and k_c = {:.4g} N/m across",
+                                                  line.bond_stiffness, line.cross_stiffness)
+                                    : fmt::format(" of k_b = {:.4g} N/m, {} hinges of k_a = {:.4g} J",
+                                                  line.bond_stiffness, line.hinges, line.hinge_stiffness);
+    return head + corners + clamped +
+           fmt::format("  give EI = {:.4g} N*m^2, EA = {:.4g} N, GA_s = {:.4g} N; {:.4g} kg a node\n",
+                       line.bending_stiffness, line.axial_stiffness, line.shear_stiffness, line.particle_mass);
+}
+
 std::string valence_text(const MeshReport::SpringLine& line) {
     std::string text;
     for (std::size_t bonds = 0; bonds < line.valence.size(); ++bonds)
@@ -151,16 +187,7 @@ std::string MeshReport::text() const {
                     : fmt::format("at rest: PARTICLES LEAVE: {} lost in {} steps. {}\n", at_rest->lost, at_rest->steps,
                                   at_rest->fault);
     for (const SpringLine& line : springs) {
-        const std::string corners = line.cross_stiffness > 0
-                                        ? fmt::format("of k_b = {:.4g} N/m along rows and k_c = {:.4g} N/m across",
-                                                      line.bond_stiffness, line.cross_stiffness)
-                                        : fmt::format("of k_b = {:.4g} N/m, {} hinges of k_a = {:.4g} J",
-                                                      line.bond_stiffness, line.hinges, line.hinge_stiffness);
-        text += fmt::format(
-            "springs of {}: {} {}, {} bonds {}, {} nodes clamped\n"
-            "  give EI = {:.4g} N*m^2, EA = {:.4g} N, GA_s = {:.4g} N; {:.4g} kg a node\n",
-            line.part, line.bodies, line.bodies == 1 ? "body" : "bodies", line.bonds, corners, line.anchored,
-            line.bending_stiffness, line.axial_stiffness, line.shear_stiffness, line.particle_mass);
+        text += springs_text(line);
         if (!line.valence.empty())
             text += fmt::format("  {} {}; bonds: {}\n", line.pieces, line.pieces == 1 ? "piece" : "pieces",
                                 valence_text(line));

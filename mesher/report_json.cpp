@@ -63,21 +63,44 @@ Json json_of(const MeshReport::LayerLine& line) {
 }
 
 Json json_of(const MeshReport::SpringLine& line) {
-    return {{"part", line.part},
-            {"bodies", line.bodies},
-            {"bonds", line.bonds},
-            {"hinges", line.hinges},
-            {"anchored", line.anchored},
-            {"nodes_by_number_of_bonds", line.valence},
-            {"pieces", line.pieces},
-            {"bond_stiffness_N_per_m", line.bond_stiffness},
-            {"hinge_stiffness_J", line.hinge_stiffness},
-            {"cross_stiffness_N_per_m", line.cross_stiffness},
-            {"bending_stiffness_N_m2", line.bending_stiffness},
-            {"axial_stiffness_N", line.axial_stiffness},
-            {"axial_stiffness_asked_N", line.axial_stiffness_asked},
-            {"shear_stiffness_N", line.shear_stiffness},
-            {"particle_mass_kg", line.particle_mass}};
+    Json json{{"part", line.part},
+              {"bodies", line.bodies},
+              {"bonds", line.bonds},
+              {"hinges", line.hinges},
+              {"dihedrals", line.dihedrals},
+              {"anchored", line.anchored},
+              {"nodes_by_number_of_bonds", line.valence},
+              {"pieces", line.pieces},
+              {"particle_mass_kg", line.particle_mass}};
+    if (line.cubes) {
+        const auto& [constants, stiffened] = *line.cubes;
+        json.update({{"form", "solid"},
+                     {"edge_stiffness_N_per_m", stiffened * constants.edge_stiffness},
+                     {"diagonal_stiffness_N_per_m", stiffened * constants.diagonal_stiffness},
+                     {"hinge_stiffness_J", stiffened * constants.hinge_stiffness},
+                     {"youngs_modulus_Pa", constants.youngs_modulus()},
+                     {"poisson_ratio", constants.poisson_ratio()},
+                     {"stiffened", stiffened}});
+    } else if (line.shell) {
+        const auto& [constants, asked] = *line.shell;
+        json.update({{"form", "shell"},
+                     {"bond_stiffness_N_per_m", constants.bond_stiffness},
+                     {"dihedral_stiffness_J", constants.dihedral_stiffness},
+                     {"bending_stiffness_N_m", constants.bending_stiffness()},
+                     {"membrane_stiffness_N_per_m", constants.membrane_stiffness()},
+                     {"membrane_stiffness_asked_N_per_m", asked},
+                     {"shear_stiffness_N_per_m", constants.shear_stiffness()}});
+    } else {
+        json.update({{"form", "strip"},
+                     {"bond_stiffness_N_per_m", line.bond_stiffness},
+                     {"hinge_stiffness_J", line.hinge_stiffness},
+                     {"cross_stiffness_N_per_m", line.cross_stiffness},
+                     {"bending_stiffness_N_m2", line.bending_stiffness},
+                     {"axial_stiffness_N", line.axial_stiffness},
+                     {"axial_stiffness_asked_N", line.axial_stiffness_asked},
+                     {"shear_stiffness_N", line.shear_stiffness}});
+    }
+    return json;
 }
 
 Json json_of(const MeshReport::SpheresLine& line) {

@@ -68,10 +68,14 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
         if (solid != nullptr) claim(*surface, owner_of_wall(walls_.size()));
         walls_.push_back({part, surface, solid != nullptr, thickness, {}});
     }
+    for (const Part* part : scene.parts_of(PartKind::springs))
+        if (const Solid* solid = geometry.solid(part->name)) claim_springs(*part, *solid);
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;
         taken_.push_back(claim(surface, static_cast<std::int16_t>(fluid)));
     }
+    for (const Part* part : scene.parts_of(PartKind::springs))
+        if (geometry.solid(part->name) == nullptr) clear_for_shell(*geometry.surface_set(part->name));
 }
 
 Vec SpaceBuilder::normal_of(const TriangleSurface& surface, int triangle) {
@@ -154,15 +158,6 @@ std::int16_t SpaceBuilder::owner_near(const Vec& place) const {
     const double first = lattice_->first_x(static_cast<std::size_t>(row), static_cast<int>(line));
     const long point = nearest(place.x() - first, lattice_->step()[0], lattice_->points());
     return owner_[static_cast<std::size_t>((row * lines.lines + line) * lattice_->points() + point)];
-}
-
-template <class Visit>
-void SpaceBuilder::for_each_point(const Visit& visit) const {
-    std::size_t index = 0;
-    for (std::size_t row = 0; row < lattice_->rows().size(); ++row)
-        for (int line = 0; line < lattice_->rows()[row].lines; ++line)
-            for (int point = 0; point < lattice_->points(); ++point)
-                visit(owner_[index++], [&] { return lattice_->at(row, line, point); });
 }
 
 /// For so many more particles: arrays that double by themselves take twice the memory.

@@ -12,12 +12,14 @@
 #include "mesher/fit_to_surfaces.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/space_lattice.hpp"
+#include "mesher/spring_bodies.hpp"
 
 namespace dmp {
 
 /// Builds the particle set of a 3-D drawing: fluids fill their solids, walls stand behind the surfaces they are named
-/// after, or fill the outer layers of a solid of that name. Where solids overlap, walls take the room first, then
-/// fluids in the order of the scene's parts.
+/// after, or fill the outer layers of a solid of that name; springs fill their solids, or stand to both sides of
+/// surfaces as shells. Where solids overlap, walls take the room first, then springs, then fluids in the order of the
+/// scene's parts.
 class SpaceBuilder {
   public:
     SpaceBuilder(const Geometry& geometry, const Scene& scene);
@@ -27,12 +29,17 @@ class SpaceBuilder {
     /// Every piece of a fluid's surface must be closed off: by a wall, another fluid, a periodic side or a plane of
     /// symmetry. Throws InputError with the area and place of one that is not.
     void check_boundary() const;
+    /// Before all others, so that what bonds join keeps its numbers.
+    void add_springs(const Part& part);
     void add_fluid(const Part& part);
-    /// Lattice points outside all fluid, at most `layers` spacings behind the surface. Where rigid parts meet, a point
-    /// belongs to the nearest of them.
+    /// Lattice points outside all fluid, at most `layers` spacings behind the surface, that do not overlap a body.
+    /// Where rigid parts meet, a point belongs to the nearest of them.
     void add_walls(const Part& part);
-    /// Moves fluid and walls off the lattice until they follow the surfaces, where the scene asks for it.
+    /// Moves fluid and walls off the lattice until they follow the surfaces.
     void fit();
+    /// Whether fluid that is moved to make room for bodies may stand there.
+    [[nodiscard]] bool may_stand(const Vec& point) const;
+    [[nodiscard]] ParticleSet& particles() { return result_.particles; }
     [[nodiscard]] MeshResult finish();
     /// Lattice points in and about the box.
     [[nodiscard]] std::size_t candidates() const { return owner_.size(); }
@@ -50,8 +57,10 @@ class SpaceBuilder {
         SurfacePoint surface;
     };
 
-    /// In owner_: none; none, but near a wall's surface; the solid wall with this index in walls_.
-    static constexpr std::int16_t nobody = -1, nobody_near_a_wall = std::numeric_limits<std::int16_t>::min();
+    /// In owner_: none; none, but near a wall's surface; a shell; the solid wall with this index in walls_, and after
+    /// them the solids of springs.
+    static constexpr std::int16_t nobody = -1, nobody_near_a_wall = std::numeric_limits<std::int16_t>::min(),
+                                  in_a_shell = nobody_near_a_wall + 1;
     static constexpr std::int16_t owner_of_wall(std::size_t wall) {
         return static_cast<std::int16_t>(-2 - static_cast<int>(wall));
     }
@@ -59,10 +68,20 @@ class SpaceBuilder {
         Vec position, normal;
         double distance;
     };
+    struct SpringSolid {
+        const Part* part;
+        std::vector<Vec> points;
+    };
 
     /// Returns how many points in the solid others have.
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
+    void claim_springs(const Part& part, const Solid& solid);
+    void clear_for_shell(const SurfaceSet& sheet);
+    void add_body(const SpringBody& body, int part, MeshReport::SpringLine& line);
+    void clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line);
+    void note_open_ends(const Part& part, std::size_t first);
+    [[nodiscard]] Vec lattice_step() const { return {lattice_->step()[0], lattice_->step()[1], lattice_->step()[2]}; }
     static Vec normal_of(const TriangleSurface& surface, int triangle);
     /// The nearest point of the walls that counts(index into walls_) is true for, no further than they are thick.
     /// `last`, if given: by wall, a point of its surface that was found nearby; it takes the new one.
@@ -91,12 +110,15 @@ class SpaceBuilder {
     double spacing_;
     std::vector<const Part*> fluids_;
     std::vector<Wall> walls_;
+    std::vector<SpringSolid> spring_solids_;
+    std::vector<NearestTriangle> shells_;                    ///< within a spacing
+    int bodies_ = 0;                                         ///< connected pieces of springs so far
     std::vector<NearestTriangle> fluid_edges_;               ///< by fluid: what lies on its surface
     std::vector<std::vector<WallParticle>> wall_particles_;  ///< by wall; empty before find_walls()
     std::vector<std::size_t> taken_;                         ///< by fluid: points of its solid that others have
     MeshResult result_;
     std::optional<SpaceLattice> lattice_;
-    /// By row, line and point of the lattice: the fluid (its index) or the solid wall that the point lies in, or
+    /// By row, line and point of the lattice: the fluid (its index), the solid or the shell that the point lies in, or
     /// nobody.
     std::vector<std::int16_t> owner_;
 };
@@ -132,6 +154,15 @@ SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts&
         }
     }
     return best;
+}
+
+template <class Visit>
+void SpaceBuilder::for_each_point(const Visit& visit) const {
+    std::size_t index = 0;
+    for (std::size_t row = 0; row < lattice_->rows().size(); ++row)
+        for (int line = 0; line < lattice_->rows()[row].lines; ++line)
+            for (int point = 0; point < lattice_->points(); ++point)
+                visit(owner_[index++], [&] { return lattice_->at(row, line, point); });
 }
 
 /// The box around the fluid solids of the scene; along periodic axes exactly one period.

@@ -40,7 +40,6 @@ std::optional<SurfaceHold> SpaceBuilder::hold_of(std::size_t i, const Vec& place
 }
 
 void SpaceBuilder::fit() {
-    if (*scene_.particles.fill != FillKind::relaxed) return;
     ParticleSet& set = result_.particles;
     // What stands still behind the layers asked for fills the kernels of the last one.
     std::vector<std::uint8_t> held(set.size(), 0);
@@ -49,7 +48,9 @@ void SpaceBuilder::fit() {
         for (std::size_t part = 0; part < set.parts.size(); ++part)
             if (set.parts[part].name == *wall.part->name) held_behind[part] = (wall.part->layers + 0.5) * spacing_;
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) != ParticleKind::fluid)
+        if (set.kind(i) == ParticleKind::springs)
+            held[i] = 1;
+        else if (set.kind(i) == ParticleKind::rigid)
             held[i] = set.wall_distance[i] > held_behind[static_cast<std::size_t>(set.part[i])] ? 1 : 0;
     const Fit fit = fit_to_surfaces(
         set, scene_.accuracy.support * spacing_, held,
@@ -68,7 +69,7 @@ void SpaceBuilder::trim_walls() {
     ParticleSet& set = result_.particles;
     std::vector<std::uint8_t> keep(set.size(), 1);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) == ParticleKind::fluid) continue;
+        if (set.kind(i) != ParticleKind::rigid) continue;
         const auto found = surface_at(set.position[i]);
         const Wall& wall = walls_[static_cast<std::size_t>(std::max(0, found.wall))];
         const double kept = wall.part->layers * spacing_;
@@ -80,7 +81,7 @@ void SpaceBuilder::trim_walls() {
     const auto keep_all = [&](auto&... values) { (keep_flagged(values, keep), ...); };
     keep_all(set.position, set.volume, set.mass, set.part, set.body, set.fixed, set.seated, set.wall_normal,
              set.wall_distance);
-    const bool bodies = std::ranges::any_of(walls_, &Wall::is_solid);
+    const bool bodies = std::ranges::any_of(walls_, &Wall::is_solid) || set.count(ParticleKind::springs) > 0;
     for (MeshReport::PartLine& line : result_.report.parts) {
         const auto part = static_cast<int>(std::ranges::find(set.parts, line.name, &ParticleSpace::PartInfo::name) -
                                            set.parts.begin());

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "mesher/particle_builder.hpp"
+#include "mesher/searchable_particles.hpp"
 #include "mesher/space_builder.hpp"
 
 namespace dmp {
@@ -75,6 +77,16 @@ void SpaceBuilder::find_walls() {
         if (!wall.is_solid) mark_band(wall);
     const auto& rows = lattice_->rows();
     const std::size_t points = static_cast<std::size_t>(lattice_->points());
+    std::optional<SearchableParticles> bodies;
+    if (bodies_ > 0) bodies.emplace(result_.particles, spacing_);
+    const auto overlaps_a_body = [&](const Vec& point) {
+        bool overlaps = false;
+        if (bodies)
+            bodies->for_each_near(point, wall_clearance * spacing_, [&](std::size_t j, double, const Vec&) {
+                overlaps = overlaps || result_.particles.kind(j) == ParticleKind::springs;
+            });
+        return overlaps;
+    };
     std::vector<std::vector<std::pair<int, WallParticle>>> found(rows.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -87,7 +99,8 @@ void SpaceBuilder::find_walls() {
                 const Vec point = lattice_->at(row, line, static_cast<int>(k));
                 if (is_beyond_a_plane(point)) continue;
                 const auto [wall, surface] = wall_at(point, marked == nobody_near_a_wall ? nobody : marked, last);
-                if (wall >= 0) found[row].emplace_back(wall, wall_particle(point, wall, surface));
+                if (wall >= 0 && !overlaps_a_body(point))
+                    found[row].emplace_back(wall, wall_particle(point, wall, surface));
             }
     }
     wall_particles_.resize(walls_.size());

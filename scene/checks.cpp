@@ -12,6 +12,7 @@
 #include "scene/schema.hpp"
 #include "scene/solidify_checks.hpp"
 #include "scene/species_checks.hpp"
+#include "scene/spring_checks.hpp"
 #include "scene/sphere_checks.hpp"
 
 namespace dmp {
@@ -145,30 +146,6 @@ void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
     throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
                      "give 'x' and 'y' only, or write dimension = 3");
-}
-
-/// How stiff a springs part is: as a strip, or as a material and a thickness.
-void need_one_stiffness(const Part& part) {
-    const std::string part_name = "part '" + *part.name + "'";
-    const bool as_strip = part.bending_stiffness.given() || part.axial_stiffness.given();
-    const bool as_material = part.youngs_modulus.given() || part.thickness.given() || part.poisson_ratio.given();
-    const auto first = [](const auto& a, const auto& b) { return a.given() ? a.place : b.place; };
-    if (as_strip && as_material)
-        throw InputError(
-            part.youngs_modulus.given() ? part.youngs_modulus.place : first(part.thickness, part.poisson_ratio),
-            part_name + " has its stiffness twice: as a strip, at " +
-                first(part.bending_stiffness, part.axial_stiffness).text() + ", and as a material",
-            "give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio");
-    if (part.bending_stiffness.given() && part.axial_stiffness.given()) return;
-    if (part.youngs_modulus.given() && part.thickness.given()) return;
-    const char* missing = as_strip ? (part.bending_stiffness.given() ? "axial_stiffness" : "bending_stiffness")
-                                   : (part.youngs_modulus.given() ? "thickness" : "youngs_modulus");
-    throw InputError(part.name.place,
-                     as_strip || as_material ? part_name + ": " + missing + " is missing"
-                                             : part_name + " does not say how stiff it is",
-                     as_strip      ? "add " + std::string(missing) + ", or give youngs_modulus and thickness instead"
-                     : as_material ? "add " + std::string(missing) + ", or give bending_stiffness and axial_stiffness"
-                                   : "give bending_stiffness and axial_stiffness, or youngs_modulus and thickness");
 }
 
 /// A fluid particle at the wall must not see past the wall's last row.
@@ -391,8 +368,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_regions(scene, document);
     check_species(scene);
     for (const auto& region : scene.regions) check_region(scene, region);
-    for (const Part& part : scene.parts)
-        if (*part.kind == PartKind::springs) need_one_stiffness(part);
+    check_springs(scene);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
     check_solidify(scene);
 }

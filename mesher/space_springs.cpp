@@ -1,0 +1,201 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Of the SpaceBuilder: bodies of springs.
+#include <algorithm>
+#include <sstream>
+
+#include "base/disjoint_sets.hpp"
+#include "geometry/surface_pieces.hpp"
+#include "mesher/space_builder.hpp"
+#include "mesher/spring_bodies.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// A node nearer than this to its anchor is clamped: the first layer of a solid, which stands half a spacing from its
+/// surface, and the edge of a sheet [spacings].
+constexpr double solid_clamped_within = 0.75, sheet_clamped_within = 0.25;
+
+/// By node: the number of the connected piece that it belongs to, from 0 by ascending first node.
+std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
+    DisjointSets sets(lattice.nodes.size());
+    for (const Bond& bond : lattice.bonds)
+        sets.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
+    std::vector<int> piece(lattice.nodes.size());
+    for (std::size_t node = 0; node < piece.size(); ++node) {
+        const std::size_t first = sets.find(node);
+        piece[node] = first == node ? pieces++ : piece[first];
+    }
+    return piece;
+}
+
+}  // namespace
+
+/// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.
+void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
+    if (*scene_.particles.arrangement != Arrangement::square)
+        throw InputError(scene_.particles.arrangement.place,
+                         "'" + part.name.value + "' is a solid of springs, which are built on the cubic lattice only",
+                         "write particles.arrangement = \"square\"");
+    const std::int16_t owner = owner_of_wall(walls_.size() + spring_solids_.size());
+    claim(solid.surface, owner);
+    SpringSolid& taken = spring_solids_.emplace_back(SpringSolid{&part, {}});
+    std::vector<std::size_t> place;
+    std::size_t index = 0;
+    for_each_point([&](std::int16_t here, const auto& at) {
+        if (here == owner) {
+            const Vec point = at();
+            if (is_beyond_a_plane(point)) {
+                owner_[index] = nobody;
+            } else {
+                place.push_back(index);
+                taken.points.push_back(point);
+            }
+        }
+        ++index;
+    });
+    const std::vector<bool> whole = in_whole_cells(taken.points, lattice_step());
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < place.size(); ++k)
+        if (whole[k])
+            taken.points[kept++] = taken.points[k];
+        else
+            owner_[place[k]] = nobody;
+    taken.points.resize(kept);
+    if (kept == 0)
+        throw InputError(
+            part.name.place,
+            "'" + part.name.value + "' is too thin for a solid of springs: no cell of the lattice fits in it",
+            "refine particles.spacing to a third of its thickness, or draw it as a surface, with "
+            "`thickness`, to make it a shell");
+    if (kept < place.size())
+        result_.report.notes.push_back(part.name.value + ": " + std::to_string(place.size() - kept) +
+                                       " lattice points in it belong to no whole cell of springs and are left out");
+}
+
+/// Takes what the sheet's shell fills, a spacing to both sides, from the fluids.
+void SpaceBuilder::clear_for_shell(const SurfaceSet& sheet) {
+    const NearestTriangle& nearest = shells_.emplace_back(sheet.surface, spacing_);
+    std::size_t index = 0;
+    for_each_point([&](std::int16_t here, const auto& at) {
+        if (here >= 0 && nearest.nearest(at())) {
+            ++taken_[static_cast<std::size_t>(here)];
+            owner_[index] = in_a_shell;
+        }
+        ++index;
+    });
+}
+
+void SpaceBuilder::add_springs(const Part& part) {
+    ParticleSet& set = result_.particles;
+    const auto number = static_cast<int>(set.parts.size());
+    set.parts.push_back({part.name, ParticleKind::springs});
+    MeshReport::SpringLine line;
+    line.part = part.name;
+    const std::size_t first = set.size();
+    const auto solid = std::ranges::find(spring_solids_, &part, &SpringSolid::part);
+    if (solid != spring_solids_.end()) {
+        const SolidBody body = solid_body(part, solid->points, lattice_step());
+        line.cubes = {body.constants, body.stiffened};
+        line.particle_mass = body.mass.front();
+        add_body(body, number, line);
+    } else {
+        const TriangleSurface& surface = geometry_.surface_set(part.name)->surface;
+        const SurfacePieces pieces(surface);
+        for (const SurfacePiece& piece : pieces.all()) {
+            const ShellBody body = shell_body(part, part_of(surface, piece.triangles), spacing_);
+            line.shell = {body.constants, body.membrane_stiffness_asked};
+            line.particle_mass = part.density * part.thickness * spacing_ * spacing_ / 2;
+            add_body(body, number, line);
+        }
+    }
+    clamp(part, first, line);
+    note_open_ends(part, first);
+    result_.report.springs.push_back(line);
+}
+
+void SpaceBuilder::add_body(const SpringBody& body, int part, MeshReport::SpringLine& line) {
+    ParticleSet& set = result_.particles;
+    const auto first = static_cast<int>(set.size());
+    int pieces = 0;
+    const std::vector<int> piece = pieces_of(body.lattice, pieces);
+    for (std::size_t node = 0; node < body.lattice.nodes.size(); ++node) {
+        add_particle(body.lattice.nodes[node], part, 0);
+        set.volume.back() = body.volume[node];
+        set.mass.back() = body.mass[node];
+        set.body.back() = bodies_ + piece[node];
+    }
+    bodies_ += pieces;
+    line.bodies += pieces;
+    for (Bond bond : body.lattice.bonds) {
+        bond.a += first;
+        bond.b += first;
+        set.bonds.push_back(bond);
+    }
+    for (Hinge hinge : body.lattice.hinges) {
+        hinge.a += first;
+        hinge.centre += first;
+        hinge.b += first;
+        set.hinges.push_back(hinge);
+    }
+    for (Dihedral dihedral : body.lattice.dihedrals) {
+        dihedral.a += first;
+        dihedral.b += first;
+        dihedral.c += first;
+        dihedral.d += first;
+        set.dihedrals.push_back(dihedral);
+    }
+    line.bonds += body.lattice.bonds.size();
+    line.hinges += body.lattice.hinges.size();
+    line.dihedrals += body.lattice.dihedrals.size();
+}
+
+void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line) {
+    if (part.anchor->empty()) return;
+    ParticleSet& set = result_.particles;
+    const double clamped_within = line.shell ? sheet_clamped_within : solid_clamped_within;
+    const Solid* solid = geometry_.solid(part.anchor);
+    const NearestTriangle anchor(solid != nullptr ? solid->surface : geometry_.surface_set(part.anchor)->surface,
+                                 clamped_within * spacing_);
+    for (std::size_t i = first; i < set.size(); ++i) {
+        // A shell's nodes stand half a spacing beside its sheet, whose edge is what touches the anchor.
+        const Vec place =
+            line.shell ? Vec((set.position[i] + set.position[first + ((i - first) ^ 1U)]) / 2) : set.position[i];
+        if (!anchor.nearest(place)) continue;
+        set.fixed[i] = 1;
+        ++line.anchored;
+    }
+    if (line.anchored == 0) {
+        std::ostringstream problem;
+        problem << "no node of '" << part.name.value << "' is within " << clamped_within << " spacings of '"
+                << part.anchor.value << "'";
+        throw InputError(part.anchor.place, problem.str(), "draw the part so that it touches what it is anchored to");
+    }
+}
+
+/// Springs do not go on across the sides of the box.
+void SpaceBuilder::note_open_ends(const Part& part, std::size_t first) {
+    const ParticleSet& set = result_.particles;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        const auto goes_on = [&](const Vec& p) {
+            const bool low = p[axis]<set.box.low[axis] + spacing_, high = p[axis]> set.box.high[axis] - spacing_;
+            return (low && (set.periodic.at(at) || set.mirrored.at(at)[0])) ||
+                   (high && (set.periodic.at(at) || set.mirrored.at(at)[1]));
+        };
+        if (std::any_of(set.position.begin() + static_cast<std::ptrdiff_t>(first), set.position.end(), goes_on))
+            result_.report.notes.push_back(part.name.value + ": its springs end at the side of the box across " +
+                                           "xyz"[axis] + ", where it is free as if it were cut there");
+    }
+}
+
+/// Where fluid may stand that is moved to make room for bodies: not near walls, whose layers are in order.
+bool SpaceBuilder::may_stand(const Vec& point) const {
+    if (is_beyond_a_plane(point)) return false;
+    const auto wall = surface_at(point);
+    if (wall.wall >= 0 && wall.surface.distance < spacing_) return false;
+    return std::ranges::none_of(shells_,
+                                [&](const NearestTriangle& shell) { return shell.nearest(point).has_value(); });
+}
+
+}  // namespace dmp

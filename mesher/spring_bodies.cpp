@@ -1,0 +1,78 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesher/spring_bodies.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+
+#include "geometry/remesh_surface.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// A sheet of less area has nothing to bend [spacings squared].
+constexpr double least_area = 16;
+
+/// The constants of a shell of this E h and D.
+ShellConstants shell_constants_of(const Part& part, double membrane, double bending, double edge, double distance) {
+    const ShellConstants unit{edge, distance, 1, 1, 1, 0};
+    const double by_layers = membrane * unit.bending_stiffness() / unit.membrane_stiffness();
+    if (by_layers <= 0.5 * bending) return shell_constants(membrane, bending, edge, distance);
+    if (part.lower_axial_stiffness)
+        return shell_constants(membrane * 0.5 * bending / by_layers, bending, edge, distance);
+    if (by_layers <= bending) return shell_constants(membrane, bending, edge, distance);
+    std::ostringstream problem;
+    problem << "two layers " << distance << " m apart that stretch as '" << part.name.value
+            << "' does, with E h = " << membrane << " N/m, bend with D = " << by_layers << " N*m alone, more than its "
+            << bending << " N*m";
+    throw InputError(part.thickness.place, problem.str(),
+                     "refine particles.spacing to about the thickness, or set lower_axial_stiffness = true");
+}
+
+}  // namespace
+
+SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step) {
+    if (part.poisson_ratio > 0.25)
+        throw InputError(part.poisson_ratio.place,
+                         "a solid of springs cannot have a Poisson ratio of more than 0.25: bonds alone give that, and "
+                         "hinges lower it",
+                         "write poisson_ratio = 0.25, which needs no hinges and is the fastest");
+    const double cell = step.prod();
+    SolidBody body;
+    body.constants = cube_constants(part.youngs_modulus, part.poisson_ratio, std::cbrt(cell));
+    body.lattice = cube_lattice(points, body.constants, step);
+    const double filled = std::accumulate(body.lattice.share.begin(), body.lattice.share.end(), 0.0);
+    body.stiffened = static_cast<double>(points.size()) * cell / filled;
+    for (Bond& bond : body.lattice.bonds) bond.stiffness *= body.stiffened;
+    for (Hinge& hinge : body.lattice.hinges) hinge.stiffness *= body.stiffened;
+    body.volume.assign(points.size(), cell);
+    body.mass.assign(points.size(), cell * part.density);
+    return body;
+}
+
+ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spacing) {
+    // Of equilateral triangles with a node for each spacing^2: sqrt(3)/2 edge^2.
+    const double edge = spacing * std::sqrt(2 / std::numbers::sqrt3);
+    if (sheet.area() < least_area * spacing * spacing) {
+        std::ostringstream problem;
+        problem << "a sheet of '" << part.name.value << "' has an area of " << 1e6 * sheet.area() << " mm^2, less than "
+                << least_area << " particles";
+        throw InputError(part.name.place, problem.str(), "refine particles.spacing or draw a larger sheet");
+    }
+    const TriangleSurface fine = remesh_surface(sheet, edge);
+    const double h = part.thickness, nu = part.poisson_ratio;
+    ShellBody body;
+    body.membrane_stiffness_asked = part.youngs_modulus * h;
+    const double bending = part.youngs_modulus * h * h * h / (12 * (1 - nu * nu));
+    body.constants = shell_constants_of(part, body.membrane_stiffness_asked, bending, edge, spacing);
+    body.lattice = shell_lattice(fine.corners, fine.triangles, body.constants);
+    for (const double area : body.lattice.share) {
+        body.volume.push_back(2 * area * spacing);  // two layers of nodes share the area, and are each a spacing thick
+        body.mass.push_back(area * h * part.density);
+    }
+    return body;
+}
+
+}  // namespace dmp

@@ -1,0 +1,41 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/triangle_surface.hpp"
+#include "mesher/cube_lattice.hpp"
+#include "mesher/shell_lattice.hpp"
+#include "scene/scene.hpp"
+
+namespace dmp {
+
+/// A body of springs in space, and what each of its nodes stands for.
+struct SpringBody {
+    SpringLattice lattice;
+    std::vector<double> volume;  ///< in the SPH sums [m^3]
+    std::vector<double> mass;    ///< [kg]
+};
+
+/// A solid of springs on those points of a cubic grid that belong to whole cells. Each node stands for a cell of the
+/// grid. The cells between the nodes fill less than the nodes stand for, by half a spacing at the surface: their
+/// springs are that much stiffer, so that the body stretches as one that fills all of it; bending stays softer.
+struct SolidBody : SpringBody {
+    CubeConstants constants;
+    double stiffened = 1;  ///< what the cells between the nodes fill, into what the nodes stand for [-]
+};
+/// `points` as in_whole_cells() leaves them; `step` of the grid [m]. Throws InputError for a Poisson ratio beyond 1/4.
+SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step);
+
+/// A shell half a spacing to both sides of a sheet, which is meshed anew so that each pair of nodes has about spacing^2
+/// of it. Its membrane stiffness E h is lowered, if the part allows it, where two layers a spacing apart would alone
+/// bend with more than half of D = E h^3 / (12 (1 - nu^2)); D is held.
+struct ShellBody : SpringBody {
+    ShellConstants constants;
+    double membrane_stiffness_asked = 0;  ///< E h [N/m]
+};
+/// `sheet`: one connected piece. Throws InputError for a sheet too small to bend, one that branches, or one whose
+/// membrane stiffness may not be lowered though it must.
+ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spacing);
+
+}  // namespace dmp

@@ -1,0 +1,218 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies of springs in drawings in space.
+#include <cmath>
+#include <numeric>
+
+#include <gmock/gmock.h>
+
+#include "geometry/nearest_triangle.hpp"
+#include "meshed_text.hpp"
+
+namespace dmp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using testing_mesh::fault_of;
+using testing_mesh::mesh_texts;
+using testing_mesh::Texts;
+
+/// A duct of 2 m x 1 m x 1 m along x between walls, periodic along x, and a column on its floor, drawn over the fluid.
+const Texts column{R"(schema = 1
+dimension = 3
+[geometry]
+file = "channel.geo"
+[particles]
+spacing = "0.125 m"
+[[part]]
+name = "water"
+kind = "fluid"
+density = "1000 kg/m^3"
+viscosity = "1 mPa*s"
+[[part]]
+name = "wall"
+kind = "rigid"
+[[part]]
+name = "body"
+kind = "springs"
+density = "1200 kg/m^3"
+youngs_modulus = "1 MPa"
+poisson_ratio = 0.25
+anchor = "wall"
+[flow]
+periodic = ["x"]
+largest_speed = "1 m/s"
+[run]
+duration = "1 s"
+[output]
+every = "1 s"
+)",
+                   R"(SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 2, 1, 1};
+Box(2) = {0.75, 0, 0.25, 0.5, 0.75, 0.5};
+Physical Volume("water") = {1};
+Physical Surface("wall") = {3, 4, 5, 6};
+Physical Volume("body") = {2};
+)"};
+
+/// In its place a slanted sheet that stands on the floor: 0.7762 m x 0.75 m.
+const Texts sheet = column.with("poisson_ratio = 0.25", "thickness = \"0.05 m\"")
+                        .with("spacing = \"0.125 m\"", "spacing = \"0.0625 m\"")
+                        .with("Box(2) = {0.75, 0, 0.25, 0.5, 0.75, 0.5};",
+                              "Point(101) = {1, 0, 0.125};\nPoint(102) = {1.2, 0.75, 0.125};\n"
+                              "Point(103) = {1.2, 0.75, 0.875};\nPoint(104) = {1, 0, 0.875};\n"
+                              "Line(101) = {101, 102};\nLine(102) = {102, 103};\nLine(103) = {103, 104};\n"
+                              "Line(104) = {104, 101};\nCurve Loop(101) = {101, 102, 103, 104};\n"
+                              "Plane Surface(101) = {101};\n")
+                        .with("Physical Volume(\"body\") = {2}", "Physical Surface(\"body\") = {101}");
+
+std::vector<std::size_t> nodes_of(const ParticleSet& set) {
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) == ParticleKind::springs) nodes.push_back(i);
+    return nodes;
+}
+
+TEST(SpaceBodies, a_solid_takes_its_room_and_stretches_as_its_material_does) {
+    const auto meshed = mesh_texts(column);
+    const ParticleSet& set = meshed.particles;
+    const double cell = std::pow(0.125, 3);
+    ASSERT_EQ(set.count(ParticleKind::springs), 4U * 6 * 4);
+    EXPECT_EQ(set.count(ParticleKind::fluid), 16U * 8 * 8 - 96);
+    std::size_t clamped = 0;
+    for (const std::size_t i : nodes_of(set)) {
+        EXPECT_EQ(set.volume[i], cell);
+        EXPECT_NEAR(set.mass[i], 1200 * cell, 1e-12);
+        EXPECT_EQ(set.body[i], 0);
+        EXPECT_EQ(set.fixed[i] != 0, set.position[i].y() < 0.125);
+        clamped += set.fixed[i];
+    }
+    EXPECT_EQ(clamped, 16U);
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_EQ(line.anchored, 16U);
+    EXPECT_EQ(line.bodies, 1);
+    EXPECT_EQ(line.pieces, 1);
+    EXPECT_EQ(line.bonds, 224U + 348);  // along edges and diagonals
+    EXPECT_EQ(line.hinges, 0U);
+    ASSERT_TRUE(line.cubes);
+    EXPECT_NEAR(line.cubes->stiffened, 96.0 / 45, 1e-12);
+    EXPECT_NEAR(line.cubes->constants.youngs_modulus(), 1e6, 1e-6);
+    // A strain of 1 along y costs as much as in the material, of the volume of all nodes: 1/2 c11.
+    double energy = 0;
+    for (const Bond& bond : set.bonds) {
+        const Vec along = set.position[bond.b] - set.position[bond.a];
+        energy += bond.stiffness * std::pow(along.y() * along.y() / along.norm(), 2);
+    }
+    const double c11 = 1e6 * 0.75 / (1.25 * 0.5);
+    EXPECT_NEAR(energy / (96 * cell), 0.5 * c11, 1e-9 * c11);
+}
+
+TEST(SpaceBodies, hinges_lower_the_ratio_of_a_solid) {
+    const auto meshed = mesh_texts(column.with("poisson_ratio = 0.25", "poisson_ratio = 0.1"));
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_GT(line.hinges, 0U);
+    EXPECT_NEAR(line.cubes->constants.poisson_ratio(), 0.1, 1e-12);
+    EXPECT_NEAR(line.cubes->constants.youngs_modulus(), 1e6, 1e-6);
+}
+
+TEST(SpaceBodies, a_stretched_lattice_keeps_the_modulus_and_says_so) {
+    const auto meshed = mesh_texts(column.with("{0, 0, 0, 2, 1, 1}", "{0, 0, 0, 2.03, 1, 1}"));
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_EQ(meshed.particles.count(ParticleKind::springs), 96U);
+    EXPECT_NEAR(line.cubes->constants.spacing, 0.125 * std::cbrt(1.015), 1e-9);
+    EXPECT_NEAR(line.particle_mass, 1200 * std::pow(0.125, 3) * 1.015, 1e-9);
+    EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("lattice stretched along x by 1.5 %")));
+    for (const Bond& bond : meshed.particles.bonds)
+        EXPECT_NEAR(bond.rest_length, (meshed.particles.position[bond.a] - meshed.particles.position[bond.b]).norm(),
+                    1e-15);
+}
+
+TEST(SpaceBodies, two_columns_of_one_part_are_two_bodies_that_may_touch) {
+    const auto meshed = mesh_texts(column
+                                       .with("Physical Volume(\"water\")",
+                                             "Box(3) = {1.5, 0, 0.25, 0.25, 0.5, 0.25};\n"
+                                             "Physical Volume(\"water\")")
+                                       .with("(\"body\") = {2}", "(\"body\") = {2, 3}"));
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_EQ(line.bodies, 2);
+    EXPECT_EQ(line.pieces, 2);
+    EXPECT_EQ(line.anchored, 16U + 4);
+}
+
+TEST(SpaceBodies, a_sheet_becomes_a_shell) {
+    const auto meshed = mesh_texts(sheet);
+    const ParticleSet& set = meshed.particles;
+    const double area = 0.75 * std::hypot(0.2, 0.75);
+    const Vec normal = Vec(0.75, -0.2, 0).normalized();
+    double mass = 0, volume = 0;
+    std::size_t clamped = 0;
+    const auto nodes = nodes_of(set);
+    ASSERT_GT(nodes.size(), 2 * area / (0.0625 * 0.0625));
+    EXPECT_LT(nodes.size(), 2.5 * area / (0.0625 * 0.0625));  // those at the border stand for half or a quarter
+    for (const std::size_t i : nodes) {
+        mass += set.mass[i];
+        volume += set.volume[i];
+        EXPECT_NEAR(std::abs((set.position[i] - Vec(1, 0, 0)).dot(normal)), 0.03125, 1e-9);
+        EXPECT_EQ(set.fixed[i] != 0, set.position[i].y() < 0.02) << set.position[i].transpose();
+        clamped += set.fixed[i];
+    }
+    EXPECT_NEAR(mass / (1200 * 0.05 * area), 1, 1e-9);
+    EXPECT_NEAR(volume / (2 * 0.0625 * area), 1, 1e-9);
+    EXPECT_EQ(clamped % 2, 0U);
+    EXPECT_GE(clamped, 2U * 11);  // 0.75 m is 11.2 edges
+    EXPECT_LE(clamped, 2U * 14);
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_EQ(line.anchored, clamped);
+    EXPECT_EQ(line.pieces, 1);
+    EXPECT_GT(line.dihedrals, 0U);
+    ASSERT_TRUE(line.shell);
+    EXPECT_NEAR(line.shell->constants.bending_stiffness(), 1e6 * std::pow(0.05, 3) / 12, 1e-9);
+    EXPECT_EQ(line.shell->membrane_stiffness_asked, 5e4);
+    EXPECT_LT(line.shell->constants.membrane_stiffness(), 5e4);
+    const TriangleSurface& drawn = meshed.geometry.surface_set("body")->surface;
+    const NearestTriangle nearest(drawn, 0.0625);
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) == ParticleKind::fluid) {
+            EXPECT_FALSE(nearest.nearest(set.position[i]));
+        }
+    EXPECT_LT(meshed.report.parts.front().kernel_sum_spread, 0.05);
+}
+
+TEST(SpaceBodies, a_thick_shell_holds_both_stiffnesses) {
+    const auto meshed = mesh_texts(sheet.with("thickness = \"0.05 m\"", "thickness = \"0.2 m\"\npoisson_ratio = 0.3"));
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_NEAR(line.shell->constants.membrane_stiffness() / 2e5, 1, 1e-12);
+    EXPECT_NEAR(line.shell->constants.bending_stiffness() / (1e6 * 8e-3 / 12 / 0.91), 1, 1e-12);
+    EXPECT_THAT(fault_of(sheet.with("thickness", "lower_axial_stiffness = false\nthickness")),
+                AllOf(HasSubstr("two layers 0.0625 m apart that stretch as 'body' does"), HasSubstr("thickness")));
+}
+
+TEST(SpaceBodies, wrong_ones_are_refused_with_what_to_do) {
+    const auto replaced = [](const char* found, const char* by) { return fault_of(column.with(found, by)); };
+    EXPECT_THAT(replaced("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\""),
+                AllOf(HasSubstr("scene.toml:7:15: 'body' is a solid of springs, which are built on the cubic lattice"),
+                      HasSubstr("arrangement = \"square\"")));
+    EXPECT_THAT(replaced("poisson_ratio = 0.25", "poisson_ratio = 0.3"), HasSubstr("more than 0.25"));
+    EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.25, 0.1, 0.75, 0.5}"),
+                AllOf(HasSubstr("'body' is too thin for a solid of springs"), HasSubstr("make it a shell")));
+    EXPECT_THAT(replaced("poisson_ratio = 0.25", "thickness = \"1 cm\""),
+                AllOf(HasSubstr("is a volume in the drawing"), HasSubstr("take `thickness` out")));
+    EXPECT_THAT(fault_of(sheet.with("thickness = \"0.05 m\"\n", "")), HasSubstr("its thickness is missing"));
+    EXPECT_THAT(replaced("anchor = \"wall\"", "anchor = \"walls\""),
+                AllOf(HasSubstr("the drawing has nothing named 'walls'"), HasSubstr("did you mean 'wall'?")));
+    EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0.25, 0.25, 0.5, 0.5, 0.5}"),
+                HasSubstr("no node of 'body' is within 0.75 spacings of 'wall'"));
+    EXPECT_THAT(fault_of(sheet.with("{1, 0, 0.125}", "{1.14, 0.6, 0.6}")
+                             .with("{1, 0, 0.875}", "{1.14, 0.6, 0.875}")
+                             .with("{1.2, 0.75, 0.125}", "{1.2, 0.75, 0.6}")),
+                HasSubstr("less than 16 particles"));
+}
+
+TEST(SpaceBodies, a_body_at_the_side_of_the_box_is_noted) {
+    const auto meshed = mesh_texts(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0, 0, 0.25, 0.5, 0.75, 0.5}"));
+    EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("body: its springs end at the side of the box across x")));
+}
+
+}  // namespace
+}  // namespace dmp

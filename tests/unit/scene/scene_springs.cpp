@@ -1,0 +1,47 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// What springs parts are made of: strips in the plane, materials in space.
+#include <gmock/gmock.h>
+
+#include "tests/unit/scene/scene_text.hpp"
+
+namespace dmp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing_scene::fault_of;
+using testing_scene::read_text;
+using testing_scene::scene_with;
+
+const std::string strip =
+    "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"\nmass_per_length = \"0.42 kg/m\"";
+
+/// The test scene in space, with this for its springs part.
+std::string in_space(const std::string& springs) {
+    std::string text = scene_with(strip, springs);
+    text = text.substr(0, text.find("[[measure]]"));
+    return text.replace(text.find("title"), 0, "dimension = 3\n");
+}
+
+TEST(SceneSprings, in_space_they_are_a_material) {
+    const Scene scene = read_text(in_space(
+        "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\npoisson_ratio = 0.25\nthickness = \"0.3 mm\""));
+    EXPECT_EQ(*scene.parts[2].density, 1100);
+    EXPECT_EQ(*scene.parts[2].youngs_modulus, 2e6);
+    EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"")), HasSubstr("'leaflets': youngs_modulus is missing"));
+    EXPECT_THAT(fault_of(in_space("youngs_modulus = \"2 MPa\"")), HasSubstr("'leaflets': density is missing"));
+    EXPECT_THAT(fault_of(in_space(strip)),
+                AllOf(HasSubstr("mass_per_length is of springs in the plane"), HasSubstr("give density")));
+    EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\ncross_bonds = true")),
+                HasSubstr("cross_bonds is of springs in the plane"));
+}
+
+TEST(SceneSprings, in_the_plane_they_are_a_strip) {
+    EXPECT_THAT(fault_of(scene_with("mass_per_length = \"0.42 kg/m\"\n", "")),
+                AllOf(HasSubstr("'leaflets': mass_per_length is missing"), HasSubstr("add mass_per_length")));
+    EXPECT_THAT(fault_of(scene_with("mass_per_length", "density = \"1100 kg/m^3\"\nmass_per_length")),
+                HasSubstr("a springs part in the plane has no density"));
+}
+
+}  // namespace
+}  // namespace dmp
