@@ -13,15 +13,28 @@
 #include <fmt/format.h>
 
 #include "cli/text.hpp"
+#include "geometry/nearest_triangle.hpp"
 #include "geometry/select_faces.hpp"
+#include "geometry/winding_number.hpp"
 #include "scene/toml_node.hpp"
 
 namespace dmp::cli {
 
 namespace {
 
-constexpr double density = 1000, viscosity = 1e-3;  // water, kg/m^3 and Pa s
 constexpr double reynolds_number = 10, particles_across = 20, most_particles = 2e5;
+/// What the fluid speeds up to, over the speed that it is driven to in the empty section.
+constexpr double faster = 1.5, faster_past_bodies = 2;
+
+struct Liquid {
+    const char* name;  ///< what part of the fluid's name says that it is this
+    const char* what;
+    double density, viscosity;  ///< [kg/m^3], [Pa s]
+};
+
+/// The first one where no name fits.
+constexpr std::array<Liquid, 3> liquids{
+    {{"water", "water", 1000, 1e-3}, {"blood", "blood, Newtonian", 1060, 3.5e-3}, {"air", "air", 1.2, 1.8e-5}}};
 
 Box box_of(const TriangleSurface& surface) {
     Box box{.low = surface.corners.front(), .high = surface.corners.front()};
@@ -43,9 +56,20 @@ double rounded(double value) {
     return std::max(1.0, std::round(value / unit)) * unit;
 }
 
+std::string in_small_letters(std::string name) {
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name;
+}
+
+const Liquid& liquid_named(const std::string& name) {
+    const std::string lower = in_small_letters(name);
+    const auto* found = std::ranges::find_if(
+        liquids, [&](const Liquid& liquid) { return lower.find(liquid.name) != std::string::npos; });
+    return found == liquids.end() ? liquids.front() : *found;
+}
+
 bool sounds_like_a_fluid(const std::string& name) {
-    std::string lower = name;
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = in_small_letters(name);
     constexpr std::array<const char*, 9> words{"fluid",  "blood", "water", "lumen",  "liquid",
                                                "plasma", "mucus", "air",   "channel"};
     return std::ranges::any_of(words, [&](const char* word) { return lower.find(word) != std::string::npos; });
@@ -72,11 +96,26 @@ Cap cap_at(const TriangleSurface& surface, int axis, double place, double tolera
     return cap;
 }
 
+/// Whether a body's surface comes into the fluid, or the fluid is less than what its ends and its length enclose.
+bool is_obstructed(const Geometry& geometry, const Solid& fluid, double swept_volume, double tolerance) {
+    if (fluid.volume() < 0.99 * swept_volume) return true;
+    const WindingNumber winding(fluid.surface);
+    const NearestTriangle surface(fluid.surface, tolerance);
+    const auto in_fluid = [&](const Vec& corner) { return !surface.nearest(corner) && winding.inside(corner); };
+    return std::ranges::any_of(geometry.solids, [&](const Solid& solid) {
+        return solid.name != fluid.name && std::ranges::any_of(solid.surface.corners, in_fluid);
+    });
+}
+
 /// Writes one scene.
 class Author {
   public:
     Author(const Geometry& geometry, bool unit_given)
-        : geometry_(geometry), unit_given_(unit_given), fluid_(choose_fluid()), box_(box_of(fluid_.surface)) {
+        : geometry_(geometry),
+          unit_given_(unit_given),
+          fluid_(choose_fluid()),
+          liquid_(liquid_named(fluid_.name)),
+          box_(box_of(fluid_.surface)) {
         find_caps();
         choose_numbers();
     }
@@ -133,6 +172,7 @@ class Author {
         periodic_ = low.area > 0 && std::abs(high.area / low.area - 1) < 0.01 && apart.norm() < 0.01 * width;
         if (!periodic_) return;
         centre_ = low.centre;
+        obstructed_ = is_obstructed(geometry_, fluid_, low.area * extent[axis_], 0.01 * width);
         const int one = (axis_ + 1) % 3, other = (axis_ + 2) % 3;
         const double round = std::numbers::pi / 4 * extent[one] * extent[other];
         if (std::abs(extent[one] / extent[other] - 1) < 0.02 && std::abs(low.area / round - 1) < 0.02)
@@ -148,10 +188,12 @@ class Author {
         spacing_ = rounded(spacing_);
         assume(fmt::format("{} between particles: {:.3g} across the fluid's smallest extent, {}", length_text(spacing_),
                            across / spacing_, length_text(across)));
-        assume("it is water: 1000 kg/m^3, 1 mPa s");
-        speed_ = reynolds_number * viscosity / density / across;
+        assume(
+            fmt::format("it is {}: {:g} kg/m^3, {:g} mPa s", liquid_.what, liquid_.density, 1e3 * liquid_.viscosity));
+        const double kinematic_viscosity = liquid_.viscosity / liquid_.density;
+        speed_ = reynolds_number * kinematic_viscosity / across;
         // Poiseuille's in a pipe, u = a R^2 / (4 nu) in the middle; of the right size elsewhere.
-        acceleration_ = 4 * viscosity / density * speed_ / std::pow(0.5 * across, 2);
+        acceleration_ = 4 * kinematic_viscosity * speed_ / std::pow(0.5 * across, 2);
         duration_ = across / speed_;
     }
 
@@ -175,8 +217,8 @@ class Author {
 
     std::string written_parts() {
         std::string parts = fmt::format(
-            "\n[[part]]\nname = \"{}\"\nkind = \"fluid\"\ndensity = \"1000 kg/m^3\"\nviscosity = \"1 mPa*s\"\n",
-            fluid_.name);
+            "\n[[part]]\nname = \"{}\"\nkind = \"fluid\"\ndensity = \"{:g} kg/m^3\"\nviscosity = \"{:g} mPa*s\"\n",
+            fluid_.name, liquid_.density, 1e3 * liquid_.viscosity);
         std::string selections, walls;
         std::vector<FaceSelection> asked;
         std::vector<std::string> taken;
@@ -217,7 +259,7 @@ class Author {
                 selections += fmt::format("except = [{}]\n", listed(taken));
             wall(rest.name);
         }
-        assume("walls that do not move and that the water sticks to: " + (walls.empty() ? "none" : walls));
+        assume("walls that do not move and that the fluid sticks to: " + (walls.empty() ? "none" : walls));
         return selections + parts;
     }
 
@@ -244,7 +286,8 @@ class Author {
     }
 
     [[nodiscard]] std::string written_flow() const {
-        std::string flow = fmt::format("\n[flow]\nlargest_speed = \"{:.4g} m/s\"\n", 1.5 * speed_);
+        std::string flow = fmt::format("\n[flow]\nlargest_speed = \"{:.4g} m/s\"\n",
+                                       (obstructed_ ? faster_past_bodies : faster) * speed_);
         if (!periodic_) return flow;
         std::array<std::string, 3> force{"0", "0", "0"}, start{"0", "0", "0"};
         force.at(static_cast<std::size_t>(axis_)) = fmt::format("\"{:.4g} m/s^2\"", acceleration_);
@@ -253,8 +296,9 @@ class Author {
         if (radius_) {
             const int one = (axis_ + 1) % 3, other = (axis_ + 2) % 3;
             const auto from_centre = [&](int axis) {
-                return fmt::format("({} {} {})^2", "xyz"[axis], centre_[axis] < 0 ? '+' : '-',
-                                   in_millimetres(std::abs(centre_[axis]), box_.extent().norm()));
+                const std::string off_axis = in_millimetres(std::abs(centre_[axis]), box_.extent().norm());
+                if (off_axis == "0 mm") return fmt::format("{}^2", "xyz"[axis]);
+                return fmt::format("({} {} {})^2", "xyz"[axis], centre_[axis] < 0 ? '+' : '-', off_axis);
             };
             start.at(static_cast<std::size_t>(axis_)) =
                 fmt::format("\"{:.4g} m/s * (1 - ({} + {}) / ({})^2)\"", speed_, from_centre(one), from_centre(other),
@@ -273,7 +317,13 @@ class Author {
         assume(fmt::format("what leaves along {} comes in again: its ends there are flat and alike", axis_name()));
         assume(fmt::format("driven along {} at {:.3g} m/s^2, for about {:.3g} m/s, a Reynolds number of {:.2g}",
                            axis_name(), acceleration_, speed_, reynolds_number));
-        assume(radius_ ? "it starts from the parabolic profile of a round pipe" : "it starts at rest");
+        if (!radius_)
+            assume("it starts at rest");
+        else if (obstructed_)
+            assume(
+                "it starts from the parabolic profile of a round pipe, as if nothing stood in it, and finds its way");
+        else
+            assume("it starts from the parabolic profile of a round pipe");
     }
 
   private:
@@ -281,10 +331,11 @@ class Author {
     bool unit_given_;
     std::vector<std::string> assumptions_;
     const Solid& fluid_;
+    const Liquid& liquid_;
     Box box_;
     int axis_ = 0;
     double tolerance_ = 0;
-    bool periodic_ = false;
+    bool periodic_ = false, obstructed_ = false;
     Vec centre_ = Vec::Zero();
     std::optional<double> radius_;
     double spacing_ = 0, speed_ = 0, acceleration_ = 0, duration_ = 0;

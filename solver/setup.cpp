@@ -139,13 +139,13 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
         settings.viscosity = std::max(settings.viscosity, part->viscosity.value);
     if (scene.contact.range > 0) {
         const double range = scene.contact.range * scene.particles.spacing;
-        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^2 (r*^3 in space). At 0.9 r* it then
-        // pushes like a pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not exceed, and it never rules the
-        // step.
-        settings.repulsion_strength = scene.contact.strength > 0
-                                          ? scene.contact.strength.value
-                                          : 0.002 * settings.density * settings.sound_speed * settings.sound_speed *
-                                                std::pow(range, scene.dimension);
+        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^3, in the plane rho c0^2 r*^2 on 1 m of
+        // depth. At 0.9 r* it then pushes like a pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not
+        // exceed, and it never rules the step.
+        const double depth = *scene.dimension == 3 ? range : 1;
+        settings.repulsion_strength = scene.contact.strength > 0 ? scene.contact.strength.value
+                                                                 : 0.002 * settings.density * settings.sound_speed *
+                                                                       settings.sound_speed * range * range * depth;
     }
     settings.implicit_viscosity =
         *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;

@@ -97,6 +97,22 @@ TEST_F(Drawings, ANewSceneOfAStepFileRunsAsItIs) {
     EXPECT_THAT(again.errors, HasSubstr("there is something of this name already"));
 }
 
+TEST_F(Drawings, ANewSceneOfAnArteryWithAStentKnowsBloodAndWhatStandsInIt) {
+    const std::string drawing = DMP_SOURCE_DIR "/cases/stent/stent.step";
+    const Outcome made = dmp({"new", "my_stent", "--from", drawing});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output,
+                AllOf(HasSubstr("'blood' is the fluid, by its name"),
+                      HasSubstr("it is blood, Newtonian: 1060 kg/m^3, 3.5 mPa s"), HasSubstr("'stent', 'wall'"),
+                      HasSubstr("the parabolic profile of a round pipe, as if nothing stood in it")));
+    EXPECT_THAT(folder_.read("my_stent/scene.toml"),
+                AllOf(HasSubstr("spacing = \"0.15 mm\""), HasSubstr("(1 - (y^2 + z^2) / (1.5 mm)^2)"),
+                      HasSubstr("viscosity = \"3.5 mPa*s\"")));
+    const Outcome run = dmp({"run", "my_stent", "--until", "1 ms", "--set", "particles.spacing=\"0.3 mm\"", "--set",
+                             "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
 TEST_F(Drawings, ANewSceneOfTrianglesNeedsTheirUnit) {
     folder_.write("tube.obj", tube());
     const Outcome refused = dmp({"new", "my_tube", "--from", "tube.obj"});

@@ -409,9 +409,8 @@ TEST(Setup, repulsion_is_as_strong_as_the_scene_says_or_a_small_part_of_the_flui
     const double automatic = pair_settings(made.scene, 1).repulsion_strength;
     EXPECT_GT(automatic, 0);
     EXPECT_LT(automatic, 0.1 * 1000 * 10 * 10 * 0.1 * 0.1);
-    made.scene.dimension = 3;  // no longer per metre of depth
-    EXPECT_NEAR(pair_settings(made.scene, 1).repulsion_strength / (0.1 * automatic), 1, 1e-12);
-    made.scene.dimension = 2;
+    made.scene.dimension = 3;  // its energy is a length less than that on 1 m of depth
+    EXPECT_DOUBLE_EQ(pair_settings(made.scene, 1).repulsion_strength, automatic * made.scene.particles.spacing);
     made.scene.contact.strength = 0.5;
     EXPECT_EQ(pair_settings(made.scene, 1).repulsion_strength, 0.5);
     made.scene.contact.range = 0.0;
