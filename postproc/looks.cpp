@@ -98,7 +98,7 @@ class Chooser {
     }
 
     std::vector<Look> looks() const {
-        const Vec middle = (fluid_.low + fluid_.high) / 2;
+        const Vec middle = in_round_numbers((fluid_.low + fluid_.high) / 2);
         int longest = 0;
         fluid_.extent().maxCoeff(&longest);
         const int across = axis_to_cut(longest, middle);
@@ -115,6 +115,7 @@ class Chooser {
             slice(right, up, middle);
             Vec section = middle;
             section[longest] = fullest_place(longest, middle);
+            section = in_round_numbers(section);
             slice(right == longest ? across : right, right == longest ? up : across, section);
         }
         if (!standing_.empty()) looks.push_back(opened(along(right, up, middle), longest));
@@ -122,6 +123,12 @@ class Chooser {
     }
 
   private:
+    /// Not a thousandth of a spacing beside 0.
+    [[nodiscard]] Vec in_round_numbers(const Vec& place) const {
+        const double unit = first_.spacing / 20;
+        return unit * (place / unit).array().round().matrix();
+    }
+
     /// Of the two planes along the longest axis the larger one, or the one that cuts more of what stands in the fluid.
     [[nodiscard]] int axis_to_cut(int longest, const Vec& middle) const {
         const int a = longest == 1 ? 0 : 1, b = 3 - longest - a;
@@ -153,7 +160,7 @@ class Chooser {
         return low + first_.spacing * static_cast<double>(full[full.size() / 2]);
     }
 
-    /// What stands in the fluid, with as much of the fluid before and behind it as the fluid is wide.
+    /// What stands in the fluid, with half as much of the fluid before and behind it as the fluid is wide.
     [[nodiscard]] Look opened(const Viewpoint& cut, int longest) const {
         Look look{Look::Shows::opened, cut, aslant(cut), empty_box(), "cut open and seen aslant", bodies_};
         Box around = empty_box();
@@ -161,7 +168,7 @@ class Chooser {
         include(around, last_.solid, &run_.area());
         Vec extent = fluid_.extent();
         extent[longest] = 0;
-        const Vec margin = Vec::Unit(longest) * extent.maxCoeff();
+        const Vec margin = Vec::Unit(longest) * (extent.maxCoeff() / 2);
         const Box whole = run_.area();
         look.low = std::max(around.low[longest] - margin[longest], whole.low[longest]);
         look.high = std::min(around.high[longest] + margin[longest], whole.high[longest]);
@@ -204,9 +211,13 @@ Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGrou
     Seen result;
     result.frame.time = frame.time;
     result.frame.spacing = frame.spacing;
+    // opened, the fluid is cut a little deeper, so that what stands in the cut stands out
+    const auto of_fluid = [&](const Vec& place) {
+        return of_surroundings(place) && (!opened || look.cut(place).z() <= -0.5 * frame.spacing);
+    };
     if (frame.fluid)
         add_seen(result.frame.fluid, *frame.fluid, look.from,
-                 [&](std::size_t, const Vec& place) { return of_surroundings(place); });
+                 [&](std::size_t, const Vec& place) { return of_fluid(place); });
     if (frame.solid)
         add_seen(result.frame.solid, *frame.solid, look.from,
                  [&](std::size_t, const Vec& place) { return of_standing(place); });

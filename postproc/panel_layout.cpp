@@ -2,8 +2,8 @@
 #include "postproc/panel_layout.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace dmp {
 
@@ -14,6 +14,7 @@ constexpr double gap = 0.03;
 constexpr double caption_room = 0.03;
 constexpr double most_height = 0.7;       // that the choice of rows counts with; a single tall drawing may take more
 constexpr double magnified_height = 0.4;  // of a row
+constexpr double worth_a_row = 1.2;       // as large, at least, for one more row
 
 double largest_magnification(double room) {
     for (const double times : {10.0, 5.0, 2.0})
@@ -28,22 +29,27 @@ struct PanelLayout::Rows {
     std::vector<double> magnification;
     double width = 0, height = 0, caption_height = 0;
 
-    /// Pixels per metre on a panel one pixel wide.
-    [[nodiscard]] double scale() const { return std::min(1 / width, most_height / height); }
+    int count = 0;
+
+    /// Mean pixels per metre on a panel one pixel wide, less what more rows than one have to be worth.
+    [[nodiscard]] double merit() const {
+        const double mean = std::accumulate(magnification.begin(), magnification.end(), 0.0) /
+                            static_cast<double>(magnification.size());
+        return mean * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
+    }
 };
 
 PanelLayout::PanelLayout(std::vector<PanelDrawing> drawings) : drawings_(std::move(drawings)) {
     Rows best = in_rows(0);
     for (unsigned breaks = 1; breaks < 1U << (drawings_.size() - 1); ++breaks)
-        if (Rows rows = in_rows(breaks); rows.scale() > best.scale() * (1 + 1e-9)) best = std::move(rows);
+        if (Rows rows = in_rows(breaks); rows.merit() > best.merit() * (1 + 1e-9)) best = std::move(rows);
     places_ = std::move(best.places);
     width_ = best.width;
     height_ = best.height;
     caption_height_ = best.caption_height;
     for (std::size_t k = 0; k < drawings_.size(); ++k)
         if (const auto times = std::lround(best.magnification[k]); times > 1)
-            drawings_[k].caption +=
-                (drawings_[k].caption.empty() ? "" : ", ") + std::to_string(times) + " times as large";
+            drawings_[k].caption += ", " + std::to_string(times) + " : 1";
 }
 
 /// The bits of `breaks` tell after which drawings a new row begins.
@@ -66,18 +72,18 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
     const bool captions = std::ranges::any_of(drawings_, [](const PanelDrawing& d) { return !d.caption.empty(); });
     result.caption_height = captions ? caption_room * result.width : 0;
 
+    result.count = static_cast<int>(rows.size());
     result.places.resize(drawings_.size());
     result.magnification.assign(drawings_.size(), 1);
     for (const Row& row : rows) {
         const double room =
             std::min((1 - gaps(row)) * result.width / row.width, magnified_height * result.width / row.height);
-        const double times = row.first == 0 ? 1 : largest_magnification(room);
+        const double times = row.first == 0 || !captions ? 1 : largest_magnification(room);
         if (row.first > 0) result.height += gap * result.width;
         double x = 0;
         for (std::size_t k = row.first; k <= row.last; ++k) {
             const Vec size = times * drawings_[k].area.extent();
-            const double y = result.height + result.caption_height + (times * row.height - size.y()) / 2;
-            result.places[k] = {x, y, size.x(), size.y()};
+            result.places[k] = {x, result.height + result.caption_height, size.x(), size.y()};
             result.magnification[k] = times;
             x += size.x() + gap * result.width;
         }
@@ -92,15 +98,20 @@ Image PanelLayout::draw(int panel_width, int panel_height, const Draw& draw) con
     Canvas panel(panel_width, panel_height);
     const double scale = std::min(panel_width / width_, panel_height / height_);
     const auto pixels = [scale](double length) { return std::max(1, static_cast<int>(std::lround(scale * length))); };
+    // all captions of one size: that at which each is as wide as its drawing, at most
+    Canvas::TextStyle style{0.5 * scale * caption_height_, Align::left};
+    const double full_size = style.size;
+    for (std::size_t k = 0; k < drawings_.size(); ++k)
+        if (const std::string& caption = drawings_[k].caption; !caption.empty())
+            style.size = std::min(style.size, full_size * scale * places_[k].width /
+                                                  Canvas::text_width(caption, {full_size, Align::left}));
     for (std::size_t k = 0; k < drawings_.size(); ++k) {
         const Place& place = places_[k];
         const int width = std::min(pixels(place.width), panel_width);
         const int height = std::min(pixels(place.height), panel_height);
         const double x = scale * place.x, y = scale * place.y;
         panel.paste(draw(k, width, height), static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
-        if (drawings_[k].caption.empty()) continue;
-        const double text = 0.5 * scale * caption_height_;
-        panel.text_within(width, x, y - text, drawings_[k].caption, {text, Align::left, false, false, colours::ink});
+        if (!drawings_[k].caption.empty()) panel.text(x, y - full_size, drawings_[k].caption, style);
     }
     return panel.image();
 }

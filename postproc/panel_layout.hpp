@@ -17,8 +17,8 @@ struct PanelDrawing {
     std::string caption;  ///< over it; may be empty
 };
 
-/// Where several drawings stand on one panel: in rows, at one scale, as large as a page lets them. Rows below the first
-/// are magnified by 2, 5 or 10 where there is room, and their captions say so.
+/// Where several drawings stand on one panel: in rows, at one scale, as large as a page lets them. Where there are
+/// captions, rows below the first are magnified by 2, 5 or 10 if there is room, and the captions say so.
 class PanelLayout {
   public:
     explicit PanelLayout(std::vector<PanelDrawing> drawings);

@@ -61,7 +61,7 @@ class RunPainter {
                 const Seen shown = seen(looks[k], frame, run_.walls());
                 const Image image =
                     view_.draw(layers_of(looks[k], shown, options_.field, scale), looks[k].area, width, height);
-                if (frame.fluid && !shown.frame.fluid)
+                if (looks[k].shows == Look::Shows::slice && frame.fluid && !shown.frame.fluid)
                     warn(pictures.warning, file + ": no fluid at t = " + time + " in the slice with " +
                                                looks[k].caption + "; see all of it with open_in_paraview.py");
                 else if (distinct_colours(image, 3) < 3)

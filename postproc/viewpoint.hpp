@@ -23,7 +23,7 @@ Viewpoint along(int right, int up, const Vec& origin = Vec::Zero());
 /// The same, from a little further right and above.
 Viewpoint aslant(const Viewpoint& front);
 
-/// Where a slice across an axis lies and how it is seen: "y to the right, z up, at x = 2.5 mm". `scale` chooses the
+/// Where a slice across an axis lies and how it is seen: "y right, z up, at x = 2.5 mm". `scale` chooses the
 /// prefix [m].
 std::string slice_text(int right, int up, const Vec& origin, double scale);
 

@@ -104,9 +104,9 @@ TEST_F(LooksAtAPipe, AreASliceAlongOneAcrossAndOneCutOpen) {
     EXPECT_FALSE(run.flat());
     const std::vector<Look> looks = looks_at(run);
     ASSERT_EQ(looks.size(), 3U);
-    EXPECT_EQ(looks[0].caption, "x to the right, z up, at y = 0 mm");
+    EXPECT_EQ(looks[0].caption, "x right, z up, at y = 0 mm");
     // the strut is thicker than the flap, at 8.5 and 9.5 dx
-    EXPECT_THAT(looks[1].caption, HasSubstr("y to the right, z up, at x = "));
+    EXPECT_THAT(looks[1].caption, HasSubstr("y right, z up, at x = "));
     EXPECT_NEAR(looks[1].cut.origin.x(), 9 * dx, 0.51 * dx);
     EXPECT_EQ(looks[2].shows, Look::Shows::opened);
     for (const Look& look : looks) EXPECT_THAT(look.bodies, ElementsAre(strut)) << "the pipe is around the fluid";
@@ -187,8 +187,8 @@ TEST(LooksInSpace, CutWhatStandsInTheFluid) {
     write_run(folder, {turned(pipe_frame(0))});
     const std::vector<Look> looks = looks_at(RunFolder(folder.path()));
     ASSERT_EQ(looks.size(), 3U);
-    EXPECT_EQ(looks[0].caption, "x to the right, y up, at z = 0 mm");
-    EXPECT_THAT(looks[1].caption, HasSubstr("z to the right, y up, at x = "));
+    EXPECT_EQ(looks[0].caption, "x right, y up, at z = 0 mm");
+    EXPECT_THAT(looks[1].caption, HasSubstr("z right, y up, at x = "));
 }
 
 TEST(LooksInSpace, TakeTheLargerPlaneAndTheMiddleWhereNothingStandsInTheFluid) {
@@ -199,8 +199,8 @@ TEST(LooksInSpace, TakeTheLargerPlaneAndTheMiddleWhereNothingStandsInTheFluid) {
     write_run(folder, {frame});
     const std::vector<Look> looks = looks_at(RunFolder(folder.path()));
     ASSERT_EQ(looks.size(), 2U);
-    EXPECT_EQ(looks[0].caption, "x to the right, y up, at z = 0 mm");
-    EXPECT_EQ(looks[1].caption, "z to the right, y up, at x = 12 mm");
+    EXPECT_EQ(looks[0].caption, "x right, y up, at z = 0 mm");
+    EXPECT_EQ(looks[1].caption, "z right, y up, at x = 12 mm");
 }
 
 TEST(LooksInSpace, AtSpringBodiesAloneAreAslant) {
@@ -333,7 +333,7 @@ TEST_F(SpacePictures, SayWhatTheyCouldNotShow) {
     write_run(folder_, {pipe_frame(0), last});
     const Pictures pictures = write_pictures(folder_.path(), {"velocity", 400, 4});
     EXPECT_THAT(pictures.warning,
-                HasSubstr("last_frame.png: no fluid at t = 2 s in the slice with x to the right, z up, at y = 0 mm"));
+                HasSubstr("last_frame.png: no fluid at t = 2 s in the slice with x right, z up, at y = 0 mm"));
     EXPECT_THAT(pictures.warning, HasSubstr("1 particles at t = 2 s lie outside the picture"));
 }
 
