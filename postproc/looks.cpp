@@ -17,6 +17,7 @@ constexpr double reach_of_body = 1.5;    // [spacings] out of the fluid's box; w
 constexpr double alike = 1.1;            // ratio of lengths
 constexpr double radius_in_space = 0.6;  // [spacings]: spheres of a lattice overlap
 
+using Mirrored = std::array<std::array<bool, 2>, 3>;
 using Groups = std::vector<const std::optional<FrameGroup>*>;
 
 /// Rigid parts that do not reach out of the fluid's box.
@@ -84,7 +85,8 @@ void append(std::optional<FrameGroup>& to, std::optional<FrameGroup>&& more) {
 /// Chooses the looks at a fluid in space.
 class Chooser {
   public:
-    explicit Chooser(const RunFolder& run) : run_(run), first_(run.read(0)), last_(run.read(run.frames() - 1)) {
+    Chooser(const RunFolder& run, const Mirrored& mirrored)
+        : run_(run), mirrored_(mirrored), first_(run.read(0)), last_(run.read(run.frames() - 1)) {
         fluid_ = empty_box();
         include(fluid_, first_.fluid);
         if (is_empty(fluid_)) fluid_ = run.area();
@@ -98,9 +100,9 @@ class Chooser {
     }
 
     std::vector<Look> looks() const {
-        const Vec middle = in_round_numbers((fluid_.low + fluid_.high) / 2);
         int longest = 0;
         fluid_.extent().maxCoeff(&longest);
+        const Vec middle = in_round_numbers(middle_of_whole(longest));
         const int across = axis_to_cut(longest, middle);
         const int other = 3 - longest - across;
         // x to the right, z up, as far as they are in the plane
@@ -118,11 +120,31 @@ class Chooser {
             section = in_round_numbers(section);
             slice(right == longest ? across : right, right == longest ? up : across, section);
         }
-        if (!standing_.empty()) looks.push_back(opened(along(right, up, middle), longest));
+        if (!standing_.empty()) looks.push_back(opened(behind(along(right, up, middle), across), longest));
         return looks;
     }
 
   private:
+    /// Half-way along the axis; in the others too, or at a plane of symmetry, half a spacing from the particles.
+    [[nodiscard]] Vec middle_of_whole(int longest) const {
+        Vec middle = (fluid_.low + fluid_.high) / 2;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == longest) continue;
+            if (mirrored_[axis][0])
+                middle[axis] = fluid_.low[axis] - first_.spacing / 2;
+            else if (mirrored_[axis][1])
+                middle[axis] = fluid_.high[axis] + first_.spacing / 2;
+        }
+        return middle;
+    }
+
+    /// The cut with the fluid behind it: at a plane of symmetry with all fluid in front of it its mirror image.
+    [[nodiscard]] Viewpoint behind(Viewpoint cut, int across) const {
+        const bool towards_high = cut.axes(2, across) > 0;
+        if (mirrored_[across][0] ? towards_high : mirrored_[across][1] && !towards_high) cut.axes.row(2) *= -1;
+        return cut;
+    }
+
     /// Not a thousandth of a spacing beside 0.
     [[nodiscard]] Vec in_round_numbers(const Vec& place) const {
         const double unit = first_.spacing / 20;
@@ -167,6 +189,8 @@ class Chooser {
         for (const Vec& place : standing_) include(around, place);
         include(around, last_.solid, &run_.area());
         Vec extent = fluid_.extent();
+        for (int axis = 0; axis < 3; ++axis)
+            if (mirrored_[axis][0] || mirrored_[axis][1]) extent[axis] *= 2;
         extent[longest] = 0;
         const Vec margin = Vec::Unit(longest) * (extent.maxCoeff() / 2);
         const Box whole = run_.area();
@@ -185,6 +209,7 @@ class Chooser {
     }
 
     const RunFolder& run_;
+    const Mirrored mirrored_;
     const RunFrame first_, last_;
     Box fluid_;
     std::vector<std::int32_t> bodies_;
@@ -193,9 +218,9 @@ class Chooser {
 
 }  // namespace
 
-std::vector<Look> looks_at(const RunFolder& run) {
+std::vector<Look> looks_at(const RunFolder& run, const Mirrored& mirrored) {
     if (run.flat() || run.of_spheres()) return {{Look::Shows::everything, {}, {}, run.area(), "", {}}};
-    return Chooser(run).looks();
+    return Chooser(run, mirrored).looks();
 }
 
 Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGroup>& walls) {
@@ -213,7 +238,7 @@ Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGrou
     result.frame.spacing = frame.spacing;
     // opened, the fluid is cut a little deeper, so that what stands in the cut stands out
     const auto of_fluid = [&](const Vec& place) {
-        return of_surroundings(place) && (!opened || look.cut(place).z() <= -0.5 * frame.spacing);
+        return of_surroundings(place) && (!opened || look.cut(place).z() <= -0.25 * frame.spacing);
     };
     if (frame.fluid)
         add_seen(result.frame.fluid, *frame.fluid, look.from,

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,7 +36,8 @@ struct Look {
 ///   - a slice across that axis, where most of it stands, or half-way
 ///   - where there is such a thing, a view of it aslant, the walls and the fluid in front of the first slice taken away
 /// Spring bodies in space without a fluid are seen aslant.
-std::vector<Look> looks_at(const RunFolder& run);
+/// By axis, low and high, `mirrored` names the planes of symmetry: there, and not half-way, lies the first slice.
+std::vector<Look> looks_at(const RunFolder& run, const std::array<std::array<bool, 2>, 3>& mirrored = {});
 
 /// What of a frame a look shows, turned so that x runs to the right, y up and z towards the eye; slices about z = 0.
 struct Seen {

@@ -100,7 +100,7 @@ void write_frames(const RunFolder& run, const PictureOptions& options, Pictures&
         return;
     }
     const VtkMessages messages;
-    const std::vector<Look> looks = looks_at(run);
+    const std::vector<Look> looks = looks_at(run, options.mirrored);
     RunPainter painter(run, options);
     painter.write({run.frames() - 1}, looks, "last_frame.png", pictures);
     if (run.frames() > 1)

@@ -1,8 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of a fluid in space: what the slices hold, and what is in front of what.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -201,6 +203,47 @@ TEST(LooksInSpace, TakeTheLargerPlaneAndTheMiddleWhereNothingStandsInTheFluid) {
     ASSERT_EQ(looks.size(), 2U);
     EXPECT_EQ(looks[0].caption, "x right, y up, at z = 0 mm");
     EXPECT_EQ(looks[1].caption, "z right, y up, at x = 12 mm");
+}
+
+TEST(LooksInSpace, CutAtAPlaneOfSymmetryAndLookFromOutside) {
+    // the lower quarter of the pipe, on either side of y = 0
+    for (const bool high : {false, true}) {
+        SCOPED_TRACE(high);
+        const float side = high ? -1 : 1;
+        Frame quarter = pipe_frame(0);
+        const std::vector<FrameGroup> whole = std::exchange(quarter.groups, {});
+        for (const FrameGroup& group : whole) {
+            if (group.name == "solid") continue;
+            FrameGroup kept;
+            kept.name = group.name;
+            for (std::size_t i = 0; i < group.size(); ++i) {
+                const Vec place = place_of(group, i);
+                if (side * place.y() < -0.5 * dx || place.z() > 0.5 * dx) continue;
+                const float* at = &group.position[3 * i];
+                add(kept, at[0], at[1] + side * 0.5F * dx, at[2], group.part[i]);
+            }
+            quarter.groups.push_back(kept);
+        }
+        const TemporaryFolder folder;
+        write_run(folder, {quarter});
+        const RunFolder run(folder.path());
+        std::array<std::array<bool, 2>, 3> mirrored{};
+        mirrored[1].at(high ? 1 : 0) = true;
+        const std::vector<Look> looks = looks_at(run, mirrored);
+        ASSERT_EQ(looks.size(), 3U);
+        EXPECT_EQ(looks[0].caption, "x right, z up, at y = 0 mm");
+        const RunFrame frame = run.read(0);
+        const Seen cut = seen(looks[0], frame, run.walls());
+        EXPECT_EQ(ids(*cut.frame.fluid), in_slab(*frame.fluid, 1, 0, water));
+        const Seen opened = seen(looks[2], frame, run.walls());
+        std::size_t near = 0;
+        for (std::size_t i = 0; i < frame.fluid->size(); ++i) {
+            const double x = place_of(*frame.fluid, i).x();
+            near += x >= looks[2].low && x <= looks[2].high ? 1 : 0;
+        }
+        EXPECT_EQ(opened.frame.fluid->size(), near) << "all of it is behind the cut";
+        EXPECT_GT(near, 400U);
+    }
 }
 
 TEST(LooksInSpace, AtSpringBodiesAloneAreAslant) {
