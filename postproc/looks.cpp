@@ -197,11 +197,12 @@ class Chooser {
         look.low = std::max(around.low[longest] - margin[longest], whole.low[longest]);
         look.high = std::min(around.high[longest] + margin[longest], whole.high[longest]);
         look.axis = longest;
+        const Box limit = look.from(whole);  // however far a stray particle may be
         for (const RunFrame* frame : {&first_, &last_}) {
             const Seen shown = seen(look, *frame, run_.walls());
             for (const auto* group :
                  {&shown.walls, &shown.frame.moving_walls, &shown.frame.bodies, &shown.frame.solid, &shown.frame.fluid})
-                include(look.area, *group);
+                include(look.area, *group, &limit);
         }
         const Vec rim = Vec::Constant(first_.spacing);
         look.area = {look.area.low - rim, look.area.high + rim};

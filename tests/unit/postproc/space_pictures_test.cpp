@@ -174,6 +174,20 @@ TEST_F(LooksAtAPipe, OpenedHasTheFarHalfOfWallAndFluidAndAllOfWhatStandsInIt) {
         for (std::size_t i = 0; i < (*group)->size(); ++i) EXPECT_TRUE(contains(look.area, place_of(**group, i), 2));
 }
 
+TEST(LooksInSpace, AreNoLargerForAStrayParticle) {
+    const TemporaryFolder folder, with_stray;
+    write_run(folder, {pipe_frame(0), pipe_frame(1)});
+    Frame last = pipe_frame(1);
+    last.groups[0].position[1] = 1000;
+    last.groups[1].position[1] = -1000;
+    write_run(with_stray, {pipe_frame(0), last});
+    const std::vector<Look> looks = looks_at(RunFolder(folder.path()));
+    const std::vector<Look> others = looks_at(RunFolder(with_stray.path()));
+    ASSERT_EQ(looks.size(), others.size());
+    for (std::size_t k = 0; k < looks.size(); ++k)
+        EXPECT_NEAR((looks[k].area.extent() - others[k].area.extent()).norm(), 0, 1e-3 * dx);
+}
+
 TEST(LooksInSpace, CutWhatStandsInTheFluid) {
     // turned about the pipe's axis, the strut and the flap stand along y
     const auto turned = [](Frame frame) {
