@@ -58,11 +58,17 @@ std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& fo
     return ranks.is_first() ? paraview_frames(folder, label_of(scene)) : nullptr;
 }
 
+PictureOptions picture_options(const Scene& scene) {
+    PictureOptions options{.field = word(*scene.output.picture_field)};
+    for (const BoxSide side : *scene.flow.symmetry) options.mirrored.at(axis_of(side)).at(is_high(side) ? 1 : 0) = true;
+    return options;
+}
+
 /// Pictures are drawn of ParaView's files.
 Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, ProgressLine& line) {
     if (!*scene.output.pictures || format != FrameFormat::vtk) return {};
     line.show("drawing pictures");
-    Pictures result = draw_pictures(folder, {.field = word(*scene.output.picture_field)});
+    Pictures result = draw_pictures(folder, picture_options(scene));
     line.clear();
     return result;
 }

@@ -19,6 +19,8 @@ double round_below(double length);
 
 /// A length with the prefix that keeps it short: 0.005 -> "5 mm".
 std::string length_text(double metres);
+/// A place among lengths of about `scale`, with their prefix: -0.0025 among 0.01 -> "-2.5 mm".
+std::string length_text(double metres, double scale);
 
 /// "m^2/s" -> "m²/s"; "1" and "" -> "".
 std::string printed_unit(const std::string& unit);

@@ -17,6 +17,7 @@ inline constexpr Colour ink{34, 34, 40};       ///< text
 inline constexpr Colour frame{120, 120, 128};  ///< axes and outlines
 inline constexpr Colour grid{226, 226, 230};
 inline constexpr Colour wall{168, 170, 174};
+inline constexpr Colour body{92, 96, 108};       ///< rigid, among walls
 inline constexpr Colour solid{196, 18, 48};      ///< stands out on the sequential map
 inline constexpr Colour dark_solid{40, 12, 36};  ///< stands out on the diverging map
 inline constexpr Colour plain_fluid{70, 125, 190};

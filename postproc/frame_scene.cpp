@@ -1,16 +1,16 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/frame_scene.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <limits>
 
 #include "base/errors.hpp"
 #include "postproc/axis.hpp"
+#include "postproc/group_box.hpp"
+#include "postproc/viewpoint.hpp"
 
 namespace dmp {
 
@@ -22,42 +22,6 @@ namespace {
 // and where discs overlap the nearest particle shows.
 constexpr double covering_radius_of_lattice = 0.72;
 constexpr double covering_radius_of_fluid = 0.95;
-
-Vec point(const std::vector<float>& position, std::size_t i) {
-    return {position[3 * i], position[3 * i + 1], position[3 * i + 2]};
-}
-
-bool is_finite(const Vec& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
-
-bool contains(const Box& box, const Vec& p) {
-    return p.x() >= box.low.x() && p.x() <= box.high.x() && p.y() >= box.low.y() && p.y() <= box.high.y();
-}
-
-Box nothing() {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    return {Vec::Constant(far), Vec::Constant(-far)};
-}
-
-bool is_empty(const Box& box) { return box.low.x() > box.high.x(); }
-
-const FrameField* find_field(const FrameGroup& group, const std::string& name) {
-    const auto found = std::find_if(group.fields.begin(), group.fields.end(),
-                                    [&](const FrameField& field) { return field.name == name; });
-    return found == group.fields.end() ? nullptr : &*found;
-}
-
-/// Grows the box around the group's particles, spheres with their radius; with a limit, only around those inside it.
-void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr) {
-    if (!group) return;
-    const FrameField* radius = find_field(*group, "radius");
-    for (std::size_t i = 0; i < group->size(); ++i) {
-        const Vec p = point(group->position, i);
-        if (!is_finite(p) || (limit != nullptr && !contains(*limit, p))) continue;
-        const Vec reach = Vec::Constant(radius != nullptr ? static_cast<double>(radius->values[i]) : 0);
-        box.low = box.low.cwiseMin(p - reach);
-        box.high = box.high.cwiseMax(p + reach);
-    }
-}
 
 /// One number a particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
 std::vector<float> scalars(const FrameField& field) {
@@ -71,17 +35,6 @@ std::vector<float> scalars(const FrameField& field) {
         magnitude[i] = std::sqrt(square);
     }
     return magnitude;
-}
-
-/// To the right, up and towards the eye, as seen from the front, a little from the right and above.
-Eigen::Matrix3d aslant() {
-    const Vec towards = Vec(0.45, -1, 0.5).normalized();
-    const Vec right = Vec::UnitZ().cross(towards).normalized();
-    Eigen::Matrix3d view;
-    view.row(0) = right;
-    view.row(1) = towards.cross(right);
-    view.row(2) = towards;
-    return view;
 }
 
 ParticleLayer plain_layer(const FrameGroup& group, Colour colour, double radius) {
@@ -129,7 +82,7 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
 
     const RunFrame first = read(0);
     const RunFrame last = frames() > 1 ? read(frames() - 1) : first;
-    area_ = nothing();
+    area_ = empty_box();
     include(area_, walls_);
     include(area_, first.fluid);
     include(area_, first.solid);
@@ -150,9 +103,9 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
 
 void RunFolder::turn(FrameGroup& group) const {
     if (!of_spheres()) return;
-    static const Eigen::Matrix3d view = aslant();
+    static const Viewpoint view = aslant(along(0, 2));
     for (std::size_t i = 0; i < group.size(); ++i) {
-        const Vec seen = view * point(group.position, i);
+        const Vec seen = view(place_of(group, i));
         for (std::size_t axis = 0; axis < 3; ++axis)
             group.position[3 * i + axis] = static_cast<float>(seen[static_cast<Eigen::Index>(axis)]);
     }
@@ -174,6 +127,7 @@ RunFrame RunFolder::read(std::size_t frame) const {
     take(solid_, "solid", result.solid);
     take(spheres_, "spheres", result.spheres);
     take(moving_walls_, "moving_walls", result.moving_walls);
+    leave_out_bonds_round_borders(result);
     return result;
 }
 
@@ -220,24 +174,20 @@ ColourScale FieldRange::scale() const {
     return with_ends(ColourMap::sequential(low, high), colours::solid);
 }
 
-namespace {
-
-/// The bonds that do not go round a periodic border: the ends of those are shown on opposite sides of the fluid.
-std::vector<std::int32_t> bonds_in_one_image(const RunFrame& frame) {
-    const FrameGroup& solid = *frame.solid;
-    if (!frame.fluid) return solid.bond_ends;
-    Box around = nothing();
+void leave_out_bonds_round_borders(RunFrame& frame) {
+    if (!frame.fluid || !frame.solid) return;
+    Box around = empty_box();
     include(around, frame.fluid);
+    FrameGroup& solid = *frame.solid;
     std::vector<std::int32_t> shown;
     for (std::size_t bond = 0; bond < solid.bonds(); ++bond) {
         const std::int32_t a = solid.bond_ends[2 * bond], b = solid.bond_ends[2 * bond + 1];
-        const Vec apart = point(solid.position, a) - point(solid.position, b);
+        const Vec apart = place_of(solid, static_cast<std::size_t>(a)) - place_of(solid, static_cast<std::size_t>(b));
         if ((apart.cwiseAbs().array() <= 0.5 * around.extent().array()).all()) shown.insert(shown.end(), {a, b});
     }
-    return shown;
+    solid.bond_ends = std::move(shown);
+    solid.bond_fields.clear();
 }
-
-}  // namespace
 
 std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
                                      const std::string& field, const ColourScale& scale) {
@@ -252,10 +202,12 @@ std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<
         layers.push_back(plain_layer(**rigid, colours::wall, covering_radius_of_lattice * frame.spacing));
         layers.back().triangles = (*rigid)->triangles;
     }
+    if (frame.bodies)
+        layers.push_back(plain_layer(*frame.bodies, colours::body, covering_radius_of_lattice * frame.spacing));
     if (frame.spheres) layers.push_back(layer_of_spheres(*frame.spheres, field, scale));
     if (frame.solid) {
         ParticleLayer layer = plain_layer(*frame.solid, scale.solid, 0.6 * frame.spacing);
-        layer.lines = bonds_in_one_image(frame);
+        layer.lines = frame.solid->bond_ends;
         layer.line_colour = scale.solid;
         layer.line_width = frame.spacing / 2;
         layers.push_back(std::move(layer));
@@ -263,12 +215,13 @@ std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<
     return layers;
 }
 
-std::size_t count_outside(const RunFrame& frame, const Box& area) {
+std::size_t count_outside(const RunFrame& frame, const Box& area, int dimension) {
     std::size_t outside = 0;
     for (const auto* group : {&frame.fluid, &frame.solid, &frame.spheres}) {
         if (!*group) continue;
         for (std::size_t i = 0; i < (*group)->size(); ++i)
-            if (const Vec p = point((*group)->position, i); !is_finite(p) || !contains(area, p)) ++outside;
+            if (const Vec place = place_of(**group, i); !is_finite(place) || !contains(area, place, dimension))
+                ++outside;
     }
     return outside;
 }

@@ -19,6 +19,7 @@ struct RunFrame {
     double time = 0;     ///< [s]
     double spacing = 0;  ///< [m]
     std::optional<FrameGroup> fluid, solid, spheres, moving_walls;
+    std::optional<FrameGroup> bodies;  ///< rigid parts told from walls: those within the fluid of a scene in space
     /// What is coloured by a field: the fluid, or the spheres where there is none.
     [[nodiscard]] const std::optional<FrameGroup>& coloured() const { return fluid ? fluid : spheres; }
 };
@@ -36,7 +37,7 @@ class RunFolder {
     [[nodiscard]] const std::optional<FrameGroup>& walls() const { return walls_; }
     [[nodiscard]] const std::string& title() const { return title_; }
     [[nodiscard]] double end_time() const { return times_.back(); }
-    /// False when particles lie more than a few spacings apart in z; spheres are drawn all the same.
+    /// False when particles lie more than a few spacings apart in z.
     [[nodiscard]] bool flat() const { return flat_; }
     [[nodiscard]] bool of_spheres() const { return !spheres_.empty(); }
     /// What the pictures show: the walls and the particles of the first and last frame, however far a stray
@@ -80,13 +81,16 @@ class FieldRange {
     double lowest_ = 0, highest_ = 0;  ///< of all
 };
 
-/// Fluid below, walls over it, solids on top; spheres of their size among walls that show what is behind. Without the
-/// field the fluid has one plain colour.
+/// Bonds that go round a periodic border are not shown: their ends are on opposite sides of the fluid.
+void leave_out_bonds_round_borders(RunFrame& frame);
+
+/// Fluid below, walls and bodies over it, solids on top; spheres of their size among walls that show what is behind.
+/// Without the field the fluid has one plain colour.
 std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
                                      const std::string& field, const ColourScale& scale);
 
-/// Particles of the frame that are not in the area, or nowhere.
-std::size_t count_outside(const RunFrame& frame, const Box& area);
+/// Particles of the frame that are not in the area, in the plane or in space (`dimension` 2 or 3), or nowhere.
+std::size_t count_outside(const RunFrame& frame, const Box& area, int dimension);
 
 /// "1.25 s"; the prefix is the one that suits `scale` [s], the same for all times of a run.
 std::string time_text(double seconds, double scale);

@@ -1,13 +1,14 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/mesh_pictures.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "postproc/panel_layout.hpp"
 #include "postproc/sheet.hpp"
+#include "postproc/viewpoint.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_messages.hpp"
 
@@ -20,22 +21,11 @@ using Kind = MeshLook::Kind;
 constexpr double disc = 0.5;          // radius of what stands in slices [spacings]
 constexpr double least_span = 0.005;  // of kernel sums: smaller differences look alike
 
-/// A direction to look along: where x goes to the right and y up.
-using View = Eigen::Matrix3d;
-
-View along(int right, int up) {
-    View view = View::Zero();
-    view(0, right) = 1;
-    view(1, up) = 1;
-    view(2, 3 - right - up) = 1;
-    return view;
-}
-
-Box around(const MeshLook& look, const View& view, const std::vector<std::size_t>& members) {
+Box around(const MeshLook& look, const Viewpoint& view, const std::vector<std::size_t>& members) {
     Box box{Vec::Constant(std::numeric_limits<double>::infinity()),
             Vec::Constant(-std::numeric_limits<double>::infinity())};
     for (const std::size_t i : members) {
-        const Vec seen = view * look.position[i];
+        const Vec seen = view(look.position[i]);
         box.low = box.low.cwiseMin(seen);
         box.high = box.high.cwiseMax(seen);
     }
@@ -52,12 +42,12 @@ std::vector<std::size_t> members(const MeshLook& look, const Which& which) {
 }
 
 template <class ColourOf>
-ParticleLayer layer(const MeshLook& look, const View& view, const std::vector<std::size_t>& members, double radius,
+ParticleLayer layer(const MeshLook& look, const Viewpoint& view, const std::vector<std::size_t>& members, double radius,
                     const ColourOf& colour_of) {
     ParticleLayer layer;
     layer.radius = radius * look.spacing;
     for (const std::size_t i : members) {
-        const Vec seen = view * look.position[i];
+        const Vec seen = view(look.position[i]);
         for (Eigen::Index axis = 0; axis < 3; ++axis) layer.position.push_back(static_cast<float>(seen[axis]));
         layer.colour.push_back(colour_of(i));
     }
@@ -86,39 +76,28 @@ class Painter {
         const auto fluid = members(look_, [&](std::size_t i) { return look_.kind[i] == Kind::fluid; });
         if (fluid.empty()) return;
         const ColourScale scale = scale_about(1, least_span, look_.kernel_sum, fluid, "kernel sum of the fluid");
-        if (look_.dimension == 2) {
-            const View view = along(0, 1);
-            const Box area = around(look_, view, members(look_, [](std::size_t) { return true; }));
-            Sheet sheet(area, 1, width_, look_.title);
-            sheet.add(slice(view, area, sheet, scale, [](std::size_t) { return true; }), "");
-            finish(sheet, scale, "slices.png");
-            return;
-        }
+        const Vec middle = look_.dimension == 2 ? Vec::Zero() : middle_of(fluid);
+        const auto all = members(look_, [](std::size_t) { return true; });
+        const double size = around(look_, along(0, 1), all).extent().maxCoeff();
+        std::vector<Viewpoint> views;
+        std::vector<PanelDrawing> drawings;
         constexpr std::array<std::array<int, 2>, 3> axes{{{0, 1}, {0, 2}, {1, 2}}};
-        const Vec middle = middle_of(fluid);
-        Vec size = Vec::Zero();
-        for (const auto& [right, up] : axes)
-            size = size.cwiseMax(
-                around(look_, along(right, up), members(look_, [](std::size_t) { return true; })).extent());
-        std::vector<Box> areas;
         for (const auto& [right, up] : axes) {
-            const View view = along(right, up);
-            const Box own = around(look_, view, members(look_, [](std::size_t) { return true; }));
-            const Vec centre = (own.low + own.high) / 2;
-            areas.push_back({centre - size / 2, centre + size / 2});
+            views.push_back(along(right, up, middle));
+            drawings.push_back({around(look_, views.back(), all), slice_text(right, up, middle, size)});
+            if (look_.dimension == 3) continue;
+            drawings.back().caption.clear();
+            break;
         }
-        Sheet sheet(areas[0], 3, width_, look_.title);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [right, up] = axes.at(k);
-            const int across = 3 - right - up;
+        const PanelLayout layout(drawings);
+        Sheet sheet(layout.area(), 1, width_, look_.title);
+        const auto draw_slice = [&](std::size_t k, int width, int height) {
             const auto in_slice = [&](std::size_t i) {
-                return std::abs(look_.position[i][across] - middle[across]) <= 0.5001 * look_.spacing;
+                return std::abs(views[k](look_.position[i]).z()) <= 0.5001 * look_.spacing;
             };
-            std::array<char, 64> caption{};
-            std::snprintf(caption.data(), caption.size(), "%c to the right, %c up, at %c = %.4g mm", "xyz"[right],
-                          "xyz"[up], "xyz"[across], 1e3 * middle[across]);
-            sheet.add(slice(along(right, up), areas[k], sheet, scale, in_slice), caption.data());
-        }
+            return slice(views[k], drawings[k].area, width, height, scale, in_slice);
+        };
+        sheet.add(layout.draw(sheet.panel_width(), sheet.panel_height(), draw_slice), "");
         finish(sheet, scale, "slices.png");
     }
 
@@ -127,14 +106,7 @@ class Painter {
         if (shown.empty()) return;
         const ColourScale scale =
             scale_about(0, 0.05, look_.surface_error, shown, "distance to the drawn surface less 1/2 [spacings]");
-        View view = along(0, 1);
-        if (look_.dimension == 3) {
-            const Vec towards = Vec(0.45, -1, 0.5).normalized();
-            const Vec right = Vec::UnitZ().cross(towards).normalized();
-            view.row(0) = right;
-            view.row(1) = towards.cross(right);
-            view.row(2) = towards;
-        }
+        const Viewpoint view = look_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
         const auto colour = [&](std::size_t i) { return scale.map(look_.surface_error[i]); };
         std::vector<ParticleLayer> layers;
         Box area = around(look_, view, shown);
@@ -161,7 +133,7 @@ class Painter {
         const double low = std::min(fewest, most - 1);
         const ColourScale scale{
             ColourMap::sequential(low, most), "bonds of a node", false, false, colours::solid, true};
-        const View view = along(0, 1);
+        const Viewpoint view = look_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
         ParticleLayer shown = layer(look_, view, nodes, 0.35,
                                     [&](std::size_t i) { return scale.map(static_cast<double>(look_.valence[i])); });
         std::vector<std::int32_t> place(look_.position.size(), -1);
@@ -171,6 +143,7 @@ class Painter {
         for (const std::int32_t end : look_.bond_ends) bonds.lines.push_back(place[static_cast<std::size_t>(end)]);
         bonds.line_colour = colours::frame;
         bonds.line_width = 0.1 * look_.spacing;
+        if (look_.dimension == 3) shown.radii.assign(nodes.size(), static_cast<float>(0.35 * look_.spacing));
         draw(around(look_, view, nodes), {bonds, shown}, scale, "valence.png");
     }
 
@@ -193,7 +166,8 @@ class Painter {
     }
 
     template <class Which>
-    Image slice(const View& view, const Box& area, const Sheet& sheet, const ColourScale& scale, const Which& which) {
+    Image slice(const Viewpoint& view, const Box& area, int width, int height, const ColourScale& scale,
+                const Which& which) {
         std::vector<ParticleLayer> layers;
         const auto of_kind = [&](Kind kind) {
             return members(look_, [&](std::size_t i) { return look_.kind[i] == kind && which(i); });
@@ -204,7 +178,7 @@ class Painter {
         add(Kind::fluid, [&](std::size_t i) { return scale.map(look_.kernel_sum[i]); });
         add(Kind::wall, [](std::size_t) { return colours::wall; });
         add(Kind::solid, [](std::size_t) { return colours::dark_solid; });
-        return view_.draw(layers, area, sheet.panel_width(), sheet.panel_height());
+        return view_.draw(layers, area, width, height);
     }
 
     void draw(const Box& area, const std::vector<ParticleLayer>& layers, const ColourScale& scale,

@@ -36,14 +36,21 @@ constexpr double least_line_width = 2.2;  // [pixels], so that thin solids stay 
 constexpr double wall_opacity = 0.4;
 constexpr int oversampling = 2;  // drawn larger and averaged: smooth edges on every driver
 
+constexpr double disc_depth = 0.02;  // from a disc's centre to its rim [depths of the drawing]
+
 /// A filled disc. The depth grows from its centre, so that where discs overlap the nearest centre wins
 /// and a dense set shows no scales and no gaps.
-constexpr const char* disc_shader = R"(
+std::string disc_shader() {
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), R"(
 //VTK::Color::Impl
 float disc_distance2 = dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy);
 if (disc_distance2 > 1.0) { discard; }
-gl_FragDepth = gl_FragCoord.z + 0.02 * disc_distance2;
-)";
+gl_FragDepth = gl_FragCoord.z + %.3f * disc_distance2;
+)",
+                  disc_depth);
+    return text.data();
+}
 
 /// A sphere's front, seen along parallel rays and lit from the upper left. The radius in pixels is the inverse of how
 /// fast the offset, 1 at the rim, changes.
@@ -140,16 +147,26 @@ void add_triangles(vtkRenderer* renderer, const ParticleLayer& layer) {
     renderer->AddActor(actor);
 }
 
-void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<float> height) {
+/// Discs at a height above the last layer's. Those that stand before or behind the plane z = 0 lie as deep as their
+/// distance would be on a disc: all along the plane the nearest particle in space shows.
+void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<float> height, double depth) {
     vtkNew<vtkPolyData> data;
-    data->SetPoints(points_at(layer.position, height));
+    const auto points = points_at(layer.position, height);
+    if (height && layer.radius > 0)
+        for (std::size_t i = 0; 3 * i < layer.position.size(); ++i) {
+            const double away = std::min(std::abs(layer.position[3 * i + 2]) / layer.radius, 1.0);
+            if (away == 0) continue;
+            double* place = points->GetPoint(static_cast<vtkIdType>(i));
+            points->SetPoint(static_cast<vtkIdType>(i), place[0], place[1], *height - disc_depth * depth * away * away);
+        }
+    data->SetPoints(points);
     data->GetPointData()->SetScalars(colours_of(layer));
     vtkNew<vtkPointGaussianMapper> mapper;
     mapper->SetInputData(data);
     mapper->SetColorModeToDirectScalars();
     mapper->EmissiveOff();
     mapper->SetScaleFactor(layer.radius);
-    mapper->SetSplatShaderCode(disc_shader);
+    mapper->SetSplatShaderCode(disc_shader().c_str());
     mapper->SetTriangleScale(1.0F);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
@@ -241,7 +258,7 @@ Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& ar
         else if (!layer.triangles.empty())
             add_triangles(renderer, layer);
         else if (!layer.position.empty())
-            add_discs(renderer, layer, height_of_discs);
+            add_discs(renderer, layer, height_of_discs, depth);
         const auto height_of_lines = next_height();
         if (!layer.lines.empty()) add_lines(renderer, layer, height_of_lines, pixels_per_metre);
     }

@@ -11,10 +11,11 @@
 
 namespace dmp {
 
-/// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order, unless one
-/// of them has spheres: then all stand where they are, and the nearer hides the farther.
+/// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order, and of a
+/// layer's discs the particle nearest to each place of the plane z = 0 shows; unless a layer has spheres: then all
+/// stand where they are, and the nearer hides the farther.
 struct ParticleLayer {
-    std::vector<float> position;          ///< x, y, z of each particle [m]; z is seen of spheres and triangles only
+    std::vector<float> position;          ///< x, y, z of each particle [m]
     std::vector<Colour> colour;           ///< one a particle
     double radius = 0;                    ///< of the discs [m]
     std::vector<float> radii;             ///< one a particle: shaded spheres instead of discs [m]

@@ -8,7 +8,9 @@
 
 #include "base/errors.hpp"
 #include "postproc/frame_scene.hpp"
+#include "postproc/looks.hpp"
 #include "postproc/measure_plot.hpp"
+#include "postproc/panel_layout.hpp"
 #include "postproc/particle_view.hpp"
 #include "postproc/sheet.hpp"
 #include "postproc/tables.hpp"
@@ -41,24 +43,36 @@ class RunPainter {
   public:
     RunPainter(const RunFolder& run, const PictureOptions& options) : run_(run), options_(options) {}
 
-    /// The chosen frames on one sheet with one colour range.
-    void write(const std::vector<std::size_t>& frames, const std::string& file, Pictures& pictures) {
+    /// The chosen frames on one sheet with one colour range, each seen in all these ways.
+    void write(const std::vector<std::size_t>& frames, const std::vector<Look>& looks, const std::string& file,
+               Pictures& pictures) {
         FieldRange range;
         for (const std::size_t number : frames) range.include(run_.read(number), options_.field);
-        const Box area = run_.area();
-        Sheet sheet(area, frames.size(), options_.width, run_.title());
+        std::vector<PanelDrawing> drawings;
+        // panels of several frames have a caption of their own
+        for (const Look& look : looks) drawings.push_back({look.area, frames.size() == 1 ? look.caption : ""});
+        const PanelLayout layout(drawings);
+        Sheet sheet(layout.area(), frames.size(), options_.width, run_.title());
         const ColourScale scale = range.scale();
         for (const std::size_t number : frames) {
             const RunFrame frame = run_.read(number);
-            const Image image = view_.draw(layers_of(frame, run_.walls(), options_.field, scale), area,
-                                           sheet.panel_width(), sheet.panel_height());
-            if (distinct_colours(image, 3) < 3)
+            const std::string time = time_text(frame.time, run_.end_time());
+            const auto draw = [&](std::size_t k, int width, int height) {
+                const Seen shown = seen(looks[k], frame, run_.walls());
+                const Image image =
+                    view_.draw(layers_of(looks[k], shown, options_.field, scale), looks[k].area, width, height);
+                if (looks[k].shows == Look::Shows::slice && frame.fluid && !shown.frame.fluid)
+                    warn(pictures.warning, file + ": no fluid at t = " + time + " in the slice with " +
+                                               looks[k].caption + "; see all of it with open_in_paraview.py");
+                else if (distinct_colours(image, 3) < 3)
+                    warn(pictures.warning, file + ": the drawing of t = " + time + " came out blank");
+                return image;
+            };
+            sheet.add(layout.draw(sheet.panel_width(), sheet.panel_height(), draw), "t = " + time);
+            const int dimension = run_.flat() || run_.of_spheres() ? 2 : 3;
+            if (const std::size_t outside = count_outside(frame, run_.area(), dimension); outside > 0)
                 warn(pictures.warning,
-                     file + ": the drawing of t = " + time_text(frame.time, run_.end_time()) + " came out blank");
-            sheet.add(image, "t = " + time_text(frame.time, run_.end_time()));
-            if (const std::size_t outside = count_outside(frame, area); outside > 0)
-                warn(pictures.warning, file + ": " + std::to_string(outside) + " particles at t = " +
-                                           time_text(frame.time, run_.end_time()) + " lie outside the picture");
+                     file + ": " + std::to_string(outside) + " particles at t = " + time + " lie outside the picture");
         }
         if (range.missing())
             warn(pictures.warning, "the frames hold no field '" + options_.field + "' to colour the particles with");
@@ -73,22 +87,24 @@ class RunPainter {
     ParticleView view_;
 };
 
+/// Slices alone where there are any: small panels show no more.
+std::vector<Look> looks_for_many(std::vector<Look> looks) {
+    if (looks.size() > 1) std::erase_if(looks, [](const Look& look) { return look.shows == Look::Shows::opened; });
+    return looks;
+}
+
 void write_frames(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
-    if (!run.flat() && !run.of_spheres()) {
-        warn(pictures.warning,
-             "no pictures of the frames: they are three-dimensional; see them in ParaView with "
-             "open_in_paraview.py");
-        return;
-    }
     const VirtualDisplay display;
     if (!display.usable()) {
         warn(pictures.warning, "no pictures of the frames: " + display.problem());
         return;
     }
     const VtkMessages messages;
+    const std::vector<Look> looks = looks_at(run, options.mirrored);
     RunPainter painter(run, options);
-    painter.write({run.frames() - 1}, "last_frame.png", pictures);
-    if (run.frames() > 1) painter.write(spread(run.frames(), options.sheet_frames), "cycle.png", pictures);
+    painter.write({run.frames() - 1}, looks, "last_frame.png", pictures);
+    if (run.frames() > 1)
+        painter.write(spread(run.frames(), options.sheet_frames), looks_for_many(looks), "cycle.png", pictures);
     if (!messages.text().empty()) warn(pictures.warning, "while drawing: " + messages.text());
 }
 

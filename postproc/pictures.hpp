@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@ struct PictureOptions {
     std::string field = "velocity";  ///< what colours the fluid; of vectors the magnitude
     int width = 1600;                ///< [pixels]
     int sheet_frames = 8;            ///< frames on cycle.png, evenly over the run
+    /// By axis, low and high: whether the scene is mirrored on that side of its box; slices in space lie there.
+    std::array<std::array<bool, 2>, 3> mirrored{};
 };
 
 struct Pictures {

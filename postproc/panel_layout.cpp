@@ -1,0 +1,119 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/panel_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dmp {
+
+namespace {
+
+// in widths of the panel
+constexpr double gap = 0.03;
+constexpr double caption_room = 0.03;
+constexpr double most_height = 0.7;       // that the choice of rows counts with; a single tall drawing may take more
+constexpr double magnified_height = 0.4;  // of a row
+constexpr double worth_a_row = 1.2;       // as large, at least, for one more row
+
+double largest_magnification(double room) {
+    for (const double times : {10.0, 5.0, 2.0})
+        if (times <= room) return times;
+    return 1;
+}
+
+}  // namespace
+
+struct PanelLayout::Rows {
+    std::vector<Place> places;
+    std::vector<double> magnification;
+    double width = 0, height = 0, caption_height = 0;
+
+    int count = 0;
+
+    /// Mean pixels per metre on a panel one pixel wide, less what more rows than one have to be worth.
+    [[nodiscard]] double merit() const {
+        const double mean = std::accumulate(magnification.begin(), magnification.end(), 0.0) /
+                            static_cast<double>(magnification.size());
+        return mean * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
+    }
+};
+
+PanelLayout::PanelLayout(std::vector<PanelDrawing> drawings) : drawings_(std::move(drawings)) {
+    Rows best = in_rows(0);
+    for (unsigned breaks = 1; breaks < 1U << (drawings_.size() - 1); ++breaks)
+        if (Rows rows = in_rows(breaks); rows.merit() > best.merit() * (1 + 1e-9)) best = std::move(rows);
+    places_ = std::move(best.places);
+    width_ = best.width;
+    height_ = best.height;
+    caption_height_ = best.caption_height;
+    for (std::size_t k = 0; k < drawings_.size(); ++k)
+        if (const auto times = std::lround(best.magnification[k]); times > 1)
+            drawings_[k].caption += ", " + std::to_string(times) + " : 1";
+}
+
+/// The bits of `breaks` tell after which drawings a new row begins.
+PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
+    struct Row {
+        std::size_t first = 0, last = 0;
+        double width = 0, height = 0;
+    };
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < drawings_.size(); ++k) {
+        if (k == 0 || (breaks >> (k - 1) & 1U) != 0) rows.push_back({k, k, 0, 0});
+        Row& row = rows.back();
+        row.last = k;
+        row.width += drawings_[k].area.extent().x();
+        row.height = std::max(row.height, drawings_[k].area.extent().y());
+    }
+    Rows result;
+    const auto gaps = [](const Row& row) { return gap * static_cast<double>(row.last - row.first); };
+    for (const Row& row : rows) result.width = std::max(result.width, row.width / (1 - gaps(row)));
+    const bool captions = std::ranges::any_of(drawings_, [](const PanelDrawing& d) { return !d.caption.empty(); });
+    result.caption_height = captions ? caption_room * result.width : 0;
+
+    result.count = static_cast<int>(rows.size());
+    result.places.resize(drawings_.size());
+    result.magnification.assign(drawings_.size(), 1);
+    for (const Row& row : rows) {
+        const double room =
+            std::min((1 - gaps(row)) * result.width / row.width, magnified_height * result.width / row.height);
+        const double times = row.first == 0 || !captions ? 1 : largest_magnification(room);
+        if (row.first > 0) result.height += gap * result.width;
+        double x = 0;
+        for (std::size_t k = row.first; k <= row.last; ++k) {
+            const Vec size = times * drawings_[k].area.extent();
+            result.places[k] = {x, result.height + result.caption_height, size.x(), size.y()};
+            result.magnification[k] = times;
+            x += size.x() + gap * result.width;
+        }
+        result.height += result.caption_height + times * row.height;
+    }
+    return result;
+}
+
+Box PanelLayout::area() const { return {Vec::Zero(), Vec(width_, height_, 0)}; }
+
+Image PanelLayout::draw(int panel_width, int panel_height, const Draw& draw) const {
+    Canvas panel(panel_width, panel_height);
+    const double scale = std::min(panel_width / width_, panel_height / height_);
+    const auto pixels = [scale](double length) { return std::max(1, static_cast<int>(std::lround(scale * length))); };
+    // all captions of one size: that at which each is as wide as its drawing, at most
+    Canvas::TextStyle style{0.5 * scale * caption_height_, Align::left};
+    const double full_size = style.size;
+    for (std::size_t k = 0; k < drawings_.size(); ++k)
+        if (const std::string& caption = drawings_[k].caption; !caption.empty())
+            style.size = std::min(style.size, full_size * scale * places_[k].width /
+                                                  Canvas::text_width(caption, {full_size, Align::left}));
+    for (std::size_t k = 0; k < drawings_.size(); ++k) {
+        const Place& place = places_[k];
+        const int width = std::min(pixels(place.width), panel_width);
+        const int height = std::min(pixels(place.height), panel_height);
+        const double x = scale * place.x, y = scale * place.y;
+        panel.paste(draw(k, width, height), static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
+        if (!drawings_[k].caption.empty()) panel.text(x, y - full_size, drawings_[k].caption, style);
+    }
+    return panel.image();
+}
+
+}  // namespace dmp

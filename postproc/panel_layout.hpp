@@ -1,0 +1,46 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "postproc/canvas.hpp"
+
+namespace dmp {
+
+/// One of several drawings that belong together.
+struct PanelDrawing {
+    Box area;             ///< what it shows [m]
+    std::string caption;  ///< over it; may be empty
+};
+
+/// Where several drawings stand on one panel: in rows, at one scale, as large as a page lets them. Where there are
+/// captions, rows below the first are magnified by 2, 5 or 10 if there is room, and the captions say so.
+class PanelLayout {
+  public:
+    explicit PanelLayout(std::vector<PanelDrawing> drawings);
+
+    /// The panel, in metres of the first drawing's scale.
+    [[nodiscard]] Box area() const;
+    [[nodiscard]] const PanelDrawing& operator[](std::size_t k) const { return drawings_[k]; }
+
+    /// Draws drawing k at a width and height in pixels.
+    using Draw = std::function<Image(std::size_t k, int width, int height)>;
+    [[nodiscard]] Image draw(int panel_width, int panel_height, const Draw& draw) const;
+
+  private:
+    struct Place {
+        double x = 0, y = 0, width = 0, height = 0;  ///< from the panel's top left corner [m]
+    };
+    struct Rows;
+    [[nodiscard]] Rows in_rows(unsigned breaks) const;
+
+    std::vector<PanelDrawing> drawings_;
+    std::vector<Place> places_;
+    double width_ = 0, height_ = 0, caption_height_ = 0;  ///< [m]
+};
+
+}  // namespace dmp
