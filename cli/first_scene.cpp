@@ -14,6 +14,7 @@
 
 #include "cli/text.hpp"
 #include "geometry/select_faces.hpp"
+#include "geometry/surface_box.hpp"
 #include "scene/toml_node.hpp"
 
 namespace dmp::cli {
@@ -22,15 +23,6 @@ namespace {
 
 constexpr double density = 1000, viscosity = 1e-3;  // water, kg/m^3 and Pa s
 constexpr double reynolds_number = 10, particles_across = 20, most_particles = 2e5;
-
-Box box_of(const TriangleSurface& surface) {
-    Box box{.low = surface.corners.front(), .high = surface.corners.front()};
-    for (const Vec& corner : surface.corners) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
-    }
-    return box;
-}
 
 /// A length as scenes have it; what is as good as 0 beside `size` is 0.
 std::string in_millimetres(double length, double size) {
