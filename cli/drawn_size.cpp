@@ -59,8 +59,10 @@ std::string unit_advice(const Geometry& geometry) {
                              length_text(geometry.unit));
 }
 
+/// Curves and surfaces may be short: layers stand behind them all the same.
 void check_part(const Geometry& geometry, const Part& part, const Box& box, double spacing) {
-    if (box.extent().norm() >= spacing) return;
+    const bool has_room = geometry.solid(part.name) != nullptr || geometry.region(part.name) != nullptr;
+    if (!has_room || box.extent().norm() >= spacing) return;
     const Vec middle = 1e3 * 0.5 * (box.low + box.high);
     throw InputError(part.name.place,
                      fmt::format("'{}' is smaller than a particle: it is {} large, around ({:.4g}, {:.4g}, {:.4g}) mm, "

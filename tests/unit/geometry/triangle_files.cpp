@@ -2,6 +2,7 @@
 // OBJ, PLY, OFF and STL as drawings.
 #include <Eigen/Geometry>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -209,6 +210,19 @@ TEST(SplitPolygon, CoversEachPolygonOnce) {
     }
     EXPECT_NEAR(area_of(star), 5 * 2 * 0.5 * std::sin(0.2 * 3.141592653589793), 1e-12);
     EXPECT_EQ(split_polygon(std::vector<Vec>{{0, 0, 0}, {1, 0, 0}}).size(), 0U);
+}
+
+TEST(SplitPolygon, OfOneThatCoversItselfEnds) {
+    // Twice around a circle: each corner is there twice, so that no triangle is an ear.
+    std::vector<Vec> twice;
+    const auto half = static_cast<int>(most_polygon_corners / 2);
+    for (int k = 0; k < 2 * half; ++k) {
+        const double angle = 2 * 3.141592653589793 * (k % half) / half;
+        twice.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(split_polygon(twice).size(), most_polygon_corners - 2);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST_F(TriangleDrawings, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
