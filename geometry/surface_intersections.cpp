@@ -108,21 +108,23 @@ SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other
     count_crossings(one, other, tolerance, found);
     count_crossings(other, one, tolerance, found);
     const WindingNumber in_one(one), in_other(other);
-    // Bodies that touch along round surfaces share slivers, as their triangles differ.
+    // Bodies that touch along round surfaces share slivers, as their triangles differ: one place has to be deeper.
     const NearestTriangle skin(one, tolerance), other_skin(other, tolerance);
     constexpr int places = 20;
     int both = 0;
+    bool deep = found.crossings > 0;
     for (int i = 0; i < places; ++i)
         for (int j = 0; j < places; ++j)
             for (int k = 0; k < places; ++k) {
                 const Vec part = (Vec(i, j, k) + Vec::Constant(0.5)) / places;
                 const Vec place = common.low + part.cwiseProduct(common.extent());
                 if (!in_one.inside(place) || !in_other.inside(place)) continue;
-                if (skin.nearest(place) || other_skin.nearest(place)) continue;
                 ++both;
-                if (!found.first) found.first = place;
+                if (deep || skin.nearest(place) || other_skin.nearest(place)) continue;
+                deep = true;
+                found.first = place;
             }
-    found.volume = common.extent().prod() * both / (places * places * places);
+    if (deep) found.volume = common.extent().prod() * both / (places * places * places);
     return found;
 }
 

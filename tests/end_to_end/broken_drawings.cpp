@@ -76,11 +76,11 @@ TriangleSurface without_a_side() {
     return surface;
 }
 
-/// A triangle stands on an edge, out into the room.
-TriangleSurface with_a_fin() {
-    TriangleSurface surface = cube();
-    surface.corners.emplace_back(-1, -2, 0.3);
-    surface.triangles.push_back({0, 1, 8});
+/// Three triangles on one edge.
+TriangleSurface open_book() {
+    TriangleSurface surface;
+    surface.corners = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
+    surface.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
     return surface;
 }
 
@@ -143,7 +143,11 @@ std::vector<Broken> broken_files() {
          with(off, "8 6 0", "800000000000 6 0"),
          {},
          {"body.off:2:1:", "more than its"}},
-        {"PlyTooManyVertices", "body.ply", with(ply, "vertex 8", "vertex 9"), {}, {"body.ply:18:1:"}},
+        {"PlyTooManyVertices",
+         "body.ply",
+         with(ply, "vertex 8", "vertex 9"),
+         {},
+         {"body.ply:19:1:", "face 0 has 2 corners"}},
         {"PlyTooFewFaces", "body.ply", with(ply, "face 6", "face 5"), {}, {"after the last 'face'"}},
         {"PlyCountsBeyondReason", "body.ply", with(ply, "face 6", "face 60000000000"), {}, {"more than the file's"}},
         {"PlyWithNan", "body.ply", with(ply, "1 1 0", "1 nan 0"), {}, {"body.ply:12:1:", "vertex 2 is not finite"}},
@@ -153,11 +157,11 @@ std::vector<Broken> broken_files() {
          stl_text(without_a_side(), "body"),
          scene_of("body.stl", "0.05 mm"),
          {"solid 'body' is not closed and cannot be repaired", "4 edges with one triangle", "_bad_triangles.vtp"}},
-        {"ABodyWithAFin",
+        {"AnEdgeOfThreeTriangles",
          "body.stl",
-         stl_text(with_a_fin(), "body"),
+         stl_text(open_book(), "body"),
          scene_of("body.stl", "0.05 mm"),
-         {"1 with more than two", "triangles of sheets, which have no inside: 1", "_bad_triangles.vtp"}},
+         {"6 edges with one triangle, 1 with more than two", "triangles of sheets", "_bad_triangles.vtp"}},
         {"ABodyWithoutVolume",
          "body.stl",
          stl_text(flat_box(), "body"),
