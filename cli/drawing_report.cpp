@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,8 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "geometry/drawing_file.hpp"
+#include "geometry/solids_that_meet.hpp"
+#include "geometry/surface_box.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::cli {
@@ -47,16 +50,6 @@ Scale scale_for(const Box& box, bool unit_known) {
     return size < 1 ? Scale{1e-3, "mm"} : Scale{};
 }
 
-Box box_of(const TriangleSurface& surface) {
-    Box box{.low = Vec::Constant(std::numeric_limits<double>::infinity()), .high = {}};
-    box.high = -box.low;
-    for (const Vec& corner : surface.corners) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
-    }
-    return box;
-}
-
 std::string unit_text(const Geometry& geometry, bool unit_known) {
     if (!unit_known) return "unknown: the file does not say it";
     const std::string length = length_text(geometry.unit);
@@ -75,6 +68,9 @@ std::string unit_word(UnitSource source) {
     return source == UnitSource::file ? "file" : source == UnitSource::scene ? "given" : "assumed";
 }
 
+/// How far triangles may be from curved surfaces of a drawing so large.
+double chord_error_to_look_at(double size) { return std::max(1e-3 * size, std::numeric_limits<double>::min()); }
+
 std::string triangles_text(const TriangleSurface& surface) { return count_text(surface.triangles.size(), "triangle"); }
 
 Json json_of(const Vec& vector) { return {vector[0], vector[1], vector[2]}; }
@@ -86,6 +82,17 @@ Json json_of(const TriangleSurface& surface, const std::string& name, const char
             {"area", surface.area()},
             {"triangles", surface.triangles.size()},
             {"box", json_of(box_of(surface))}};
+}
+
+/// Solids that meet themselves or share room, deeper than the triangles are off what they were drawn as.
+std::vector<SolidMeeting> meetings_in(const Geometry& geometry) {
+    std::vector<std::string> names;
+    for (const Solid& solid : geometry.solids) names.push_back(solid.name);
+    std::vector<SolidMeeting> found = solids_that_meet_themselves(geometry, names);
+    const double tolerance = 5 * chord_error_to_look_at(geometry.box.extent().norm());
+    const std::vector<SolidMeeting> shared = solids_that_overlap(geometry, names, tolerance);
+    found.insert(found.end(), shared.begin(), shared.end());
+    return found;
 }
 
 }  // namespace
@@ -119,8 +126,9 @@ std::string drawing_text(const Geometry& geometry, bool unit_known) {
     for (const auto& [name, places] : geometry.points) parts.add(name, count_text(places.size(), "point"));
     std::string text = Style(Stream::output).strong(geometry.file) + "\n" + facts.text() +
                        "\nParts, by the names that a scene gives them\n" + parts.text();
-    for (const std::string& warning : geometry.warnings)
-        text += Style(Stream::output).warning("note: ") + warning + "\n";
+    std::vector<std::string> notes = geometry.warnings;
+    for (const SolidMeeting& meeting : meetings_in(geometry)) notes.push_back(meeting.text(scale.metres, scale.unit));
+    for (const std::string& note : notes) text += Style(Stream::output).warning("note: ") + note + "\n";
     return text;
 }
 
@@ -147,7 +155,10 @@ std::string drawing_json(const Geometry& geometry, bool unit_known) {
         json["parts"].push_back({{"name", set.name}, {"kind", "curve"}, {"length", set.length()}});
     for (const auto& [name, places] : geometry.points)
         json["parts"].push_back({{"name", name}, {"kind", "points"}, {"points", places.size()}});
-    json["warnings"] = geometry.warnings;
+    std::vector<std::string> warnings = geometry.warnings;
+    for (const SolidMeeting& meeting : meetings_in(geometry))
+        warnings.push_back(meeting.text(1, unit_known ? "m" : "units"));
+    json["warnings"] = warnings;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -168,7 +179,7 @@ Geometry read_to_look_at(DrawingOptions options) {
     // Coarsely first: how fine is fine depends on the size.
     options.chord_error = std::numeric_limits<double>::max();
     const double size = read_drawing_of_a_stranger(options).box.extent().norm();
-    options.chord_error = std::max(1e-3 * size, std::numeric_limits<double>::min());
+    options.chord_error = chord_error_to_look_at(size);
     return read_drawing_of_a_stranger(options);
 }
 

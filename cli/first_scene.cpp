@@ -15,6 +15,7 @@
 #include "cli/text.hpp"
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/select_faces.hpp"
+#include "geometry/surface_box.hpp"
 #include "geometry/winding_number.hpp"
 #include "scene/toml_node.hpp"
 
@@ -35,15 +36,6 @@ struct Liquid {
 /// The first one where no name fits.
 constexpr std::array<Liquid, 3> liquids{
     {{"water", "water", 1000, 1e-3}, {"blood", "blood, Newtonian", 1060, 3.5e-3}, {"air", "air", 1.2, 1.8e-5}}};
-
-Box box_of(const TriangleSurface& surface) {
-    Box box{.low = surface.corners.front(), .high = surface.corners.front()};
-    for (const Vec& corner : surface.corners) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
-    }
-    return box;
-}
 
 /// A length as scenes have it; what is as good as 0 beside `size` is 0.
 std::string in_millimetres(double length, double size) {

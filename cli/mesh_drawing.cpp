@@ -2,13 +2,17 @@
 #include "cli/mesh_drawing.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/drawn_size.hpp"
 #include "cli/text.hpp"
 #include "geometry/drawing_child.hpp"
 #include "geometry/repair_solids.hpp"
+#include "geometry/select_faces.hpp"
+#include "geometry/solids_that_meet.hpp"
 #include "geometry/triangle_file.hpp"
 #include "mesher/drawing_of.hpp"
 #include "mesher/mesh_spheres.hpp"
@@ -54,13 +58,15 @@ struct Repaired {
     std::vector<std::string> changes;
 };
 
-/// Fluids of which the drawing has an open surface are closed as far as that can be done.
-Repaired repaired_drawing(const Scene& scene) {
-    Repaired drawing{read_drawing_of_a_stranger(drawing_of(scene)), {}};
-    if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
-    if (drawing.geometry.dimension != 3) return drawing;
-    std::vector<std::string> fluids;
-    for (const Part* part : scene.parts_of(PartKind::fluid)) fluids.push_back(part->name);
+std::vector<std::string> names_of(const std::vector<const Part*>& parts) {
+    std::vector<std::string> names;
+    for (const Part* part : parts) names.push_back(part->name);
+    return names;
+}
+
+/// Closes fluids of which the drawing has an open surface, as far as that can be done.
+void repair_fluids(Repaired& drawing, const Scene& scene) {
+    const auto fluids = names_of(scene.parts_of(PartKind::fluid));
     try {
         RepairLimits limits;
         limits.spacing = scene.particles.spacing;
@@ -71,6 +77,27 @@ Repaired repaired_drawing(const Scene& scene) {
         write_triangles(file, error.bad_triangles().corners, error.bad_triangles().triangles);
         throw InputError(error.where(), error.problem(), error.what_to_do() + " (the triangles are in " + file + ")");
     }
+}
+
+/// The drawing with its fluids closed, and with the faces that the scene selects of what they are then.
+Repaired repaired_drawing(const Scene& scene) {
+    DrawingOptions options = drawing_of(scene);
+    const auto selections = std::exchange(options.selections, {});
+    Repaired drawing{read_drawing_of_a_stranger(options), {}};
+    if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
+    check_drawn_size(drawing.geometry, scene);
+    if (drawing.geometry.dimension == 3) {
+        auto names = names_of(scene.parts_of(PartKind::rigid));
+        for (std::string& name : names_of(scene.parts_of(PartKind::fluid))) names.push_back(std::move(name));
+        for (const SolidMeeting& meeting : solids_that_meet_themselves(drawing.geometry, names))
+            drawing.changes.push_back(meeting.text(1e-3, "mm") + ": what lies inside any part of it counts as inside");
+        repair_fluids(drawing, scene);
+        // Of curved surfaces that touch, triangles are off by 0.005 spacings or so.
+        for (const SolidMeeting& meeting : solids_that_overlap(drawing.geometry, names, 0.05 * scene.particles.spacing))
+            drawing.changes.push_back(meeting.text(1e-3, "mm") +
+                                      ": rigid bodies take the room first, then fluids in the scene's order");
+    }
+    select_faces(drawing.geometry, selections);
     return drawing;
 }
 

@@ -122,8 +122,8 @@ class Child {
     pid_t id_ = -1;
 };
 
-/// All that comes until the writer closes; none when the time is over before.
-std::optional<std::string> answer_within(int descriptor, double seconds) {
+/// All that comes until the writer closes, or the first byte too many; none when the time is over before.
+std::optional<std::string> answer_within(int descriptor, double seconds, std::size_t largest) {
     using Clock = std::chrono::steady_clock;
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -139,6 +139,7 @@ std::optional<std::string> answer_within(int descriptor, double seconds) {
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return answer;
         answer.append(buffer.data(), static_cast<std::size_t>(count));
+        if (answer.size() > largest) return answer;
     }
 }
 
@@ -164,7 +165,8 @@ Geometry result_of(const DrawingOptions& options, const std::string& answer, int
         if (answer[0] == is_geometry) return geometry_of(content);
         const ErrorText error = error_text_of(content);
         if (answer[0] == is_resource_error) throw ResourceError(error.problem, error.what_to_do);
-        throw InputError(error.place, error.problem, error.what_to_do);
+        if (answer[0] == is_input_error) throw InputError(error.place, error.problem, error.what_to_do);
+        throw std::runtime_error("an answer of no kind");
     } catch (const Error&) {
         throw;
     } catch (const std::runtime_error&) {
@@ -221,8 +223,11 @@ Geometry read_drawing_apart(const DrawingOptions& options, const DrawingChild& c
     Descriptor write_end(pipe_ends[1]);
     Child process(child.command, request.number(), write_end.number());
     write_end.close();
-    const auto answer = answer_within(read_end.number(), child.seconds);
+    const auto answer = answer_within(read_end.number(), child.seconds, child.largest_answer);
     if (!answer) throw gone_wrong(options, "gmsh was not done after " + number_text(child.seconds) + " s");
+    if (answer->size() > child.largest_answer)
+        throw gone_wrong(options, "what gmsh made of it takes more than " +
+                                      number_text(static_cast<double>(child.largest_answer)) + " bytes");
     Geometry geometry = result_of(options, *answer, process.collect());
     select_faces(geometry, options.selections);
     return geometry;

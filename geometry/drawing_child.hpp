@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace dmp {
 struct DrawingChild {
     /// The program and its arguments; it calls answer_drawing_request.
     std::vector<std::string> command;
-    double seconds = 600;  ///< after which it is ended
+    double seconds = 600;                      ///< after which it is ended
+    std::size_t largest_answer = 4ULL << 30U;  ///< [bytes]
 };
 
 /// read_drawing in a process of its own, where gmsh and OpenCASCADE parse what strangers wrote: a crash of theirs, a

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "geometry/geo_text.hpp"
+#include "geometry/number_text.hpp"
 #include "geometry/triangle_file.hpp"
 
 namespace dmp {
@@ -99,8 +100,7 @@ void check_drawing_file(const DrawingOptions& options) {
     if (!std::filesystem::is_regular_file(status) || !std::ifstream(file)) {
         refuse(drawing + " cannot be read", "Check its permissions.");
     }
-    if (is_cad_file(file) && std::filesystem::file_size(file, error) == 0)
-        refuse(drawing + " is empty", "Save or export it again.");
+    if (std::filesystem::file_size(file, error) == 0) refuse(drawing + " is empty", "Save or export it again.");
     if (states_its_unit(file) && options.metres() != 1) {
         refuse(drawing + " states its unit itself, and the scene gives another",
                "Leave geometry.unit out, or correct the unit in the program that made the drawing.");
@@ -114,6 +114,18 @@ void check_drawing_file(const DrawingOptions& options) {
                                              : "Only .geo scripts have parameters.");
     }
     if (is_script(file)) check_script(file);
+}
+
+void check_place(const Vec& place, const std::string& file) {
+    constexpr double furthest = 1e12;
+    if (!place.allFinite())
+        throw InputError({.file = file}, "the drawing has a point without finite coordinates",
+                         "Check the drawing, or the parameters it was given.");
+    if (place.cwiseAbs().maxCoeff() > furthest)
+        throw InputError(
+            {.file = file},
+            "the drawing has a point at " + text_in_space(place) + ", further out than any drawing can mean",
+            "Check the drawing and its unit (geometry.unit; on the command line --unit).");
 }
 
 }  // namespace dmp

@@ -31,4 +31,8 @@ namespace dmp {
 /// not read, options that make no sense, and mistakes in a script that gmsh would pass over in silence.
 void check_drawing_file(const DrawingOptions& options);
 
+/// Throws InputError where a place [m] of the drawing is not finite, or further out than any drawing can mean (10^12
+/// m): products of such lengths would overflow.
+void check_place(const Vec& place, const std::string& file);
+
 }  // namespace dmp

@@ -35,8 +35,11 @@ DrawnSurfaces::DrawnSurfaces(const DrawingOptions& options) : options_(options) 
     std::vector<std::size_t> tags;
     std::vector<double> coordinates, parametric;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric);
-    for (std::size_t i = 0; i < tags.size(); ++i)
-        nodes_[tags[i]] = options.metres() * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+        const Vec place = options.metres() * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+        check_place(place, options.file);
+        nodes_[tags[i]] = place;
+    }
     gmsh::vectorpair surfaces;
     gmsh::model::getEntities(surfaces, 2);
     for (const auto& [dimension, tag] : surfaces) {
@@ -105,7 +108,9 @@ TriangleSurface DrawnSurfaces::boundary(const std::vector<int>& volumes) const {
 Vec DrawnSurfaces::point(int tag) const {
     std::vector<double> x;
     gmsh::model::getValue(0, tag, {}, x);
-    return options_.metres() * Vec(x.at(0), x.at(1), x.at(2));
+    const Vec place = options_.metres() * Vec(x.at(0), x.at(1), x.at(2));
+    check_place(place, options_.file);
+    return place;
 }
 
 }  // namespace dmp

@@ -11,8 +11,19 @@ namespace dmp {
 
 namespace {
 
+/// Not bool and no enumeration: not all bytes are one.
 template <class T>
-concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+concept Number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+/// The fewest bytes that one takes: a count, where it is no number.
+template <class T>
+constexpr std::size_t least_bytes = sizeof(std::uint64_t);
+template <Number T>
+constexpr std::size_t least_bytes<T> = sizeof(T);
+template <>
+constexpr std::size_t least_bytes<Vec> = 3 * sizeof(double);
+template <class T, std::size_t N>
+constexpr std::size_t least_bytes<std::array<T, N>> = N* least_bytes<T>;
 
 /// Appends values to bytes.
 class Writer {
@@ -21,7 +32,7 @@ class Writer {
     void operator()(const T& value) {
         bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
-    std::uint64_t size(std::uint64_t now) {
+    std::uint64_t size(std::uint64_t now, std::size_t /*least*/) {
         (*this)(now);
         return now;
     }
@@ -42,11 +53,11 @@ class Reader {
     void operator()(T& value) {
         raw(reinterpret_cast<char*>(&value), sizeof value);
     }
-    /// How many things follow: none takes less than a byte.
-    std::uint64_t size(std::uint64_t /*now*/) {
+    /// How many things follow, each of `least` bytes or more.
+    std::uint64_t size(std::uint64_t /*now*/, std::size_t least) {
         std::uint64_t count = 0;
         (*this)(count);
-        if (count > bytes_.size()) throw std::runtime_error("the bytes of a geometry end early");
+        if (count > bytes_.size() / least) throw std::runtime_error("the bytes of a geometry end early");
         return count;
     }
     void raw(char* data, std::size_t count) {
@@ -71,8 +82,25 @@ void pass(Archive& archive, T& value) {
 }
 
 template <class Archive>
+void pass(Archive& archive, bool& value) {
+    std::uint8_t byte = value ? 1 : 0;
+    archive(byte);
+    if (byte > 1) throw std::runtime_error("the bytes of a geometry have a truth value of another kind");
+    value = byte == 1;
+}
+
+template <class Archive>
+void pass(Archive& archive, UnitSource& source) {
+    auto number = static_cast<std::int32_t>(source);
+    archive(number);
+    if (number < 0 || number > static_cast<std::int32_t>(UnitSource::assumed))
+        throw std::runtime_error("the bytes of a geometry have a unit from nowhere");
+    source = static_cast<UnitSource>(number);
+}
+
+template <class Archive>
 void pass(Archive& archive, std::string& text) {
-    text.resize(archive.size(text.size()));
+    text.resize(archive.size(text.size(), 1));
     archive.raw(text.data(), text.size());
 }
 
@@ -146,7 +174,7 @@ void pass(Archive& archive, SurfaceSet& set) {
 
 template <class Archive, class T>
 void pass(Archive& archive, std::vector<T>& values) {
-    values.resize(archive.size(values.size()));
+    values.resize(archive.size(values.size(), least_bytes<T>));
     for (T& value : values) pass(archive, value);
 }
 
@@ -161,7 +189,7 @@ void pass(Archive& archive, std::optional<T>& value) {
 
 template <class Archive, class T>
 void pass(Archive& archive, std::map<std::string, T>& values) {
-    const std::uint64_t count = archive.size(values.size());
+    const std::uint64_t count = archive.size(values.size(), least_bytes<std::string>);
     if constexpr (Archive::reads) {
         for (std::uint64_t k = 0; k < count; ++k) {
             std::string key;
@@ -225,13 +253,43 @@ T read(std::string_view bytes) {
     return value;
 }
 
+void check(const std::vector<Vec>& points) {
+    for (const Vec& point : points)
+        if (!point.allFinite()) throw std::runtime_error("the bytes of a geometry have a point that is not finite");
+}
+
+void check(const std::vector<Polyline>& lines) {
+    for (const Polyline& line : lines) check(line.points);
+}
+
+void check(const TriangleSurface& surface) {
+    check(surface.corners);
+    const auto corners = static_cast<int>(surface.corners.size());
+    for (const auto& triangle : surface.triangles)
+        for (const int corner : triangle)
+            if (corner < 0 || corner >= corners)
+                throw std::runtime_error("the bytes of a geometry have a triangle with a corner that it has not");
+}
+
+/// What the rest of the program relies on.
+Geometry checked(Geometry geometry) {
+    if (geometry.dimension != 2 && geometry.dimension != 3)
+        throw std::runtime_error("the bytes of a geometry have another number of dimensions than 2 and 3");
+    for (const Region& region : geometry.regions) check(region.loops);
+    for (const CurveSet& set : geometry.curves) check(set.pieces);
+    for (const auto& [name, places] : geometry.points) check(places);
+    for (const Solid& solid : geometry.solids) check(solid.surface);
+    for (const SurfaceSet& set : geometry.surfaces) check(set.surface);
+    return geometry;
+}
+
 }  // namespace
 
 std::string bytes_of(const Geometry& geometry) { return written(geometry); }
 std::string bytes_of(const DrawingOptions& options) { return written(options); }
 std::string bytes_of(const ErrorText& error) { return written(error); }
 
-Geometry geometry_of(std::string_view bytes) { return read<Geometry>(bytes); }
+Geometry geometry_of(std::string_view bytes) { return checked(read<Geometry>(bytes)); }
 DrawingOptions drawing_options_of(std::string_view bytes) { return read<DrawingOptions>(bytes); }
 ErrorText error_text_of(std::string_view bytes) { return read<ErrorText>(bytes); }
 

@@ -19,7 +19,9 @@ struct ErrorText {
 };
 [[nodiscard]] std::string bytes_of(const ErrorText& error);
 
-/// The values again. Throws std::runtime_error for bytes that end early or go on.
+/// The values again. Throws std::runtime_error for bytes that end early or go on, or that no value has; of a geometry,
+/// all points are finite, and triangles' corners exist. Memory stays within a few times that of the bytes, whatever
+/// they say.
 [[nodiscard]] Geometry geometry_of(std::string_view bytes);
 [[nodiscard]] DrawingOptions drawing_options_of(std::string_view bytes);
 [[nodiscard]] ErrorText error_text_of(std::string_view bytes);

@@ -35,6 +35,9 @@ Neighbours neighbours_of(const TriangleSurface& surface, Orientation& found) {
                                     surface.corners[static_cast<std::size_t>(edge.high)]};
         } else if (sides.size() > 2) {
             ++found.many_fold;
+            if (!found.first_unclear)
+                found.first_unclear = 0.5 * (surface.corners[static_cast<std::size_t>(edge.low)] +
+                                             surface.corners[static_cast<std::size_t>(edge.high)]);
         } else {
             const SurfaceEdge& other = sides[1];
             const bool alike = edge.forward != other.forward;
@@ -46,8 +49,8 @@ Neighbours neighbours_of(const TriangleSurface& surface, Orientation& found) {
 }
 
 /// The connected piece around a triangle; `turned` becomes whether each triangle has to be turned to be like the first.
-std::vector<int> piece_around(int first, const Neighbours& neighbours, std::vector<std::int8_t>& turned,
-                              Orientation& found) {
+std::vector<int> piece_around(const TriangleSurface& surface, int first, const Neighbours& neighbours,
+                              std::vector<std::int8_t>& turned, Orientation& found) {
     std::vector<int> piece{first};
     turned[static_cast<std::size_t>(first)] = 0;
     for (std::size_t k = 0; k < piece.size(); ++k) {
@@ -60,6 +63,8 @@ std::vector<int> piece_around(int first, const Neighbours& neighbours, std::vect
                 piece.push_back(neighbour.triangle);
             } else if (turned[there] != wanted && here < there) {
                 ++found.contradicted;
+                if (!found.first_unclear)
+                    found.first_unclear = surface.corners[static_cast<std::size_t>(surface.triangles[here].front())];
             }
         }
     }
@@ -118,7 +123,7 @@ Orientation orient_outward(TriangleSurface& surface) {
     std::vector<std::int8_t> turned(surface.triangles.size(), -1);  // -1: not looked at yet
     std::vector<std::vector<int>> pieces;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-        if (turned[t] < 0) pieces.push_back(piece_around(static_cast<int>(t), neighbours, turned, found));
+        if (turned[t] < 0) pieces.push_back(piece_around(surface, static_cast<int>(t), neighbours, turned, found));
     found.pieces = pieces.size();
     const auto turn = [&](int triangle) {
         auto& corners = surface.triangles[static_cast<std::size_t>(triangle)];

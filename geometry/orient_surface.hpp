@@ -18,6 +18,8 @@ struct Orientation {
     std::size_t contradicted = 0;  ///< edges whose two triangles cannot both be turned right (a Moebius band)
     /// The ends of the first open edge.
     std::optional<std::array<Vec, 2>> first_open;
+    /// Of the edges with more than two triangles, the middle of the first; else a place at the first contradicted one.
+    std::optional<Vec> first_unclear;
 
     [[nodiscard]] bool closed() const { return open_edges == 0 && many_fold == 0 && contradicted == 0; }
 };

@@ -17,6 +17,8 @@ class OffReader {
         read_header();
         for (long long k = 0; k < corner_count_; ++k) read_corner(k);
         for (long long k = 0; k < face_count_; ++k) read_face(k);
+        if (lines_.next_with_words())
+            throw fault("the file goes on after the " + std::to_string(face_count_) + " faces that it states");
         return builder_.finish();
     }
 
@@ -51,8 +53,7 @@ class OffReader {
         };
         const auto corners = count_at(0), faces = count_at(1);
         if (!corners || !faces || *corners < 0 || *faces < 0)
-            throw fault("expected the numbers of corners, faces and edges, found \"" + std::string(lines_.line()) +
-                        "\"");
+            throw fault("expected the numbers of corners, faces and edges, found " + quoted(lines_.line()));
         // A corner takes "0 0 0" and a line's end, a face "3 0 1 2", at least.
         constexpr std::size_t shortest_corner = 6, shortest_face = 8;
         if (static_cast<std::size_t>(*corners) > size_ / shortest_corner + 1 ||
@@ -68,7 +69,7 @@ class OffReader {
         Vec place = Vec::Zero();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto number = axis < lines_.words().size() ? number_in(lines_.words()[axis]) : std::nullopt;
-            if (!number) throw fault("expected a corner's three numbers, found \"" + std::string(lines_.line()) + "\"");
+            if (!number) throw fault("expected a corner's three numbers, found " + quoted(lines_.line()));
             place[static_cast<Eigen::Index>(axis)] = *number;
         }
         if (!place.allFinite()) throw fault("corner " + std::to_string(k) + " is not finite");
@@ -80,13 +81,13 @@ class OffReader {
         const auto& words = lines_.words();
         const auto sides = whole_number_in(words[0]);
         if (!sides || *sides < 3 || static_cast<std::size_t>(*sides) >= words.size())
-            throw fault("expected a face, the number of its corners and which they are, found \"" +
-                        std::string(lines_.line()) + "\"");
+            throw fault("expected a face, the number of its corners and which they are, found " +
+                        quoted(lines_.line()));
         face_.clear();
         for (std::size_t c = 1; c <= static_cast<std::size_t>(*sides); ++c) {
             const auto number = whole_number_in(words[c]);
             if (!number || *number < 0 || *number >= corner_count_)
-                throw fault("a face has corner " + std::string(words[c]) + ", and corners count from 0 to " +
+                throw fault("a face has corner " + quoted(words[c]) + ", and corners count from 0 to " +
                             std::to_string(corner_count_ - 1));
             face_.push_back(corners_[static_cast<std::size_t>(*number)]);
         }

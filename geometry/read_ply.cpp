@@ -44,6 +44,7 @@ struct Element {
     long long count;
     std::vector<Property> properties;
 
+    [[nodiscard]] std::string shown() const { return quoted(name, '\''); }
     [[nodiscard]] int index_of(std::string_view name_asked) const {
         const auto found = std::ranges::find(properties, name_asked, &Property::name);
         return found == properties.end() ? -1 : static_cast<int>(found - properties.begin());
@@ -79,6 +80,12 @@ class Numbers {
         const auto value = static_cast<double>(bits);
         return type.is_signed && (bits & sign) != 0 ? value - 2 * static_cast<double>(sign) : value;
     }
+    /// Whether anything but blanks, line ends and zeros follows.
+    [[nodiscard]] bool more_follows() {
+        if (encoding_ == Encoding::text) return word_ < lines_.words().size() || lines_.next_with_words();
+        const std::string_view rest = body_.substr(at_);
+        return rest.find_first_not_of(std::string_view(" \t\r\n\0", 5)) != std::string_view::npos;
+    }
     [[nodiscard]] int line() const { return encoding_ == Encoding::text ? lines_.number() : 0; }
 
   private:
@@ -97,6 +104,9 @@ class PlyReader {
         read_header();
         Numbers numbers(body_, encoding_, body_line_);
         for (const Element& element : elements_) read_element(element, numbers);
+        if (numbers.more_follows())
+            throw fault(numbers.line(),
+                        "the file goes on after the last " + elements_.back().shown() + " that its header states");
         return builder_.finish();
     }
 
@@ -112,9 +122,7 @@ class PlyReader {
         bool has_format = false;
         while (lines.next_with_words()) {
             const auto& words = lines.words();
-            const auto wrong = [&] {
-                return fault(lines.number(), "cannot read \"" + std::string(lines.line()) + "\"");
-            };
+            const auto wrong = [&] { return fault(lines.number(), "cannot read " + quoted(lines.line())); };
             if (words[0] == "format") {
                 if (words.size() != 3) throw wrong();
                 encoding_ = encoding_called(words[1], lines.number());
@@ -131,7 +139,7 @@ class PlyReader {
                     throw wrong();
                 elements_.back().properties.push_back({std::string(words.back()), *type, length});
             } else if (words[0] != "comment" && words[0] != "obj_info" && words[0] != "end_header") {
-                throw fault(lines.number(), "'" + std::string(words[0]) + "' is no word of a PLY header");
+                throw fault(lines.number(), quoted(words[0], '\'') + " is no word of a PLY header");
             }
         }
         body_line_ = lines.number() + 1;
@@ -154,7 +162,7 @@ class PlyReader {
         if (word == "ascii") return Encoding::text;
         if (word == "binary_little_endian") return Encoding::little_endian;
         if (word == "binary_big_endian") return Encoding::big_endian;
-        throw fault(line, "'" + std::string(word) + "' is no format of PLY files");
+        throw fault(line, quoted(word, '\'') + " is no format of PLY files");
     }
 
     void check_elements() const {
@@ -168,10 +176,10 @@ class PlyReader {
                 bytes += encoding_ == Encoding::text ? 2
                          : property.length           ? property.length->bytes
                                                      : property.type.bytes;
-            if (bytes == 0 && element.count > 0) throw fault(0, "element '" + element.name + "' has no properties");
+            if (bytes == 0 && element.count > 0) throw fault(0, "element " + element.shown() + " has no properties");
             if (element.count == 0 || static_cast<std::size_t>(element.count) <= (body_.size() + 1) / bytes) continue;
-            throw fault(0, "the header states " + std::to_string(element.count) + " of element '" + element.name +
-                               "', more than the file's " + std::to_string(body_.size()) + " bytes behind it can hold");
+            throw fault(0, "the header states " + std::to_string(element.count) + " of element " + element.shown() +
+                               ", more than the file's " + std::to_string(body_.size()) + " bytes behind it can hold");
         }
     }
 
@@ -188,7 +196,7 @@ class PlyReader {
             const auto next = [&](const NumberType& type) {
                 const auto number = numbers.next(type);
                 if (number) return *number;
-                throw fault(numbers.line(), "the file ends, or has no number, in " + element.name + " " +
+                throw fault(numbers.line(), "the file ends, or has no number, in " + element.shown() + " " +
                                                 std::to_string(k) + " of " + std::to_string(element.count));
             };
             for (std::size_t p = 0; p < element.properties.size(); ++p) {

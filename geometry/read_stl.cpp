@@ -87,21 +87,20 @@ TriangleSoup read_text(std::string_view contents, const std::string& file) {
             Vec place = Vec::Constant(NAN);
             for (std::size_t axis = 0; axis < 3 && axis + 1 < words.size(); ++axis)
                 place[static_cast<Eigen::Index>(axis)] = number_in(words[axis + 1]).value_or(NAN);
-            if (!place.allFinite())
-                throw fault("expected three numbers after 'vertex', found \"" + std::string(lines.line()) + "\"");
-            if (corner == 3) throw fault("a triangle has more than three corners");
+            if (!place.allFinite()) throw fault("expected three numbers after 'vertex', found " + quoted(lines.line()));
+            if (corner == 3) throw fault("a triangle has more than three corners, or no 'endfacet'");
             corners.at(corner++) = builder.corner(place);
+            ended = false;
         } else if (first == "endfacet") {
             if (corner != 3) throw fault("a triangle has " + std::to_string(corner) + " corners");
             builder.add_triangle(corners[0], corners[1], corners[2]);
             corner = 0;
-        } else if (first == "endsolid") {
-            ended = true;
-        } else if (first == "solid") {
-            builder.begin_group(rest_of(lines));
-            ended = false;
-        } else if (first != "facet" && first != "outer" && first != "endloop") {
-            throw fault("'" + std::string(words[0]) + "' is no word of an STL file");
+        } else if (first == "endsolid" || first == "solid" || first == "facet") {
+            if (corner > 0) throw fault("the triangle before this line has no 'endfacet'");
+            if (first == "solid") builder.begin_group(rest_of(lines));
+            ended = first == "endsolid";
+        } else if (first != "outer" && first != "endloop") {
+            throw fault(quoted(words[0], '\'') + " is no word of an STL file");
         }
     }
     if (!ended) throw fault("the file ends before 'endsolid'");
@@ -116,7 +115,8 @@ TriangleSoup read_stl_text(std::string_view text, const std::string& file) {
     if (length > 0 && text.size() == length) return read_binary(text, file);
     if (is_text(text)) return read_text(text, file);
     std::string problem = "'" + file + "' is no STL file, or a binary one that was cut off";
-    if (length > text.size())
+    if (length > 0 && length < text.size()) problem = "'" + file + "' is no STL file, or a binary one and more";
+    if (length > 0)
         problem += ": for its " + std::to_string((length - header_bytes - 4) / bytes_per_triangle) +
                    " triangles it needs " + std::to_string(length) + " bytes, and it has " +
                    std::to_string(text.size());

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/crossing_pieces.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/orient_surface.hpp"
 #include "geometry/split_edges.hpp"
 #include "geometry/surface_edges.hpp"
-#include "geometry/surface_intersections.hpp"
 #include "geometry/surface_pieces.hpp"
 #include "geometry/weld_corners.hpp"
 #include "geometry/winding_vote.hpp"
@@ -48,7 +48,7 @@ class Ladder {
         throw_pieces();
         fill();
         if (count_edges(surface_).closed()) {
-            turn_crossing_pieces();
+            look_for_crossings();
             count_turned();
             report_.by = report_.changed() || report_.separated_edges > 0 ? RepairedBy::closing : RepairedBy::nothing;
         } else {
@@ -176,24 +176,11 @@ class Ladder {
             orient_outward(surface_);
     }
 
-    /// A body that crosses another is no hollow in it, on whichever side of the other's surface it was looked at.
-    void turn_crossing_pieces() {
-        const SurfacePieces pieces(surface_);
-        if (!limits_.meets_itself && pieces.all().size() == 1) return;
-        const auto pairs = self_intersections(surface_);
+    void look_for_crossings() {
+        if (!limits_.meets_itself && SurfacePieces(surface_).all().size() == 1) return;
+        const auto pairs = turn_crossing_pieces(surface_);
         report_.self_intersections = pairs.size();
         if (!pairs.empty()) report_.first_self_intersection = middle_of(pairs.front().first);
-        std::vector<char> crosses(pieces.all().size(), 0);
-        for (const auto& [one, other] : pairs)
-            if (pieces.piece_of(one) != pieces.piece_of(other))
-                crosses[pieces.piece_of(one)] = crosses[pieces.piece_of(other)] = 1;
-        for (std::size_t k = 0; k < crosses.size(); ++k) {
-            if (crosses[k] == 0 || pieces.all()[k].volume >= 0) continue;
-            for (const int t : pieces.all()[k].triangles) {
-                auto& corners = surface_.triangles[static_cast<std::size_t>(t)];
-                std::swap(corners[1], corners[2]);
-            }
-        }
     }
 
     void count_turned() {

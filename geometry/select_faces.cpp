@@ -10,6 +10,7 @@
 
 #include "base/nearest_name.hpp"
 #include "geometry/number_text.hpp"
+#include "geometry/surface_box.hpp"
 
 namespace dmp {
 
@@ -31,15 +32,6 @@ Key key_of(const Corners& corners) {
     for (std::size_t c = 0; c < 3; ++c) key.at(c) = {corners.at(c)[0], corners.at(c)[1], corners.at(c)[2]};
     std::ranges::sort(key);
     return key;
-}
-
-Box box_of(const TriangleSurface& surface) {
-    Box box{.low = surface.corners.front(), .high = surface.corners.front()};
-    for (const Vec& corner : surface.corners) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
-    }
-    return box;
 }
 
 bool fits(const FaceSelection& asked, const Corners& corners, double tolerance) {

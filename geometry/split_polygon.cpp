@@ -11,7 +11,8 @@ namespace {
 /// Cuts ears off one polygon.
 class EarCutter {
   public:
-    explicit EarCutter(std::span<const Vec> corners) : corners_(corners), left_(corners.size()) {
+    explicit EarCutter(std::span<const Vec> corners)
+        : corners_(corners), left_(corners.size()), looks_left_(looks_per_pair * corners.size() * corners.size()) {
         std::iota(left_.begin(), left_.end(), std::size_t{0});
         normal_ = Vec::Zero();
         for (std::size_t k = 0; k < corners.size(); ++k)
@@ -30,6 +31,9 @@ class EarCutter {
     }
 
   private:
+    /// How often corners are looked at, for each pair of them. A polygon that covers itself may have no ears at all.
+    static constexpr std::size_t looks_per_pair = 16;
+
     /// The remaining corner `at` with the ones before and after it.
     [[nodiscard]] std::array<std::size_t, 3> around(std::size_t at) const {
         const std::size_t count = left_.size();
@@ -41,17 +45,19 @@ class EarCutter {
         return (corners_[b] - corners_[a]).cross(corners_[c] - corners_[a]).dot(normal_);
     }
 
-    [[nodiscard]] bool holds_another(const std::array<std::size_t, 3>& triangle) const {
+    [[nodiscard]] bool holds_another(const std::array<std::size_t, 3>& triangle) {
         const auto& [a, b, c] = triangle;
         for (const std::size_t other : left_) {
+            --looks_left_;
             if (other == a || other == b || other == c) continue;
             if (turn(a, b, other) >= 0 && turn(b, c, other) >= 0 && turn(c, a, other) >= 0) return true;
         }
         return false;
     }
 
-    /// The first ear; where rounding or a crossing leaves none, the corner that turns most.
-    [[nodiscard]] std::size_t best_ear() const {
+    /// The first ear; where rounding or a crossing leaves none, or the search takes too long, the corner that turns
+    /// most.
+    [[nodiscard]] std::size_t best_ear() {
         std::size_t most = 0;
         double most_turned = -1;
         for (std::size_t k = 0; k < left_.size(); ++k) {
@@ -61,13 +67,14 @@ class EarCutter {
                 most_turned = turned;
                 most = k;
             }
-            if (turned > 0 && !holds_another(triangle)) return k;
+            if (turned > 0 && looks_left_ > left_.size() && !holds_another(triangle)) return k;
         }
         return most;
     }
 
     std::span<const Vec> corners_;
     std::vector<std::size_t> left_;
+    std::size_t looks_left_;
     Vec normal_;
 };
 

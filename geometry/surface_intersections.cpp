@@ -10,6 +10,8 @@
 #include <CGAL/Triangle_3.h>
 #include <CGAL/intersections.h>
 
+#include "geometry/nearest_triangle.hpp"
+#include "geometry/surface_box.hpp"
 #include "geometry/surface_edges.hpp"
 #include "geometry/triangle_tree.hpp"
 #include "geometry/winding_number.hpp"
@@ -100,15 +102,17 @@ std::vector<std::pair<int, int>> self_intersections(const TriangleSurface& surfa
 SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other, double tolerance) {
     SolidOverlap found;
     if (one.triangles.empty() || other.triangles.empty()) return found;
-    const TriangleTree tree(one), other_tree(other);
-    const Box &first = tree.nodes().front().box, &second = other_tree.nodes().front().box;
+    const Box first = box_of(one), second = box_of(other);
     const Box common{first.low.cwiseMax(second.low), first.high.cwiseMin(second.high)};
     if ((common.extent().array() <= tolerance).any()) return found;
     count_crossings(one, other, tolerance, found);
     count_crossings(other, one, tolerance, found);
     const WindingNumber in_one(one), in_other(other);
+    // Bodies that touch along round surfaces share slivers, as their triangles differ: one place has to be deeper.
+    const NearestTriangle skin(one, tolerance), other_skin(other, tolerance);
     constexpr int places = 20;
     int both = 0;
+    bool deep = found.crossings > 0;
     for (int i = 0; i < places; ++i)
         for (int j = 0; j < places; ++j)
             for (int k = 0; k < places; ++k) {
@@ -116,9 +120,11 @@ SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other
                 const Vec place = common.low + part.cwiseProduct(common.extent());
                 if (!in_one.inside(place) || !in_other.inside(place)) continue;
                 ++both;
-                if (!found.first) found.first = place;
+                if (deep || skin.nearest(place) || other_skin.nearest(place)) continue;
+                deep = true;
+                found.first = place;
             }
-    found.volume = common.extent().prod() * both / (places * places * places);
+    if (deep) found.volume = common.extent().prod() * both / (places * places * places);
     return found;
 }
 

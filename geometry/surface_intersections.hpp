@@ -24,7 +24,8 @@ struct SolidOverlap {
 };
 
 /// How far two closed surfaces that face outward overlap. Those that touch do not: an edge crosses a triangle where its
-/// ends are further than `tolerance` [m] from the triangle's plane, and the place that far from its sides.
+/// ends are further than `tolerance` [m] from the triangle's plane, and the place that far from its sides; else a place
+/// that both have has to be that far from both surfaces. The tolerance must be positive.
 SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other, double tolerance);
 
 }  // namespace dmp

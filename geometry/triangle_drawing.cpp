@@ -11,6 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "geometry/crossing_pieces.hpp"
+#include "geometry/drawing_file.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/orient_surface.hpp"
 #include "geometry/surface_pieces.hpp"
@@ -99,17 +101,26 @@ Box box_in_space(const Geometry& geometry) {
 }
 
 std::string why_open(const std::string& name, TriangleSurface& surface, const std::string& file, std::size_t* turned) {
+    const auto drawn = surface.triangles;
     const Orientation found = orient_outward(surface);
-    if (turned != nullptr) *turned = found.turned;
+    if (found.pieces > 1 && found.closed()) turn_crossing_pieces(surface);
+    if (turned != nullptr) {
+        *turned = 0;
+        for (std::size_t t = 0; t < drawn.size(); ++t) *turned += drawn[t] != surface.triangles[t] ? 1 : 0;
+    }
     if (surface.triangles.empty()) return "it has no triangles";
     if (found.open_edges > 0)
         return std::to_string(found.open_edges) + " edges of its surface have one side only, the first from " +
                text_in_space((*found.first_open)[0]) + " to " + text_in_space((*found.first_open)[1]);
     if (!found.closed())
-        return std::to_string(found.many_fold + found.contradicted) + " edges of its surface have no clear sides";
+        return std::to_string(found.many_fold + found.contradicted) +
+               " edges of its surface have more than two sides, or two that cannot both face outward, the first near " +
+               text_in_space(*found.first_unclear);
     if (!(std::abs(surface.enclosed_volume()) > 1e-12 * std::pow(surface.area(), 1.5)))
-        throw InputError({.file = file}, "solid '" + name + "' is closed, but encloses no volume",
-                         "Give it a thickness, or take it out of the drawing.");
+        throw InputError(
+            {.file = file},
+            "solid '" + name + "' is closed, but encloses no volume, near " + text_in_space(surface.corners.front()),
+            "Give it a thickness, or take it out of the drawing.");
     return {};
 }
 
@@ -173,8 +184,7 @@ InputError missing_unit(const DrawingOptions& options, const Box& box) {
             "Give geometry.unit in the scene, \"1 m\", \"1 mm\" or \"1 um\"; on the command line --unit."};
 }
 
-Geometry read_triangle_drawing(const DrawingOptions& options) {
-    TriangleSoup soup = read_triangle_file(options.file, options.place);
+Geometry triangle_drawing(TriangleSoup soup, const DrawingOptions& options) {
     Geometry geometry;
     geometry.file = options.file;
     geometry.dimension = 3;
@@ -188,10 +198,17 @@ Geometry read_triangle_drawing(const DrawingOptions& options) {
         }
         throw missing_unit(options, box);
     }
-    for (Vec& corner : soup.surface.corners) corner *= *options.unit;
+    for (Vec& corner : soup.surface.corners) {
+        corner *= *options.unit;
+        check_place(corner, options.file);
+    }
     add_soup(geometry, std::move(soup));
     geometry.box = box_in_space(geometry);
     return geometry;
+}
+
+Geometry read_triangle_drawing(const DrawingOptions& options) {
+    return triangle_drawing(read_triangle_file(options.file, options.place), options);
 }
 
 }  // namespace dmp

@@ -12,6 +12,10 @@ namespace dmp {
 /// Reads a drawing that is a file of triangles (triangle_file.hpp).
 Geometry read_triangle_drawing(const DrawingOptions& options);
 
+/// The drawing that such a file's triangles make up. They must be some. Throws InputError: no unit, corners further out
+/// than any drawing can mean, solids that enclose nothing.
+Geometry triangle_drawing(TriangleSoup soup, const DrawingOptions& options);
+
 /// The one way on which triangles of a file become parts of a geometry. Each closed group becomes a solid, turned so
 /// that it faces outward; the others become surface sets, and where they close a volume together, that is a solid with
 /// the file's name. Throws InputError for solids that enclose nothing.

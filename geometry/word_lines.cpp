@@ -25,7 +25,7 @@ bool WordLines::next() {
         ++number_;
         if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
         std::string_view text = comment_ == '\0' ? line_ : line_.substr(0, line_.find(comment_));
-        more = !text.empty() && text.back() == '\\';
+        more = goes_on_ && !text.empty() && text.back() == '\\';
         if (more) text.remove_suffix(1);
         for (std::size_t at = 0; (at = text.find_first_not_of(" \t\v\f\r", at)) != std::string_view::npos;) {
             const std::size_t stop = text.find_first_of(" \t\v\f\r", at);
@@ -41,6 +41,13 @@ bool WordLines::next_with_words() {
     while (next())
         if (!words_.empty()) return true;
     return false;
+}
+
+std::string quoted(std::string_view text, char mark) {
+    constexpr std::size_t longest = 60;
+    std::string shown(1, mark);
+    for (const char c : text.substr(0, longest)) shown += c == '\t' ? ' ' : c < ' ' || c > '~' ? '?' : c;
+    return shown + (text.size() > longest ? "..." : "") + mark;
 }
 
 std::optional<double> number_in(std::string_view word) {

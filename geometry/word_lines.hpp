@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,10 +12,11 @@ namespace dmp {
 class WordLines {
   public:
     /// What follows `comment` on a line is none of it; '\0': there are no comments. `first_line` counts from 1.
-    explicit WordLines(std::string_view text, char comment = '\0', int first_line = 1)
-        : rest_(text), comment_(comment), number_(first_line - 1) {}
+    /// `goes_on`: a line that ends with '\' goes on in the next one.
+    explicit WordLines(std::string_view text, char comment = '\0', int first_line = 1, bool goes_on = false)
+        : rest_(text), comment_(comment), goes_on_(goes_on), number_(first_line - 1) {}
 
-    /// Goes to the next line; false where there is none. A line that ends with '\' goes on in the next one.
+    /// Goes to the next line; false where there is none.
     bool next();
     /// Goes to the next line that has words.
     bool next_with_words();
@@ -26,9 +28,13 @@ class WordLines {
   private:
     std::string_view rest_, line_;
     char comment_;
+    bool goes_on_;
     int number_;
     std::vector<std::string_view> words_;
 };
+
+/// A piece of a file in quotes, for a message: '?' for what cannot be printed, and of a long one its beginning.
+[[nodiscard]] std::string quoted(std::string_view text, char mark = '"');
 
 /// The number that a word is, finite or not; none where it is no number.
 [[nodiscard]] std::optional<double> number_in(std::string_view word);

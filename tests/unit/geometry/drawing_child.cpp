@@ -3,9 +3,12 @@
 #include "geometry/drawing_child.hpp"
 
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include "geometry/geometry_bytes.hpp"
 #include "temporary_drawing.hpp"
@@ -88,6 +91,17 @@ TEST_F(DrawingChildren, AHangIsAnErrorToo) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+TEST_F(DrawingChildren, AnAnswerOfNoKindOrWithoutAnEndIsRefused) {
+    (void)write("answer", "Z" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
+    EXPECT_THAT(fault("cat " + path("answer") + " >&3"), HasSubstr("its reader broke off"));
+    EXPECT_THAT(testing::text_thrown<InputError>([&] {
+                    (void)read_drawing_apart(options_for(drawing_), {.command = {"/bin/sh", "-c", "cat /dev/zero >&3"},
+                                                                     .seconds = 20,
+                                                                     .largest_answer = 1U << 20U});
+                }),
+                HasSubstr("what gmsh made of it takes more than 1.04858e+06 bytes"));
+}
+
 TEST_F(DrawingChildren, ErrorsComeThroughWordForWord) {
     (void)write("answer", "I" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
     EXPECT_EQ(fault("cat " + path("answer") + " >&3"), "scene.toml:3:4: what\n  to do");
@@ -113,6 +127,46 @@ TEST(GeometryBytes, CutShortOrTooLongAreRefused) {
     std::string huge = bytes;
     huge[0] = huge[1] = huge[2] = huge[3] = huge[4] = huge[5] = '\x7f';  // the length of the file's name
     EXPECT_THROW((void)geometry_of(huge), std::runtime_error);
+}
+
+TEST(GeometryBytes, OfNoGeometryAreRefused) {
+    Geometry whole;
+    whole.solids.push_back({"a", {{Vec(1, 2, 3)}, {{0, 0, 0}}, 0}});
+    whole.curves.push_back({"b", {{{Vec(0, 0, 0)}, true}}});
+    EXPECT_NO_THROW((void)geometry_of(bytes_of(whole)));
+    const auto refused = [&](const auto& change) {
+        Geometry geometry = whole;
+        change(geometry);
+        return testing::text_thrown<std::runtime_error>([&] { (void)geometry_of(bytes_of(geometry)); });
+    };
+    EXPECT_THAT(refused([](Geometry& g) { g.dimension = 4; }), HasSubstr("dimensions"));
+    EXPECT_THAT(refused([](Geometry& g) { g.solids[0].surface.triangles[0][1] = 1; }), HasSubstr("has not"));
+    EXPECT_THAT(refused([](Geometry& g) { g.solids[0].surface.triangles[0][1] = -1; }), HasSubstr("has not"));
+    EXPECT_THAT(refused([](Geometry& g) { g.solids[0].surface.corners[0].y() = NAN; }), HasSubstr("not finite"));
+    EXPECT_THAT(refused([](Geometry& g) { g.curves[0].pieces[0].points[0].x() = HUGE_VAL; }), HasSubstr("not finite"));
+    EXPECT_THAT(refused([](Geometry& g) { g.unit_source = static_cast<UnitSource>(7); }), HasSubstr("a unit"));
+}
+
+TEST(GeometryBytes, OfNoTruthValueAreRefused) {
+    std::string bytes = bytes_of(DrawingOptions{});
+    bytes[8] = 2;  // behind the file's empty name: whether there is a unit
+    EXPECT_THAT(testing::text_thrown<std::runtime_error>([&] { (void)drawing_options_of(bytes); }),
+                HasSubstr("truth value"));
+}
+
+TEST(GeometryBytes, ThatStateMoreThanTheyCanHoldAreRefusedBeforeRoomIsMade) {
+    const auto largest_memory = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return 1024 * usage.ru_maxrss;
+    };
+    const std::uint64_t count = 10'000'000;  // of solids, which would take a gigabyte
+    std::string bytes = bytes_of(Geometry{}) + std::string(count, '\0');
+    const std::size_t at = 8 + 4 + 6 * 8 + 8 + 8;  // file, dimension, box, regions, curves
+    for (unsigned byte = 0; byte < 8; ++byte) bytes[at + byte] = static_cast<char>(count >> (8 * byte) & 0xffU);
+    const long before = largest_memory();
+    EXPECT_THAT(testing::text_thrown<std::runtime_error>([&] { (void)geometry_of(bytes); }), HasSubstr("end early"));
+    EXPECT_LT(largest_memory() - before, 100'000'000);
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 // OBJ, PLY, OFF and STL as drawings.
 #include <Eigen/Geometry>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -77,6 +79,11 @@ std::string ply_binary(bool big_endian) {
         for (const int k : side) add(static_cast<std::uint32_t>(k), 4);
     }
     return text;
+}
+
+/// A PLY file with a long word for a type.
+std::string with_word(std::size_t length) {
+    return "ply\nformat ascii 1.0\nelement vertex 1\nproperty " + std::string(length, 'y') + " x\nend_header\n";
 }
 
 class TriangleDrawings : public testing::DrawingTest {
@@ -205,6 +212,19 @@ TEST(SplitPolygon, CoversEachPolygonOnce) {
     EXPECT_EQ(split_polygon(std::vector<Vec>{{0, 0, 0}, {1, 0, 0}}).size(), 0U);
 }
 
+TEST(SplitPolygon, OfOneThatCoversItselfEnds) {
+    // Twice around a circle: each corner is there twice, so that no triangle is an ear.
+    std::vector<Vec> twice;
+    const auto half = static_cast<int>(most_polygon_corners / 2);
+    for (int k = 0; k < 2 * half; ++k) {
+        const double angle = 2 * 3.141592653589793 * (k % half) / half;
+        twice.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(split_polygon(twice).size(), most_polygon_corners - 2);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
 TEST_F(TriangleDrawings, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
     EXPECT_EQ(
         fault("b.obj", obj_box(), std::nullopt),
@@ -243,6 +263,7 @@ TEST_F(TriangleDrawings, WrongOnesAreRefusedWithTheirLine) {
         {"a.off", with(off_box(), "8 6 12", "8 7 12"), "the file ends before face 7 of 7"},
         {"a.off", with(off_box(), "8 6 12", "9000000000 6 12"), "a.off:2:1: the file states 9000000000 corners and 6"},
         {"a.off", with(off_box(), "8 6 12", "-8 6 12"), "expected the numbers of corners"},
+        {"a.off", with(off_box(), "8 6 12", "8 5 12"), "a.off:16:1: the file goes on after the 5 faces that it states"},
         {"a.off", with(off_box(), "4 0 3 2 1", "4 0 3 2 8"),
          "a.off:11:1: a face has corner 8, and corners count from 0 to 7"},
         {"a.off", with(off_box(), "4 0 3 2 1", "9 0 3 2 1"), "a.off:11:1: expected a face"},
@@ -255,7 +276,7 @@ TEST_F(TriangleDrawings, WrongOnesAreRefusedWithTheirLine) {
         {"a.ply", with(ply_text(), "float z", "float w"), "element 'vertex' has no x, y and z"},
         {"a.ply", with(ply_text(), "element face 6", "element side 6"), "has no element 'face'"},
         {"a.ply", with(ply_text(), "vertex 8", "vertex 9"), "face 0 has 1 corners"},
-        {"a.ply", with(ply_text(), "face 6", "face 7"), "the file ends, or has no number, in face 6 of 7"},
+        {"a.ply", with(ply_text(), "face 6", "face 7"), "the file ends, or has no number, in 'face' 6 of 7"},
         {"a.ply", with(ply_text(), "vertex 8", "vertex 90000000000"),
          "the header states 90000000000 of element 'vertex', more than the file's"},
         {"a.ply", with(ply_binary(true), "face 6", "face 4000000000"),
@@ -263,7 +284,11 @@ TEST_F(TriangleDrawings, WrongOnesAreRefusedWithTheirLine) {
         {"a.ply", with(ply_text(), "4 0 3 2 1", "4 0 3 2 8"), "face 0 has a corner that is not among the 8 before it"},
         {"a.ply", with(ply_text(), "4 0 3 2 1", "4 0 3 2 -1"), "face 0 has a corner that is not among the 8 before it"},
         {"a.ply", with(ply_text(), "3 2 7 0", "nan 2 7 0"), "vertex 2 is not finite"},
-        {"a.ply", cut, "the file ends, or has no number, in face 5 of 6"},
+        {"a.ply", with(ply_text(), "face 6", "face 5"),
+         "the file goes on after the last 'face' that its header states"},
+        {"a.ply", with(ply_binary(true), "face 6", "face 5"), "the file goes on after the last 'face'"},
+        {"a.ply", ply_binary(false) + "x", "the file goes on after the last 'face'"},
+        {"a.ply", cut, "the file ends, or has no number, in 'face' 5 of 6"},
         {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n", "solid 'a' is closed, but encloses no volume"},
     };
     for (const auto& [name, text, says] : all) EXPECT_THAT(fault(name, text), HasSubstr(says));
@@ -275,6 +300,61 @@ TEST_F(TriangleDrawings, ABinaryStlThatWasCutOffSaysWhatIsMissing) {
     EXPECT_THAT(fault("a.stl", text), HasSubstr("for its 10000 triangles it needs 500084 bytes, and it has 134"));
     std::filesystem::create_directory(path("folder.stl"));
     EXPECT_THAT(fault("folder.stl", ""), HasSubstr("folder.stl' is a folder"));
+}
+
+TEST_F(TriangleDrawings, BlanksBehindTheLastFaceAreNothing) {
+    EXPECT_EQ(read_file("a.ply", ply_text() + "\n \n").solids.size(), 1U);
+    EXPECT_EQ(read_file("a.ply", ply_binary(true) + std::string("\n\0\0", 3)).solids.size(), 1U);
+    EXPECT_EQ(read_file("a.off", off_box() + "\n # done\n").solids.size(), 1U);
+}
+
+TEST_F(TriangleDrawings, LinesGoOnInObjOnly) {
+    EXPECT_EQ(read_file("a.ply", ply_header("ascii").insert(4, "comment of C:\\\n") +
+                                     ply_text().substr(ply_header("ascii").size()))
+                  .solids.size(),
+              1U);
+    EXPECT_EQ(read_file("a.obj", "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n 3\n").surfaces.size(), 1U);
+}
+
+TEST_F(TriangleDrawings, MessagesShowTheBeginningOfWhatCannotBePrinted) {
+    const std::string long_line = "v 1 2\t\x1b[31m\xff" + std::string(100000, 'x') + "\n";
+    EXPECT_THAT(fault("a.obj", long_line),
+                HasSubstr("expected three numbers after 'v', found \"v 1 2 ?[31m?" + std::string(48, 'x') + "...\""));
+    EXPECT_LT(fault("a.ply", with_word(100000)).size(), 600U);
+}
+
+TEST_F(TriangleDrawings, EdgesWithoutClearSidesHaveAPlace) {
+    const Geometry fin = read_file("fin.obj", obj_box() + "v 5 5 5\nf 1 2 9\n", 1);
+    ASSERT_NE(fin.surface_set("fin"), nullptr);
+    EXPECT_THAT(fin.surface_set("fin")->why_open, HasSubstr("2 edges of its surface have one side only"));
+    // Two boxes of one edge: no edge is open, and one has four triangles.
+    std::string two = obj_box();
+    for (const std::string& corner : box_corners)
+        two += "v " + std::to_string(corner[0] - '0' + 3) + " " + std::to_string(corner[2] - '0' + 2) +
+               corner.substr(3) + "\n";
+    for (const auto& side : box_sides) two += "f" + numbers_of(side, 9) + "\n";
+    const Geometry edge = read_file("edge.obj", two, 1);
+    ASSERT_NE(edge.surface_set("edge"), nullptr);
+    EXPECT_THAT(edge.surface_set("edge")->why_open,
+                HasSubstr("1 edges of its surface have more than two sides, or two that cannot both face outward, the "
+                          "first near (3 m, 2 m, 0.5 m)"));
+}
+
+TEST_F(TriangleDrawings, BodiesOfAGroupThatCrossAllFaceOutward) {
+    for (const char* shift : {"1.5 0.9 0.4", "0.1 0.1 0.9", "-1 -1 -0.5"}) {
+        std::string two = obj_box();
+        double x = 0, y = 0, z = 0;
+        std::istringstream(shift) >> x >> y >> z;
+        for (const std::string& corner : box_corners) {
+            double a = 0, b = 0, c = 0;
+            std::istringstream(corner) >> a >> b >> c;
+            two += "v " + std::to_string(a + x) + " " + std::to_string(b + y) + " " + std::to_string(c + z) + "\n";
+        }
+        for (const auto& side : box_sides) two += "f" + numbers_of(side, 9) + "\n";
+        const Geometry geometry = read_file("two.obj", two, 1);
+        ASSERT_NE(geometry.solid("two"), nullptr) << shift;
+        EXPECT_NEAR(geometry.solid("two")->volume(), 12, 1e-5) << shift << ": the room that both have counts twice";
+    }
 }
 
 TEST(PlainName, IsWhatScenesAllow) {

@@ -98,12 +98,23 @@ TEST(WrongStl, is_refused_with_its_line) {
     EXPECT_THAT(with("vertex 0.000000 1.000000 0.000000", ""), HasSubstr("a.stl:8:1: a triangle has 2 corners"));
     EXPECT_THAT(with("endloop", "wobble"), HasSubstr("a.stl:7:1: 'wobble' is no word of an STL file"));
     EXPECT_THAT(with("endsolid", "solid"), HasSubstr("the file ends before 'endsolid'"));
+    EXPECT_THAT(with("  endfacet\n", ""), HasSubstr("a.stl:8:1: the triangle before this line has no 'endfacet'"));
+    EXPECT_THAT(fault(text.substr(0, text.rfind("  endfacet")) + "endsolid\n"),
+                HasSubstr("a.stl:29:1: the triangle before this line has no 'endfacet'"));
+    EXPECT_THAT(fault(text.substr(0, text.rfind("  endfacet")) + text),
+                HasSubstr("a.stl:29:1: the triangle before this line has no 'endfacet'"));
+    EXPECT_THAT(fault(text + "vertex 0 0 0\n"), HasSubstr("a.stl:31:1: the file ends before 'endsolid'"));
+    EXPECT_THAT(with("  facet normal 0 0 0\n    outer loop\n", "vertex 0 0 0\n"), HasSubstr("or no 'endfacet'"));
     EXPECT_THAT(fault("solid nothing\nendsolid\n"), HasSubstr("scene.toml:3:4: "));
     EXPECT_THAT(fault("solid nothing\nendsolid\n"), HasSubstr("has no triangle with an area"));
     EXPECT_THAT(fault(""), HasSubstr("is no STL file, or a binary one that was cut off"));
     const std::string binary = as_binary(tetrahedron).replace(0, 5, "hello");
     EXPECT_THAT(fault(binary.substr(0, binary.size() - 1)),
-                HasSubstr("is no STL file, or a binary one that was cut off"));
+                HasSubstr("is no STL file, or a binary one that was cut off: for its 4 triangles it needs 284 bytes, "
+                          "and it has 283"));
+    EXPECT_THAT(fault(binary + "xyz"),
+                HasSubstr("is no STL file, or a binary one and more: for its 4 triangles it needs "
+                          "284 bytes, and it has 287"));
     std::vector<Triangle> infinite = tetrahedron;
     infinite[2][1][1] = std::numeric_limits<float>::infinity();
     EXPECT_THAT(fault(as_binary(infinite)), HasSubstr("triangle 2 has a corner that is not finite"));

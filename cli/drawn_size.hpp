@@ -1,0 +1,14 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/geometry.hpp"
+#include "scene/scene.hpp"
+
+namespace dmp::cli {
+
+/// Whether the parts of a drawing have a size that goes with the scene's spacing; where they have not, their unit is
+/// mostly wrong. Throws InputError: a solid or region that is smaller than a particle, or so large that no machine
+/// holds the lattice around it; ResourceError where this machine does not.
+void check_drawn_size(const Geometry& geometry, const Scene& scene);
+
+}  // namespace dmp::cli

@@ -1,0 +1,21 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a .geo script, as far as dmp looks at it itself, before gmsh does in another process.
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "geometry/geo_text.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    const dmp::GeoText script(text);
+    const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    const auto need_line = [&](int line) {
+        if (line < 0 || line > lines) std::abort();
+    };
+    if (const auto open = script.unclosed_block()) need_line(open->line);
+    need_line(script.line_cut_short());
+    need_line(script.line_of_assignment("width"));
+    return 0;
+}
