@@ -1,9 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+
 #include <fmt/format.h>
 
 #include "base/safe_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/mesh_cache.hpp"
 #include "cli/mesh_drawing.hpp"
 #include "cli/mesh_look.hpp"
 #include "cli/output_folder.hpp"
@@ -27,9 +30,12 @@ int execute(const MeshCommand& command) {
         throw InputError("--settle is for fluids and their walls, and this is a scene of spheres",
                          "leave --settle out");
     MeshDetail detail;
+    const auto start = std::chrono::steady_clock::now();
     MeshResult made = mesh_drawing(scene, detail);
-    Origin origin = origin_of(scene, made.report);
-    const Prepared prepared{std::move(scene), std::move(made.particles), std::move(origin)};
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    ParticlesWithOrigin fresh{std::move(made.particles), origin_of(scene, made.report)};
+    MeshCache().keep(scene, fresh, took.count());
+    const Prepared prepared{std::move(scene), std::move(fresh.particles), std::move(fresh.origin)};
     const auto folder = output_folder(command.out, scene_name(prepared.scene) + "_mesh");
     const std::string removed = prepare_folder(folder);
     if (command.settle) made.report.at_rest = settle(prepared.scene, prepared.particles);

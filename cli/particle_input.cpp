@@ -29,7 +29,7 @@ std::string table_in(const std::string& line) {
 bool matters(const std::string& table, const std::string& key) {
     if (table.empty()) return key == "dimension";
     if (table == "geometry") return key != "file";
-    if (table == "particles") return true;
+    if (table == "particles" || table == "select") return true;
     if (table == "box") return true;
     if (table == "flow") return key == "periodic" || key == "symmetry";
     if (table == "contact") return key == "range";
@@ -143,13 +143,14 @@ std::vector<std::string> values_behind_particles(const Scene& scene) {
         if (equals == std::string::npos) continue;
         const std::string key = line.substr(0, equals);
         if (!matters(table, key)) continue;
-        // A part's first key is its name.
-        if (table == "part" && key == "name") {
+        // A part's first key is its name, and a selection's.
+        const bool is_named = table == "part" || table == "select";
+        if (is_named && key == "name") {
             part = line.substr(equals + 4, line.size() - equals - 5);
             continue;
         }
         std::string whole_key = table.empty() ? "" : table + ".";
-        if (table == "part") whole_key += part + ".";
+        if (is_named) whole_key += part + ".";
         lines.push_back(whole_key + line);
     }
     return lines;

@@ -42,6 +42,7 @@ std::string text_of(const fs::path& file) {
     // Tests run beside each other on few processors: waiting threads must not spin.
     setenv("OMP_WAIT_POLICY", "passive", 1);
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) unsetenv(name);
+    setenv("XDG_CACHE_HOME", (fs::absolute(folder) / ".cache").c_str(), 1);  // not the user's
     // Open MPI in a container: as root, more ranks than processors, none bound to one, waiting without keeping others
     // from working, and no copying from another process's memory, which containers forbid.
     for (const auto& [name, value] :
