@@ -14,6 +14,9 @@ namespace dmp {
 
 namespace {
 
+/// A wall particle nearer than this to a body's node would stand in its place [spacings].
+constexpr double wall_clearance = 0.75;
+
 bool is_beyond_a_plane(const ParticleSet& set, const Vec& point) {
     for (int axis = 0; axis < set.dimension; ++axis)
         if (set.mirrored_back(point[axis], axis) != point[axis]) return true;

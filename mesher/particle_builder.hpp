@@ -11,9 +11,6 @@
 
 namespace dmp {
 
-/// A wall particle nearer than this to a body's node would stand in its place [spacings].
-constexpr double wall_clearance = 0.75;
-
 /// The sides of the box that are planes of symmetry: by axis, low and high.
 std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene);
 

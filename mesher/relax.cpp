@@ -16,6 +16,9 @@ constexpr double moving_zone = 2.0;
 constexpr int iterations = 80;
 /// Displacement per unit of R^2 SUM V grad W; half of what makes the descent oscillate on a lattice.
 constexpr double descent = 0.1;
+/// In space a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
+/// out: fluid keeps this distance from a body's nodes [spacings].
+constexpr double keep_from_nodes = 0.9;
 
 std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distance) {
     const SearchableParticles search(set, distance);
@@ -39,13 +42,20 @@ void relax(ParticleSet& set, double support, const std::function<bool(std::size_
     for (int iteration = 0; iteration < iterations; ++iteration) {
         const SearchableParticles search(set, support);
         for (std::size_t k = 0; k < moving.size(); ++k) {
-            Vec sum = Vec::Zero();
+            Vec sum = Vec::Zero(), from_node = Vec::Zero();
+            double nearest_node = support;
             search.for_each_neighbour(moving[k], [&](std::size_t j, const Vec& separation) {
                 const double r = separation.norm();
+                if (D == 3 && r < nearest_node && set.kind(j) == ParticleKind::springs) {
+                    nearest_node = r;
+                    from_node = separation / r;
+                }
                 const double crowding = 1 + 0.2 * square(square(kernel.value(r) * inverse_at_spacing));
                 sum += crowding * set.volume[j] * kernel.slope(r) * separation;
             });
             step[k] = -descent * support * support * sum;
+            const double room = nearest_node - keep_from_nodes * set.spacing;
+            if (D == 3 && step[k].dot(from_node) < -room) step[k] -= (step[k].dot(from_node) + room) * from_node;
             const double length = step[k].norm(), longest = 0.1 * set.spacing;
             if (length > longest) step[k] *= longest / length;
         }

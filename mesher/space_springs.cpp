@@ -16,6 +16,10 @@ namespace {
 /// surface, and the edge of a sheet [spacings].
 constexpr double solid_clamped_within = 0.75, sheet_clamped_within = 0.25;
 
+/// Fluid that is moved stays this far from walls: its first layer on the lattice is half a spacing from them
+/// [spacings].
+constexpr double wall_distance = 0.45;
+
 /// By node: the number of the connected piece that it belongs to, from 0 by ascending first node.
 std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
     DisjointSets sets(lattice.nodes.size());
@@ -189,11 +193,10 @@ void SpaceBuilder::note_open_ends(const Part& part, std::size_t first) {
     }
 }
 
-/// Where fluid may stand that is moved to make room for bodies: not near walls, whose layers are in order.
 bool SpaceBuilder::may_stand(const Vec& point) const {
     if (is_beyond_a_plane(point)) return false;
     const auto wall = surface_at(point);
-    if (wall.wall >= 0 && wall.surface.distance < spacing_) return false;
+    if (wall.wall >= 0 && wall.surface.distance < wall_distance * spacing_) return false;
     return std::ranges::none_of(shells_,
                                 [&](const NearestTriangle& shell) { return shell.nearest(point).has_value(); });
 }

@@ -5,11 +5,18 @@
 #include <limits>
 #include <utility>
 
-#include "mesher/particle_builder.hpp"
 #include "mesher/searchable_particles.hpp"
 #include "mesher/space_builder.hpp"
 
 namespace dmp {
+
+namespace {
+
+/// A wall particle nearer than this to a body's node would stand in its place. Less than in the plane: one too many at
+/// the root of a sheet keeps fluid out of the corner, one too few lets it be shifted between sheet and wall [spacings].
+constexpr double body_clearance = 0.45;
+
+}  // namespace
 
 SpaceBuilder::WallPoint SpaceBuilder::wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const {
     // A body's own particles stand in it, those of other walls outside all bodies.
@@ -82,7 +89,7 @@ void SpaceBuilder::find_walls() {
     const auto overlaps_a_body = [&](const Vec& point) {
         bool overlaps = false;
         if (bodies)
-            bodies->for_each_near(point, wall_clearance * spacing_, [&](std::size_t j, double, const Vec&) {
+            bodies->for_each_near(point, body_clearance * spacing_, [&](std::size_t j, double, const Vec&) {
                 overlaps = overlaps || result_.particles.kind(j) == ParticleKind::springs;
             });
         return overlaps;

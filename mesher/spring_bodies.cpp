@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/spring_bodies.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -29,6 +30,22 @@ ShellConstants shell_constants_of(const Part& part, double membrane, double bend
             << bending << " N*m";
     throw InputError(part.thickness.place, problem.str(),
                      "refine particles.spacing to about the thickness, or set lower_axial_stiffness = true");
+}
+
+/// By corner: a full turn over the angle that its triangles take up: 1 inside a flat sheet, 2 at its border, 4 at a
+/// corner.
+std::vector<double> turns_over_angles(const TriangleSurface& sheet) {
+    std::vector<double> angle(sheet.corners.size(), 0);
+    for (const auto& triangle : sheet.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto corner = [&](std::size_t n) -> const Vec& {
+                return sheet.corners[static_cast<std::size_t>(triangle.at(n % 3))];
+            };
+            const Vec a = corner(k + 1) - corner(k), b = corner(k + 2) - corner(k);
+            angle[static_cast<std::size_t>(triangle.at(k))] += std::atan2(a.cross(b).norm(), a.dot(b));
+        }
+    for (double& each : angle) each = 2 * std::numbers::pi / each;
+    return angle;
 }
 
 }  // namespace
@@ -68,8 +85,10 @@ ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spac
     const double bending = part.youngs_modulus * h * h * h / (12 * (1 - nu * nu));
     body.constants = shell_constants_of(part, body.membrane_stiffness_asked, bending, edge, spacing);
     body.lattice = shell_lattice(fine.corners, fine.triangles, body.constants);
-    for (const double area : body.lattice.share) {
-        body.volume.push_back(2 * area * spacing);  // two layers of nodes share the area, and are each a spacing thick
+    const std::vector<double> turns = turns_over_angles(fine);
+    for (std::size_t node = 0; node < body.lattice.nodes.size(); ++node) {
+        const double area = body.lattice.share[node];  // two layers of nodes share it, and are each a spacing thick
+        body.volume.push_back(2 * area * turns[node / 2] * spacing);
         body.mass.push_back(area * h * part.density);
     }
     return body;

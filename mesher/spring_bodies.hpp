@@ -28,8 +28,9 @@ struct SolidBody : SpringBody {
 SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step);
 
 /// A shell half a spacing to both sides of a sheet, which is meshed anew so that each pair of nodes has about spacing^2
-/// of it. Its membrane stiffness E h is lowered, if the part allows it, where two layers a spacing apart would alone
-/// bend with more than half of D = E h^3 / (12 (1 - nu^2)); D is held.
+/// of it. In the SPH sums nodes at its border stand for as much as those inside: the shell reaches half a spacing on.
+/// Its membrane stiffness E h is lowered, if the part allows it, where two layers a spacing apart would alone bend with
+/// more than half of D = E h^3 / (12 (1 - nu^2)); D is held.
 struct ShellBody : SpringBody {
     ShellConstants constants;
     double membrane_stiffness_asked = 0;  ///< E h [N/m]
