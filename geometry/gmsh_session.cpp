@@ -105,8 +105,11 @@ void throw_logged_errors(const std::string& file) {
     }
     if (errors.size() > most_shown) problem += "; and " + std::to_string(errors.size() - most_shown) + " more";
     throw InputError(place, "gmsh cannot read the drawing: " + problem,
-                     syntax ? "Look for a missing ';' or bracket on this line or the one before."
-                            : "Correct the drawing; 'gmsh " + file + "' shows it.");
+                     syntax            ? "Look for a missing ';' or bracket on this line or the one before."
+                     : is_script(file) ? "Correct the drawing; 'gmsh " + file + "' shows it."
+                                       : "Save or export it again: it may be cut off, or of a version that gmsh does "
+                                         "not read; 'gmsh " +
+                                             file + "' may tell more.");
 }
 
 /// The numbers that the drawing offers for setting. (gmsh lists facts of its own and texts beside them.)

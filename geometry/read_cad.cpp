@@ -80,7 +80,7 @@ Geometry read_open_cad(const DrawingOptions& asked) {
     const bool stated = states_its_unit(asked.file);
     if (tags_of(2).empty())
         throw InputError({.file = asked.file}, "the drawing has no bodies and no faces",
-                         "Export the bodies themselves, as solids.");
+                         "Check that it is whole, and export the bodies themselves, as solids.");
     if (!stated && !asked.unit) throw missing_unit(asked, box_in_the_file());
     if (stated) options.unit = millimetre;
     Geometry geometry;

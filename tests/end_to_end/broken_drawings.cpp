@@ -99,7 +99,6 @@ std::vector<Broken> broken_files() {
     return {
         // STL
         {"StlEmpty", "body.stl", "", mesh_of_stl, {"body.stl' is empty", "export it again"}},
-        {"StlWithoutTriangles", "body.stl", "solid body\nendsolid body\n", mesh_of_stl, {"no triangle with an area"}},
         {"StlBinaryCutOff",
          "body.stl",
          stl_binary(cube()).substr(0, 400),
@@ -116,12 +115,6 @@ std::vector<Broken> broken_files() {
          stl.substr(0, stl.rfind("endfacet")) + "endsolid body\n",
          mesh_of_stl,
          {"body.stl:85:1:", "the triangle before this line has no 'endfacet'"}},
-        {"StlWithoutAnEndfacet",
-         "body.stl",
-         with(stl, "endfacet\n", ""),
-         {},
-         {"body.stl:8:1:", "the triangle before this line has no 'endfacet'"}},
-        {"StlWithoutEndsolid", "body.stl", stl.substr(0, stl.find("endsolid")), {}, {"ends before 'endsolid'"}},
         {"StlTextWithNan",
          "body.stl",
          with(stl, "vertex 1 0 0", "vertex nan 0 0"),
@@ -134,10 +127,7 @@ std::vector<Broken> broken_files() {
         {"ObjCornerZero", "body.obj", obj + "f 0 1 2\n", {}, {"body.obj:15:1:", "a face has corner 0"}},
         {"ObjCornerBeforeTheFirst", "body.obj", obj + "f -1 -2 -9\n", {}, {"body.obj:15:1:", "corner -9"}},
         {"ObjWithNan", "body.obj", with(obj, "v 1 1 0", "v 1 nan 0"), {}, {"body.obj:3:1:", "corner 3 is not finite"}},
-        {"ObjCurves", "body.obj", obj + "curv 0 1 1 2\n", {}, {"body.obj:15:1:", "'curv' is not read", "triangles"}},
-        {"OffTooManyCorners", "body.off", with(off, "8 6 0", "9 6 0"), {}, {"body.off:"}},
         {"OffTooFewFaces", "body.off", with(off, "8 6 0", "8 5 0"), {}, {"body.off:16:1:", "after the 5 faces"}},
-        {"OffTooManyFaces", "body.off", with(off, "8 6 0", "8 7 0"), {}, {"ends before face 7 of 7"}},
         {"OffCountsBeyondReason",
          "body.off",
          with(off, "8 6 0", "800000000000 6 0"),
@@ -155,12 +145,12 @@ std::vector<Broken> broken_files() {
         {"ANotClosedBody",
          "body.stl",
          stl_text(without_a_side(), "body"),
-         scene_of("body.stl", "0.05 mm"),
+         scene_of("body.stl", "0.125 mm"),
          {"solid 'body' is not closed and cannot be repaired", "4 edges with one triangle", "_bad_triangles.vtp"}},
         {"AnEdgeOfThreeTriangles",
          "body.stl",
          stl_text(open_book(), "body"),
-         scene_of("body.stl", "0.05 mm"),
+         scene_of("body.stl", "0.125 mm"),
          {"6 edges with one triangle, 1 with more than two", "triangles of sheets", "_bad_triangles.vtp"}},
         {"ABodyWithoutVolume",
          "body.stl",
@@ -195,14 +185,20 @@ std::vector<Broken> broken_files() {
          mesh_of_stl,
          {"further out than any drawing can mean", "unit"}},
         // what gmsh reads
-        {"StepCutOff", "body.step", cut_step, scene_of("body.step", "0.1 mm", ""), {"body.step", "again"}},
-        {"StepEmpty", "body.step", "", {}, {"body.step' is empty"}},
+        {"StepCutOff",
+         "body.step",
+         cut_step,
+         scene_of("body.step", "0.1 mm", ""),
+         {"body.step: ", "Could not read file", "again"}},
         {"StepWithAUnitInTheScene", "body.step", cut_step, scene_of("body.step"), {"states its unit itself"}},
         {"IgesEmpty", "body.igs", "", {}, {"body.igs' is empty"}},
-        {"IgesOfNoLines", "body.igs", "nothing of the kind\n", {}, {"body.igs"}},
-        {"BrepOfNoShape", "body.brep", "DBRep_DrawableShape\n", {}, {"body.brep"}},
-        {"MshOfAnUnknownVersion", "body.msh", "$MeshFormat\n9.7 0 8\n$EndMeshFormat\n", {}, {"body.msh"}},
-        {"MshEmpty", "body.msh", "", {}, {"body.msh' is empty"}},
+        {"IgesOfNoLines", "body.igs", "nothing of the kind\n", {}, {"body.igs: ", "no bodies", "whole"}},
+        {"BrepOfNoShape", "body.brep", "DBRep_DrawableShape\n", {}, {"body.brep: ", "no bodies", "whole"}},
+        {"MshOfAnUnknownVersion",
+         "body.msh",
+         "$MeshFormat\n9.7 0 8\n$EndMeshFormat\n",
+         {},
+         {"Unknown MSH file version 9.7", "again"}},
         {"GeoThatDoesNotParse", "body.geo", "Point(1) = {0, 0 0};\n", {}, {"body.geo:1: ", "syntax error near"}},
         {"GeoThatKillsItsReader",
          "body.geo",
@@ -257,11 +253,11 @@ TEST(BrokenDrawings, ThatNeverEndAreGivenUp) {
     options.file = (folder.path() / "endless.geo").string();
     const auto start = std::chrono::steady_clock::now();
     try {
-        (void)dmp::read_drawing_apart(options, {.command = {DMP_PROGRAM, dmp::cli::read_drawing_word}, .seconds = 2});
+        (void)dmp::read_drawing_apart(options, {.command = {DMP_PROGRAM, dmp::cli::read_drawing_word}, .seconds = 1});
         ADD_FAILURE() << "it ended";
     } catch (const dmp::InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the drawing cannot be read: gmsh was not done "
-                                                     "after 2 s\n  Open it in the program that made it"));
+                                                     "after 1 s\n  Open it in the program that made it"));
     }
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
@@ -282,7 +278,7 @@ TEST(BrokenDrawings, MakeNoFirstScene) {
 TEST(BrokenDrawings, LeaveTheTrianglesThatAreToBlame) {
     const TemporaryFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
-    folder.write("scene.toml", scene_of("body.stl", "0.05 mm"));
+    folder.write("scene.toml", scene_of("body.stl", "0.125 mm"));
     const Outcome outcome = run_dmp(folder.path(), {"mesh", "scene.toml"});
     EXPECT_EQ(outcome.code, 2);
     const std::string file = folder.path().filename().string() + "_bad_triangles.vtp";
@@ -291,7 +287,7 @@ TEST(BrokenDrawings, LeaveTheTrianglesThatAreToBlame) {
     EXPECT_THAT(vtp, testing::HasSubstr("<VTKFile type=\"PolyData\""));
     // Those with an edge at the missing side.
     EXPECT_THAT(vtp, testing::HasSubstr("NumberOfPolys=\"4\""));
-    EXPECT_THAT(outcome.errors, testing::HasSubstr("the largest hole is 80 spacings around, at (0.001 m, 0.0005 m, "
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("the largest hole is 32 spacings around, at (0.001 m, 0.0005 m, "
                                                    "0.0005 m)"));
 }
 

@@ -48,7 +48,7 @@ class MendedDrawings : public testing::Test {
 };
 
 TEST_F(MendedDrawings, ABallWithHolesAndFacesThatAreTurnedIsABallAgain) {
-    TriangleSurface surface = ball(16);
+    TriangleSurface surface = ball(32);
     const double volume = surface.enclosed_volume();
     std::size_t turned = 0;
     for (std::size_t t = 0; t < surface.triangles.size(); t += 3, ++turned) flip(surface, t);
@@ -56,14 +56,14 @@ TEST_F(MendedDrawings, ABallWithHolesAndFacesThatAreTurnedIsABallAgain) {
     surface.triangles.erase(surface.triangles.begin() + 1300);
     surface.triangles.erase(surface.triangles.begin() + 100, surface.triangles.begin() + 102);
     folder_.write("body.stl", stl_text(surface, "body"));
-    mesh(scene_of("body.stl"));
+    mesh(scene_of("body.stl", "0.05 mm"));
     EXPECT_THAT(notes_, Contains("body: " + std::to_string(turned) + " triangles turned to face outward"));
     EXPECT_THAT(notes_, Contains(AllOf(HasSubstr("body: a hole of 4 edges around ("), HasSubstr(" spacings around, "),
                                        HasSubstr("filled with 2 triangles"))));
     EXPECT_THAT(notes_,
                 Contains(AllOf(HasSubstr("body: a hole of 3 edges around ("), HasSubstr("filled with 1 triangle"))));
     EXPECT_NEAR(drawn_, volume, 1e-3 * volume);
-    EXPECT_NEAR(filled_, volume, 0.01 * volume) << "20 spacings across";
+    EXPECT_NEAR(filled_, volume, 0.01 * volume) << "40 spacings across";
     EXPECT_NEAR(filled_, 4.0 / 3 * std::numbers::pi, 0.02 * 4.0 / 3 * std::numbers::pi);
 }
 
@@ -128,7 +128,7 @@ TEST_F(MendedDrawings, BodiesThatTouchAlongARoundSurfaceDoNotOverlap) {
                   "Cylinder(2) = {0, 0, 0, 0, 0, 2, 0.8};\nCylinder(3) = {0, 0, 0, 0, 0, 2, 0.5};\n"
                   "BooleanDifference(4) = { Volume{2}; Delete; }{ Volume{3}; Delete; };\n"
                   "Physical Volume(\"body\") = {1};\nPhysical Volume(\"tube\") = {4};\n");
-    mesh(scene_of("pipe.geo") + "[[part]]\nname = \"tube\"\nkind = \"rigid\"\n");
+    mesh(scene_of("pipe.geo", "0.2 mm") + "[[part]]\nname = \"tube\"\nkind = \"rigid\"\n");
     EXPECT_THAT(notes_, Not(Contains(HasSubstr(" share "))));
     EXPECT_THAT(notes_, Not(Contains(HasSubstr(" cross "))));
 }

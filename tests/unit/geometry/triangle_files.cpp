@@ -265,7 +265,7 @@ TEST_F(TriangleDrawings, WrongOnesAreRefusedWithTheirLine) {
         {"a.off", with(off_box(), "8 6 12", "-8 6 12"), "expected the numbers of corners"},
         {"a.off", with(off_box(), "8 6 12", "8 5 12"), "a.off:16:1: the file goes on after the 5 faces that it states"},
         {"a.off", with(off_box(), "4 0 3 2 1", "4 0 3 2 8"),
-         "a.off:11:1: a face has corner 8, and corners count from 0 to 7"},
+         "a.off:11:1: a face has corner \"8\", and corners count from 0 to 7"},
         {"a.off", with(off_box(), "4 0 3 2 1", "9 0 3 2 1"), "a.off:11:1: expected a face"},
         {"a.off", with(off_box(), "3 2 0\n", "3 inf 0\n"), "a.off:5:1: corner 2 is not finite"},
         {"a.ply", "solid\n", "is no PLY file, or one that was cut off"},
