@@ -16,9 +16,6 @@ constexpr double moving_zone = 2.0;
 constexpr int iterations = 80;
 /// Displacement per unit of R^2 SUM V grad W; half of what makes the descent oscillate on a lattice.
 constexpr double descent = 0.1;
-/// In space a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
-/// out: fluid keeps this distance from a body's nodes [spacings].
-constexpr double keep_from_nodes = 0.9;
 
 std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distance) {
     const SearchableParticles search(set, distance);

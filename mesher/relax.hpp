@@ -7,6 +7,10 @@
 
 namespace dmp {
 
+/// In space a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
+/// out: fluid keeps this distance from a body's nodes [spacings].
+constexpr double keep_from_nodes = 0.9;
+
 /// Moves fluid particles near spring bodies until they are evenly spread: where a slanted body cuts the lattice,
 /// particles stand too near or leave gaps. Steepest descent on the same sum that particle shifting uses; other
 /// particles stay on the lattice. `support` is the kernel's support radius [m]; `may_stand(i, point)` says whether

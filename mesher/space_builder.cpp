@@ -86,6 +86,7 @@ Vec SpaceBuilder::normal_of(const TriangleSurface& surface, int triangle) {
 
 void SpaceBuilder::sort_triangles() {
     for (Wall& wall : walls_) wall.nearest = NearestTriangle(*wall.surface, 1.001 * wall.thickness);
+    if (!shells_.empty()) clear_wedges();
     if (fluids_.size() < 2) return;
     for (const Part* fluid : fluids_) fluid_edges_.emplace_back(geometry_.solid(fluid->name)->surface, spacing_);
 }

@@ -78,6 +78,7 @@ class SpaceBuilder {
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     void claim_springs(const Part& part, const Solid& solid);
     void clear_for_shell(const SurfaceSet& sheet);
+    void clear_wedges();
     void add_body(const SpringBody& body, int part, MeshReport::SpringLine& line);
     void clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line);
     void note_open_ends(const Part& part, std::size_t first);

@@ -5,6 +5,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "geometry/surface_pieces.hpp"
+#include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/spring_bodies.hpp"
 
@@ -85,6 +86,27 @@ void SpaceBuilder::clear_for_shell(const SurfaceSet& sheet) {
         if (here >= 0 && nearest.nearest(at())) {
             ++taken_[static_cast<std::size_t>(here)];
             owner_[index] = in_a_shell;
+        }
+        ++index;
+    });
+}
+
+/// Between a shell and the wall that it meets, fluid next to the wall cannot move away from the shell's nodes, half a
+/// spacing beside the sheet: what is too near to them is taken from the fluids, too.
+void SpaceBuilder::clear_wedges() {
+    std::vector<NearestTriangle> sheets;
+    for (const Part* part : scene_.parts_of(PartKind::springs))
+        if (geometry_.solid(part->name) == nullptr)
+            sheets.emplace_back(geometry_.surface_set(part->name)->surface, (0.5 + keep_from_nodes) * spacing_);
+    std::size_t index = 0;
+    for_each_point([&](std::int16_t here, const auto& at) {
+        const auto reaches = [&](const NearestTriangle& sheet) { return sheet.nearest(at()).has_value(); };
+        if (here >= 0 && std::ranges::any_of(sheets, reaches)) {
+            const WallPoint wall = surface_at(at());
+            if (wall.wall >= 0 && wall.surface.distance < spacing_) {
+                ++taken_[static_cast<std::size_t>(here)];
+                owner_[index] = in_a_shell;
+            }
         }
         ++index;
     });

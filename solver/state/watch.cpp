@@ -12,6 +12,8 @@ namespace dmp {
 namespace {
 
 constexpr double lowest_density = 0.5, highest_density = 1.5;
+/// Walls' particles are a spacing apart: what is among them has one nearer than this [spacings].
+constexpr double walls_are_near = 2;
 
 double speed_of(const ParticleGroup& group, std::size_t i) {
     double square = 0;
@@ -182,25 +184,45 @@ bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
     return false;
 }
 
+/// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 far from all walls. The
+/// nearest particle of a wall says it; where that says behind, the best of those up to a spacing further away: at the
+/// edge of a body the nearest one may belong to another face than the one that the fluid is in front of.
+double Watch::in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
+                                std::int32_t i) const {
+    const ParticleGroup& fluid = particles.fluid();
+    const ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    struct Seen {
+        double square_of_distance, in_front;
+    };
+    const auto seen = [&](std::int32_t j) {
+        double square = 0, along_normal = 0;
+        for (int axis = 0; axis < particles.dimension(); ++axis) {
+            const double d = fluid.data(Field::position, axis)[i] - walls.data(Field::position, axis)[j];
+            square += d * d;
+            along_normal += d * walls.data(Field::wall_normal, axis)[j];
+        }
+        return Seen{square, along_normal - walls.data(Field::wall_distance)[j]};
+    };
+    Seen nearest{std::numeric_limits<double>::infinity(), 0};
+    for (const std::int32_t j : near)
+        if (const Seen wall = seen(j); wall.square_of_distance < nearest.square_of_distance) nearest = wall;
+    if (nearest.square_of_distance > std::pow(walls_are_near * space_.spacing, 2)) return 0;
+    if (nearest.in_front >= -space_.spacing) return nearest.in_front;
+    const double reach = std::sqrt(nearest.square_of_distance) + space_.spacing;
+    double best = nearest.in_front;
+    for (const std::int32_t j : near)
+        if (const Seen wall = seen(j); wall.square_of_distance < reach * reach) best = std::max(best, wall.in_front);
+    return best;
+}
+
 template <class Visit>
 void Watch::for_those_that_left(const ParticleStore& particles, const ClusterList& list, const Visit& visit) const {
     const ParticleGroup& fluid = particles.fluid();
-    const ParticleGroup& walls = particles.of(ParticleKind::rigid);
     const auto clusters = list.clusters(ParticleKind::fluid);
     for (std::size_t c = 0; c < clusters.size(); ++c)
         for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
-            double nearest = std::numeric_limits<double>::infinity(), in_front = 0;
-            for (const std::int32_t j : list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid)) {
-                double square = 0, along_normal = 0;
-                for (int axis = 0; axis < particles.dimension(); ++axis) {
-                    const double d = fluid.data(Field::position, axis)[i] - walls.data(Field::position, axis)[j];
-                    square += d * d;
-                    along_normal += d * walls.data(Field::wall_normal, axis)[j];
-                }
-                if (square >= nearest) continue;
-                nearest = square;
-                in_front = along_normal - walls.data(Field::wall_distance)[j];
-            }
+            const double in_front =
+                in_front_of_walls(particles, list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid), i);
             const auto index = static_cast<std::size_t>(i);
             const bool behind = in_front < -space_.spacing;
             if ((behind || outside_box(fluid, index)) && !visit(index, behind ? -in_front : 0.0)) return;

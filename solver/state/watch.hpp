@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "solver/time/fluid_step.hpp"
@@ -60,6 +62,8 @@ class Watch {
     [[nodiscard]] std::string likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid, const FluidStep& step,
                                             double t) const;
     [[nodiscard]] bool outside_box(const ParticleGroup& group, std::size_t i) const;
+    [[nodiscard]] double in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
+                                           std::int32_t i) const;
     /// Calls visit(i, depth) for each of this rank's fluid particles that left, depth behind the wall's surface or 0
     /// for those outside the box, until it returns false.
     template <class Visit>
