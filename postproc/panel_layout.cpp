@@ -29,11 +29,12 @@ struct PanelLayout::Rows {
 
     int count = 0;
 
-    /// Mean pixels per metre on a panel one pixel wide, less what more rows than one have to be worth.
+    /// Pixels per metre on a panel one pixel wide, the geometric mean of the first drawing's and all drawings', less
+    /// what more rows than one have to be worth.
     [[nodiscard]] double merit() const {
         const double mean = std::accumulate(magnification.begin(), magnification.end(), 0.0) /
                             static_cast<double>(magnification.size());
-        return mean * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
+        return std::sqrt(mean) * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
     }
 };
 
