@@ -145,23 +145,59 @@ class Chooser {
         return cut;
     }
 
-    /// Not a thousandth of a spacing beside 0.
-    [[nodiscard]] Vec in_round_numbers(const Vec& place) const {
-        const double unit = first_.spacing / 20;
-        return unit * (place / unit).array().round().matrix();
+    /// Not a hundredth of a spacing beside 0; planes of symmetry are known less well.
+    [[nodiscard]] Vec in_round_numbers(Vec place) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double unit = first_.spacing / (mirrored_[axis][0] || mirrored_[axis][1] ? 4 : 20);
+            place[axis] = unit * std::round(place[axis] / unit);
+        }
+        return place;
     }
 
-    /// Of the two planes along the longest axis the larger one, or the one that cuts more of what stands in the fluid.
+    /// Of the two planes along the longest axis the larger one; of two alike the one that cuts what stands in the fluid
+    /// into more pieces, struts across and not along, or more of it.
     [[nodiscard]] int axis_to_cut(int longest, const Vec& middle) const {
         const int a = longest == 1 ? 0 : 1, b = 3 - longest - a;
         const Vec extent = fluid_.extent();
         if (extent[a] * alike < extent[b]) return a;
         if (extent[b] * alike < extent[a]) return b;
-        const auto cut = [&](int axis) {
-            return std::ranges::count_if(standing_,
-                                         [&](const Vec& place) { return in_slice(place[axis] - middle[axis]); });
-        };
-        return static_cast<double>(cut(b)) > alike * static_cast<double>(cut(a)) ? b : a;
+        const Section of_a = section(a, middle), of_b = section(b, middle);
+        if (of_a.pieces != of_b.pieces) return of_a.pieces > of_b.pieces ? a : b;
+        return static_cast<double>(of_b.particles) > alike * static_cast<double>(of_a.particles) ? b : a;
+    }
+
+    /// What a slice across an axis cuts of what stands in the fluid: its particles, and the pieces of four particles or
+    /// more that are three spacings apart.
+    struct Section {
+        std::size_t particles = 0, pieces = 0;
+    };
+    [[nodiscard]] Section section(int axis, const Vec& middle) const {
+        constexpr double cell = 1.5;  // [spacings]: neighbours are in one or in adjacent ones
+        Section result;
+        std::map<std::array<long, 2>, std::size_t> cells;
+        for (const Vec& place : standing_) {
+            if (!in_slice(place[axis] - middle[axis])) continue;
+            ++result.particles;
+            const Vec at = (place - middle) / (cell * first_.spacing);
+            ++cells[{std::lround(at[(axis + 1) % 3]), std::lround(at[(axis + 2) % 3])}];
+        }
+        while (!cells.empty()) {
+            std::size_t particles = 0;
+            std::vector<std::array<long, 2>> reached;
+            const auto reach = [&](const std::array<long, 2>& at) {
+                const auto here = cells.find(at);
+                if (here == cells.end()) return;
+                particles += here->second;
+                reached.push_back(at);
+                cells.erase(here);
+            };
+            reach(std::array(cells.begin()->first));
+            for (std::size_t k = 0; k < reached.size(); ++k)
+                for (const long i : {-1L, 0L, 1L})
+                    for (const long j : {-1L, 0L, 1L}) reach({reached[k][0] + i, reached[k][1] + j});
+            if (particles >= 4) ++result.pieces;
+        }
+        return result;
     }
 
     [[nodiscard]] bool in_slice(double distance) const { return std::abs(distance) <= half_slice * first_.spacing; }

@@ -31,8 +31,8 @@ struct Look {
 };
 
 /// How a run's frames are drawn: all at once in the plane and of spheres. Of a fluid in space
-///   - a slice along its longest axis, in the larger of the two planes, or of two alike in the one that cuts more of
-///     what stands in the fluid (spring bodies, and rigid parts that do not reach out of the fluid's box)
+///   - a slice along its longest axis, in the larger of the two planes, or of two alike in the one that cuts what
+///     stands in the fluid into more pieces (spring bodies, and rigid parts that do not reach out of the fluid's box)
 ///   - a slice across that axis, where most of it stands, or half-way
 ///   - where there is such a thing, a view of it aslant, the walls and the fluid in front of the first slice taken away
 /// Spring bodies in space without a fluid are seen aslant.

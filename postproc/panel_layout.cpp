@@ -2,6 +2,7 @@
 #include "postproc/panel_layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -12,15 +13,12 @@ namespace {
 // in widths of the panel
 constexpr double gap = 0.03;
 constexpr double caption_room = 0.03;
-constexpr double most_height = 0.7;       // that the choice of rows counts with; a single tall drawing may take more
-constexpr double magnified_height = 0.4;  // of a row
-constexpr double worth_a_row = 1.2;       // as large, at least, for one more row
+constexpr double letter_width = 0.009;     // of a caption, on average
+constexpr double most_height = 0.7;        // that the choice of rows counts with; a single tall drawing may take more
+constexpr double magnified_height = 0.45;  // of a row
+constexpr double worth_a_row = 1.3;        // as large, at least, for one more row
 
-double largest_magnification(double room) {
-    for (const double times : {10.0, 5.0, 2.0})
-        if (times <= room) return times;
-    return 1;
-}
+constexpr std::array magnifications{10.0, 5.0, 4.0, 3.0, 2.0};
 
 }  // namespace
 
@@ -31,11 +29,12 @@ struct PanelLayout::Rows {
 
     int count = 0;
 
-    /// Mean pixels per metre on a panel one pixel wide, less what more rows than one have to be worth.
+    /// Pixels per metre on a panel one pixel wide, the geometric mean of the first drawing's and all drawings', less
+    /// what more rows than one have to be worth.
     [[nodiscard]] double merit() const {
         const double mean = std::accumulate(magnification.begin(), magnification.end(), 0.0) /
                             static_cast<double>(magnification.size());
-        return mean * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
+        return std::sqrt(mean) * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
     }
 };
 
@@ -56,40 +55,64 @@ PanelLayout::PanelLayout(std::vector<PanelDrawing> drawings) : drawings_(std::mo
 PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
     struct Row {
         std::size_t first = 0, last = 0;
-        double width = 0, height = 0;
+        double height = 0;
     };
     std::vector<Row> rows;
     for (std::size_t k = 0; k < drawings_.size(); ++k) {
-        if (k == 0 || (breaks >> (k - 1) & 1U) != 0) rows.push_back({k, k, 0, 0});
+        if (k == 0 || (breaks >> (k - 1) & 1U) != 0) rows.push_back({k, k, 0});
         Row& row = rows.back();
         row.last = k;
-        row.width += drawings_[k].area.extent().x();
         row.height = std::max(row.height, drawings_[k].area.extent().y());
     }
     Rows result;
-    const auto gaps = [](const Row& row) { return gap * static_cast<double>(row.last - row.first); };
-    for (const Row& row : rows) result.width = std::max(result.width, row.width / (1 - gaps(row)));
+    for (const Row& row : rows) result.width = std::max(result.width, least_width(row.first, row.last));
     const bool captions = std::ranges::any_of(drawings_, [](const PanelDrawing& d) { return !d.caption.empty(); });
     result.caption_height = captions ? caption_room * result.width : 0;
-
     result.count = static_cast<int>(rows.size());
     result.places.resize(drawings_.size());
     result.magnification.assign(drawings_.size(), 1);
     for (const Row& row : rows) {
-        const double room =
-            std::min((1 - gaps(row)) * result.width / row.width, magnified_height * result.width / row.height);
-        const double times = row.first == 0 || !captions ? 1 : largest_magnification(room);
+        const auto fits = [&](double times) {
+            if (times * row.height > magnified_height * result.width) return false;
+            double width = gap * result.width * static_cast<double>(row.last - row.first);
+            for (std::size_t k = row.first; k <= row.last; ++k) width += room_of(k, times, result.width);
+            return width <= result.width * (1 + 1e-9);
+        };
+        double times = 1;
+        if (row.first > 0 && captions)
+            if (const auto* largest = std::ranges::find_if(magnifications, fits); largest != magnifications.end())
+                times = *largest;
         if (row.first > 0) result.height += gap * result.width;
         double x = 0;
         for (std::size_t k = row.first; k <= row.last; ++k) {
             const Vec size = times * drawings_[k].area.extent();
             result.places[k] = {x, result.height + result.caption_height, size.x(), size.y()};
             result.magnification[k] = times;
-            x += size.x() + gap * result.width;
+            x += room_of(k, times, result.width) + gap * result.width;
         }
         result.height += result.caption_height + times * row.height;
     }
     return result;
+}
+
+/// The width that a drawing and its caption take on a panel of some width.
+double PanelLayout::room_of(std::size_t k, double times, double panel_width) const {
+    const double caption = letter_width * panel_width * static_cast<double>(drawings_[k].caption.size());
+    return std::max(times * drawings_[k].area.extent().x(), caption);
+}
+
+/// The least width of a panel with room for these drawings beside each other.
+double PanelLayout::least_width(std::size_t first, std::size_t last) const {
+    double width = 0;
+    for (std::size_t k = first; k <= last; ++k) width += drawings_[k].area.extent().x();
+    // captions take a share of the width: wider panels leave more to the drawings, until all have room
+    for (int k = 0; k < 100; ++k) {
+        double taken = gap * width * static_cast<double>(last - first);
+        for (std::size_t d = first; d <= last; ++d) taken += room_of(d, 1, width);
+        if (taken <= width) break;
+        width *= 1.02;
+    }
+    return width;
 }
 
 Box PanelLayout::area() const { return {Vec::Zero(), Vec(width_, height_, 0)}; }

@@ -18,7 +18,7 @@ struct PanelDrawing {
 };
 
 /// Where several drawings stand on one panel: in rows, at one scale, as large as a page lets them. Where there are
-/// captions, rows below the first are magnified by 2, 5 or 10 if there is room, and the captions say so.
+/// captions, rows below the first are magnified by a round number if there is room, and the captions say so.
 class PanelLayout {
   public:
     explicit PanelLayout(std::vector<PanelDrawing> drawings);
@@ -37,6 +37,8 @@ class PanelLayout {
     };
     struct Rows;
     [[nodiscard]] Rows in_rows(unsigned breaks) const;
+    [[nodiscard]] double room_of(std::size_t k, double times, double panel_width) const;
+    [[nodiscard]] double least_width(std::size_t first, std::size_t last) const;
 
     std::vector<PanelDrawing> drawings_;
     std::vector<Place> places_;

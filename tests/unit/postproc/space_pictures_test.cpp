@@ -207,6 +207,21 @@ TEST(LooksInSpace, CutWhatStandsInTheFluid) {
     EXPECT_THAT(looks[1].caption, HasSubstr("z right, y up, at x = "));
 }
 
+TEST(LooksInSpace, CutStrutsAcrossAndNotAlong) {
+    // the plane y = 0 has a bar along the pipe, the plane z = 0 three struts that it joins
+    Frame frame = pipe_frame(0);
+    std::erase_if(frame.groups, [](const FrameGroup& group) { return group.name == "solid"; });
+    FrameGroup& walls = frame.groups.back();
+    for (int i = 5; i < 18; ++i) {
+        add(walls, (static_cast<float>(i) + 0.5F) * dx, 0, 5 * dx, strut);
+        for (int j = 0; i % 5 < 2 && j < 2; ++j)
+            add(walls, (static_cast<float>(i) + 0.5F) * dx, static_cast<float>(4 + j) * dx, 0, strut);
+    }
+    const TemporaryFolder folder;
+    write_run(folder, {frame});
+    EXPECT_EQ(looks_at(RunFolder(folder.path()))[0].caption, "x right, y up, at z = 0 mm");
+}
+
 TEST(LooksInSpace, TakeTheLargerPlaneAndTheMiddleWhereNothingStandsInTheFluid) {
     Frame frame = pipe_frame(0);
     frame.groups.resize(1);
