@@ -30,9 +30,9 @@ const Vec& corner_of(const TriangleSurface& surface, int number) {
 
 /// The corners of a triangle, those that another triangle has too at the front; and how many these are.
 std::pair<std::array<int, 3>, int> shared_first(std::array<int, 3> corners, const std::array<int, 3>& other) {
-    const auto own =
-        std::ranges::stable_partition(corners, [&](int corner) { return std::ranges::count(other, corner) > 0; });
-    return {corners, static_cast<int>(own.begin() - corners.begin())};
+    const auto own = std::stable_partition(corners.begin(), corners.end(),
+                                           [&](int corner) { return std::ranges::count(other, corner) > 0; });
+    return {corners, static_cast<int>(own - corners.begin())};
 }
 
 bool meet(const TriangleSurface& surface, int one, int other) {
