@@ -26,7 +26,6 @@ struct PanelLayout::Rows {
     std::vector<Place> places;
     std::vector<double> magnification;
     double width = 0, height = 0, caption_height = 0;
-
     int count = 0;
 
     /// Pixels per metre on a panel one pixel wide, the geometric mean of the first drawing's and all drawings', less
