@@ -32,7 +32,7 @@ class EarCutter {
 
   private:
     /// How often corners are looked at, for each pair of them. A polygon that covers itself may have no ears at all.
-    static constexpr std::size_t looks_per_pair = 16;
+    static constexpr std::size_t looks_per_pair = 8;
 
     /// The remaining corner `at` with the ones before and after it.
     [[nodiscard]] std::array<std::size_t, 3> around(std::size_t at) const {

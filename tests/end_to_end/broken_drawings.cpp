@@ -259,7 +259,7 @@ TEST(BrokenDrawings, ThatNeverEndAreGivenUp) {
         EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the drawing cannot be read: gmsh was not done "
                                                      "after 1 s\n  Open it in the program that made it"));
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
 TEST(BrokenDrawings, MakeNoFirstScene) {

@@ -1,11 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings that are broken and can be used all the same: what was done to them is said.
-#include <chrono>
-#include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "tests/end_to_end/program.hpp"
 #include "tests/end_to_end/triangle_texts.hpp"
@@ -135,14 +134,19 @@ TEST_F(MendedDrawings, BodiesThatTouchAlongARoundSurfaceDoNotOverlap) {
 
 TEST_F(MendedDrawings, AMillionTrianglesTakeSeconds) {
     folder_.write("ball.stl", stl_binary(ball(354)));
-    const auto start = std::chrono::steady_clock::now();
+    const auto processor_seconds = [] {
+        rusage usage{};
+        getrusage(RUSAGE_CHILDREN, &usage);
+        return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+    };
+    const double before = processor_seconds();
     const Outcome outcome = run_dmp(folder_.path(), {"inspect", "ball.stl", "--unit", "mm"});
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    RecordProperty("seconds", std::to_string(seconds.count()));
+    const double seconds = processor_seconds() - before;
+    RecordProperty("processor_seconds", std::to_string(seconds));
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("solid, watertight, 4.18"));
     EXPECT_THAT(outcome.output, HasSubstr("1 002 528 triangles"));
-    EXPECT_LT(seconds.count(), 60);
+    EXPECT_LT(seconds, 60);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ int main(int count, char** words) {
     const dmp::TriangleSoup soup = dmp::read_obj_text(obj, "box.obj");
     write("obj/box", obj);
     write("obj/backwards", box("v ", "f", -8) + "g lid\nf -4/1/1 -3//2 -2/3 -1\n");
-    write("obj/crossing", box("v ", "f", 1) + box("v 0.5", "f", 9));  // "0.50 0 0": moved along x
+    write("obj/crossing", box("v ", "f", 1) + box("v 0.5", "f", 9));  // a slab in it, from x = 0.50 to 0.52
     write("off/box", "OFF\n8 6 12\n" + box("", "4", 0));
     write("off/with_normals", "NOFF # of one triangle\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n");
     write("ply/text", ply_header("ascii") + box("", "4", 0));
