@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <xxhash.h>
 
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
+#include "base/text_hash.hpp"
 #include "cli/particle_input.hpp"
 #include "mesher/drawing_of.hpp"
 #include "mesher/mesh_spheres.hpp"
@@ -51,8 +51,7 @@ std::vector<std::string> lines_behind(const Scene& scene) {
     const std::string text = read_file(drawing);
     if (brings_in_others(drawing, text)) return {};
     std::vector<std::string> lines = values_behind_particles(scene);
-    lines.push_back(
-        fmt::format("drawing {:016x} {}", XXH64(text.data(), text.size(), 0), drawing.extension().string()));
+    lines.push_back(fmt::format("drawing {:016x} {}", text_hash(text), drawing.extension().string()));
     lines.push_back(program_text());
     return lines;
 }
@@ -76,7 +75,7 @@ std::optional<fs::path> MeshCache::name_of(const Scene& scene) const {
     if (!folder_ || lines.empty()) return std::nullopt;
     std::string all;
     for (const std::string& line : lines) all += line + "\n";
-    return *folder_ / fmt::format("{:016x}", XXH64(all.data(), all.size(), 0));
+    return *folder_ / fmt::format("{:016x}", text_hash(all));
 }
 
 std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
