@@ -27,7 +27,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Words of gmsh's scripts that bring in other files, of which the cache knows nothing.
-constexpr std::array including{"Merge", "Include", "ShapeFromFile", "Surface(\"", "BooleanFromFile"};
+constexpr std::array including{"Merge", "Include", "ShapeFromFile"};
 
 bool brings_in_others(const fs::path& drawing, const std::string& text) {
     const std::string ending = drawing.extension().string();
@@ -48,6 +48,8 @@ std::string program_text() {
 std::vector<std::string> lines_behind(const Scene& scene) {
     if (is_of_spheres(scene) || scene.geometry.file->empty()) return {};
     const fs::path drawing = drawing_of(scene).file;
+    std::error_code none;
+    if (!fs::is_regular_file(drawing, none)) return {};  // who reads it says what is wrong with it
     const std::string text = read_file(drawing);
     if (brings_in_others(drawing, text)) return {};
     std::vector<std::string> lines = values_behind_particles(scene);

@@ -146,7 +146,7 @@ TEST_F(MendedDrawings, AMillionTrianglesTakeSeconds) {
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("solid, watertight, 4.18"));
     EXPECT_THAT(outcome.output, HasSubstr("1 002 528 triangles"));
-    EXPECT_LT(seconds, 60);
+    EXPECT_LT(seconds, 120) << "also with sanitizers";
 }
 
 }  // namespace
