@@ -99,7 +99,7 @@ class Chooser {
                     standing_.push_back(place);
     }
 
-    std::vector<Look> looks() const {
+    [[nodiscard]] std::vector<Look> looks() const {
         int longest = 0;
         fluid_.extent().maxCoeff(&longest);
         const Vec middle = in_round_numbers(middle_of_whole(longest));
@@ -183,18 +183,21 @@ class Chooser {
         }
         while (!cells.empty()) {
             std::size_t particles = 0;
-            std::vector<std::array<long, 2>> reached;
+            std::vector<std::array<long, 2>> ahead;
             const auto reach = [&](const std::array<long, 2>& at) {
                 const auto here = cells.find(at);
                 if (here == cells.end()) return;
                 particles += here->second;
-                reached.push_back(at);
+                ahead.push_back(at);
                 cells.erase(here);
             };
             reach(std::array(cells.begin()->first));
-            for (std::size_t k = 0; k < reached.size(); ++k)
+            while (!ahead.empty()) {
+                const auto [x, y] = ahead.back();
+                ahead.pop_back();
                 for (const long i : {-1L, 0L, 1L})
-                    for (const long j : {-1L, 0L, 1L}) reach({reached[k][0] + i, reached[k][1] + j});
+                    for (const long j : {-1L, 0L, 1L}) reach({x + i, y + j});
+            }
             if (particles >= 4) ++result.pieces;
         }
         return result;
