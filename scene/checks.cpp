@@ -12,8 +12,8 @@
 #include "scene/schema.hpp"
 #include "scene/solidify_checks.hpp"
 #include "scene/species_checks.hpp"
-#include "scene/spring_checks.hpp"
 #include "scene/sphere_checks.hpp"
+#include "scene/spring_checks.hpp"
 
 namespace dmp {
 
