@@ -39,6 +39,8 @@ RunEnd run_steps(Steps& steps, const Ranks& ranks, Checkpoints& checkpoints, con
             options.progress(steps.progress(until));
         }
     }
+    // Who asked for a time wants to see it, between frames too.
+    if (options.until > 0 && !end.interrupted) steps.write_frame(options.sink);
     end.wall = seconds_since(start);
     return end;
 }

@@ -31,7 +31,8 @@ class Steps {
     [[nodiscard]] virtual bool finished() const { return false; }
 };
 
-/// Makes steps until `until`; saves checkpoints, tells of progress, and leaves early when asked to. All ranks together.
+/// Makes steps until `until`; saves checkpoints, tells of progress, and leaves early when asked to. A time that the
+/// options ask for gets a frame, also where none is due. All ranks together.
 RunEnd run_steps(Steps& steps, const Ranks& ranks, Checkpoints& checkpoints, const RunOptions& options, double until);
 
 }  // namespace dmp
