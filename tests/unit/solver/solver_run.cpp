@@ -78,7 +78,7 @@ TEST(Frames, end_where_the_run_is_told_to_end) {
     SceneAndParticles made = endless_water("0.5");
     KeptFrames kept;
     const RunSummary summary = run(made, options(&kept, 0.6));
-    EXPECT_THAT(kept.times(), ElementsAre(0, 0.25, 0.5));
+    EXPECT_THAT(kept.times(), ElementsAre(0, 0.25, 0.5, 0.6));
     EXPECT_EQ(summary.simulated_s, 0.6);
 }
 
