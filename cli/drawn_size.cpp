@@ -35,11 +35,9 @@ std::optional<Box> box_of(const Geometry& geometry, const std::string& name) {
     const auto add = [&](const std::vector<Polyline>& lines) {
         for (const Polyline& line : lines) points.insert(points.end(), line.points.begin(), line.points.end());
     };
-    if (const Solid* solid = geometry.solid(name))
-        return dmp::box_of(solid->surface);
-    else if (const SurfaceSet* set = geometry.surface_set(name))
-        return dmp::box_of(set->surface);
-    else if (const Region* region = geometry.region(name))
+    if (const Solid* solid = geometry.solid(name)) return dmp::box_of(solid->surface);
+    if (const SurfaceSet* set = geometry.surface_set(name)) return dmp::box_of(set->surface);
+    if (const Region* region = geometry.region(name))
         add(region->loops);
     else if (const CurveSet* curves = geometry.curve_set(name))
         add(curves->pieces);

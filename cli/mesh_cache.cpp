@@ -72,8 +72,7 @@ std::optional<fs::path> MeshCache::users_folder() {
     return std::nullopt;
 }
 
-std::optional<fs::path> MeshCache::name_of(const Scene& scene) const {
-    const std::vector<std::string> lines = lines_behind(scene);
+std::optional<fs::path> MeshCache::name_of(const std::vector<std::string>& lines) const {
     if (!folder_ || lines.empty()) return std::nullopt;
     std::string all;
     for (const std::string& line : lines) all += line + "\n";
@@ -81,12 +80,13 @@ std::optional<fs::path> MeshCache::name_of(const Scene& scene) const {
 }
 
 std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
-    const auto name = name_of(scene);
+    const std::vector<std::string> lines = lines_behind(scene);
+    const auto name = name_of(lines);
     std::error_code none;
     if (!name || !fs::exists(with_ending(*name, ".h5"), none)) return std::nullopt;
     try {
         StoredParticles stored = read_particle_file(with_ending(*name, ".h5"));
-        if (stored.made_from != lines_behind(scene)) return std::nullopt;  // another scene of the same hash
+        if (stored.made_from != lines) return std::nullopt;  // another scene of the same hash
         const Json json = Json::parse(read_file(with_ending(*name, ".json")));
         ParticlesWithOrigin found{std::move(stored.particles), {"drawing", scene.geometry.file, {}, {}}};
         for (const auto& line : json.at("springs"))
@@ -106,13 +106,14 @@ std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
 void MeshCache::keep(const Scene& scene, ParticlesWithOrigin& made, double seconds) const {
     if (seconds < worth_keeping) return;
     try {
-        const auto name = name_of(scene);
+        const std::vector<std::string> lines = lines_behind(scene);
+        const auto name = name_of(lines);
         if (!name) return;
         make_folder(*folder_);
         Json json{{"springs", Json::array()}, {"notes", made.origin.notes}, {"seconds", seconds}};
         for (const auto& [part, constants] : made.origin.springs) json["springs"].push_back({part, constants});
         write_file(with_ending(*name, ".json"), json.dump(2, ' ', false, Json::error_handler_t::replace));
-        write_particles(with_ending(*name, ".h5"), made.particles, lines_behind(scene));
+        write_particles(with_ending(*name, ".h5"), made.particles, lines);
         make_room();
     } catch (const Error& error) {
         made.origin.notes.push_back("these particles could not be kept for the next run: " + error.problem());

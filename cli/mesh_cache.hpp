@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/prepare.hpp"
 
@@ -29,8 +31,8 @@ class MeshCache {
     [[nodiscard]] static std::optional<std::filesystem::path> users_folder();
 
   private:
-    /// Without ending; none for scenes that are not kept.
-    [[nodiscard]] std::optional<std::filesystem::path> name_of(const Scene& scene) const;
+    /// Of a scene whose particles depend on these lines, without ending; none for those that are not kept.
+    [[nodiscard]] std::optional<std::filesystem::path> name_of(const std::vector<std::string>& lines) const;
     void make_room() const;
 
     std::optional<std::filesystem::path> folder_;

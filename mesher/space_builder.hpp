@@ -112,7 +112,7 @@ class SpaceBuilder {
     std::vector<const Part*> fluids_;
     std::vector<Wall> walls_;
     std::vector<SpringSolid> spring_solids_;
-    std::vector<NearestTriangle> shells_;                    ///< within a spacing
+    std::vector<NearestTriangle> shells_;                    ///< as far as their nodes keep fluid away
     int bodies_ = 0;                                         ///< connected pieces of springs so far
     std::vector<NearestTriangle> fluid_edges_;               ///< by fluid: what lies on its surface
     std::vector<std::vector<WallParticle>> wall_particles_;  ///< by wall; empty before find_walls()

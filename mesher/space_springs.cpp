@@ -21,6 +21,11 @@ constexpr double solid_clamped_within = 0.75, sheet_clamped_within = 0.25;
 /// [spacings].
 constexpr double wall_distance = 0.45;
 
+bool is_within(const NearestTriangle& sheet, const Vec& point, double distance) {
+    const auto found = sheet.nearest(point);
+    return found && found->distance < distance;
+}
+
 /// By node: the number of the connected piece that it belongs to, from 0 by ascending first node.
 std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
     DisjointSets sets(lattice.nodes.size());
@@ -80,10 +85,10 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
 
 /// Takes what the sheet's shell fills, a spacing to both sides, from the fluids.
 void SpaceBuilder::clear_for_shell(const SurfaceSet& sheet) {
-    const NearestTriangle& nearest = shells_.emplace_back(sheet.surface, spacing_);
+    const NearestTriangle& nearest = shells_.emplace_back(sheet.surface, (0.5 + keep_from_nodes) * spacing_);
     std::size_t index = 0;
     for_each_point([&](std::int16_t here, const auto& at) {
-        if (here >= 0 && nearest.nearest(at())) {
+        if (here >= 0 && is_within(nearest, at(), spacing_)) {
             ++taken_[static_cast<std::size_t>(here)];
             owner_[index] = in_a_shell;
         }
@@ -94,14 +99,10 @@ void SpaceBuilder::clear_for_shell(const SurfaceSet& sheet) {
 /// Between a shell and the wall that it meets, fluid next to the wall cannot move away from the shell's nodes, half a
 /// spacing beside the sheet: what is too near to them is taken from the fluids, too.
 void SpaceBuilder::clear_wedges() {
-    std::vector<NearestTriangle> sheets;
-    for (const Part* part : scene_.parts_of(PartKind::springs))
-        if (geometry_.solid(part->name) == nullptr)
-            sheets.emplace_back(geometry_.surface_set(part->name)->surface, (0.5 + keep_from_nodes) * spacing_);
     std::size_t index = 0;
     for_each_point([&](std::int16_t here, const auto& at) {
         const auto reaches = [&](const NearestTriangle& sheet) { return sheet.nearest(at()).has_value(); };
-        if (here >= 0 && std::ranges::any_of(sheets, reaches)) {
+        if (here >= 0 && std::ranges::any_of(shells_, reaches)) {
             const WallPoint wall = surface_at(at());
             if (wall.wall >= 0 && wall.surface.distance < spacing_) {
                 ++taken_[static_cast<std::size_t>(here)];
@@ -220,7 +221,7 @@ bool SpaceBuilder::may_stand(const Vec& point) const {
     const auto wall = surface_at(point);
     if (wall.wall >= 0 && wall.surface.distance < wall_distance * spacing_) return false;
     return std::ranges::none_of(shells_,
-                                [&](const NearestTriangle& shell) { return shell.nearest(point).has_value(); });
+                                [&](const NearestTriangle& shell) { return is_within(shell, point, spacing_); });
 }
 
 }  // namespace dmp

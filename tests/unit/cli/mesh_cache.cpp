@@ -13,7 +13,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-using testing_mesh::channel;
 using testing_mesh::flap_channel;
 using testing_scene::Folder;
 
