@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "scene/driving_keys.hpp"
+#include "scene/measure_keys.hpp"
+#include "scene/solidify_keys.hpp"
 #include "scene/sphere_keys.hpp"
 
 namespace dmp {
@@ -248,132 +250,6 @@ std::vector<Key<Output>> output_keys() {
          "Fields of spring bodies in the frames; strain and force are of each bond."},
         {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
          "When time averages (mean_displacement) begin."},
-    };
-}
-
-ValueType<double> diffusivity_type() {
-    ValueType<double> type = quantity("1e-9 m^2/s", not_negative);
-    type.description = "a diffusivity such as \"1e-9 m^2/s\", at least 0";
-    return type;
-}
-
-std::vector<Key<Species>> species_keys() {
-    const auto concentrations = [](const Species& species) { return by_part(concentration_formula(species.unit)); };
-    const auto fluxes = [](const Species& species) { return by_part(flux_formula(species.unit)); };
-    const std::string concentration = by_part(concentration_formula(SpeciesUnit::mass)).description;
-    return {
-        {"name", &Species::name, name(), required, "What the species is called."},
-        {"unit", &Species::unit, word_of<SpeciesUnit>(), "kg/m^3", "Unit of its concentrations."},
-        {"diffusivity", &Species::diffusivity, by_part(diffusivity_type()), required,
-         "Diffusivity in all fluids, or by part; solids in the table conduct, others are closed to the species."},
-        {"concentration", {}, &Species::concentration, concentrations, concentration, not_given,
-         "Concentration at the start, as a formula of x, y, or by part; where none is given it is 0."},
-        {"wall_concentration", {}, &Species::wall_concentration, concentrations, concentration, not_given,
-         "Concentration that the surfaces of rigid parts are held at, by formulas of t, x, y; other walls let nothing through."},
-        {"wall_flux", {}, &Species::wall_flux, fluxes, by_part(flux_formula(SpeciesUnit::mass)).description, not_given,
-         "What comes out of rigid parts into the fluid, per area and time, by formulas of t, x, y."},
-    };
-}
-
-std::vector<Key<ResidenceRegion>> region_keys() {
-    return {
-        {"name", &ResidenceRegion::name, name(), required, "What the region is called; residence_time is of fluid in it."},
-        {"from", &ResidenceRegion::from, point(), required, "One corner of a box along the axes."},
-        {"to", &ResidenceRegion::to, point(), required, "The opposite corner."},
-    };
-}
-
-std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, flux = {"flux"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"};
-    const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"};
-    const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
-    const Kinds of_species = {"amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet"};
-    return {
-        {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
-        {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
-         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, "
-         "a probe's field; of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number; "
-         "of spheres velocity, spin, the walls' force, or how many are detached from one; or size, pieces and bonds of an aggregate."},
-        {"from", flux, &Measure::from, point(), required, "Where the line starts."},
-        {"to", flux, &Measure::to, point(), required, "Where the line ends."},
-        {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
-        {"field", probe, &Measure::field, word_of<FluidField>(), "velocity", "What the probe reads."},
-        {"part", of_part, &Measure::part, name(), required,
-         "The springs part whose pieces' smallest distance is followed; of spheres the part whose mean velocity or spin it is, or the one sphere that others may detach from."},
-        {"direction", detached, &Measure::direction, direction(), "[0, 0, 1]",
-         "Points to the half of the sphere that is counted as the upper one, as drawn."},
-        {"species", of_species, &Measure::species, name(), not_given, "Which species; not needed where there is one."},
-        {"from", boxes, &Measure::from, point(), not_given, "One corner of a box along the axes; without it all the fluid counts."},
-        {"to", boxes, &Measure::to, point(), not_given, "The opposite corner."},
-        {"axis", along, &Measure::axis, word_of<Axis>(), required, "Along which axis."},
-        {"bins", {"profile"}, &Measure::bins, integer(Range{1, 1000, false, {}}), "20",
-         "Equal parts of the box along the axis, each with a column for its mean."},
-        {"about", {"spread"}, &Measure::about, quantity("1 mm"), not_given,
-         "Place that the variance is taken about; without it the mean place."},
-        {"part", wall_flux, &Measure::part, name(), required, "The rigid part whose uptake is followed."},
-        {"length", {"peclet"}, &Measure::length, quantity("1 mm", positive), required,
-         "L of the Peclet number U L / D, U the fluid's largest speed."},
-        {"length", wall_flux, &Measure::length, quantity("1 mm", positive), not_given,
-         "L of a column with the Sherwood number J L / (area D dc), dc the fluid's mean concentration less the wall's."},
-        {"area", wall_flux, &Measure::area, quantity("1 mm^2", positive), not_given, "The wall's, for the Sherwood number; 1 m deep in 2-D."},
-        {"part", aggregate, &Measure::part, name(), required,
-         "The [[solidify]] or springs part whose particles, mass, pieces, largest piece and bonds are followed."},
-    };
-}
-
-std::vector<Key<Solidify>> solidify_keys() {
-    return {
-        {"name", &Solidify::name, name(), required, "What the solid is called that comes into being."},
-        {"liquid", &Solidify::liquid, name(), required, "The fluid part whose particles turn solid."},
-        {"seed_part", &Solidify::seed_part, name(), not_given,
-         "A rigid or springs part, whose particles are the first seeds; or give one of the other seed keys."},
-        {"seed_region", &Solidify::seed_region, name(), not_given,
-         "A region, in which liquid turns into seeds: once, at the first event, or whenever the next two keys say so."},
-        {"seed_stress_above", &Solidify::seed_stress_above, quantity("2 Pa", positive), not_given,
-         "Liquid under more shear stress turns into a seed, at every event."},
-        {"seed_residence_above", &Solidify::seed_residence_above, quantity("1 s", positive), not_given,
-         "Liquid that has been in seed_region for longer turns into a seed, at every event."},
-        {"region", &Solidify::region, name(), not_given, "A region; only liquid in it turns solid near a seed."},
-        {"stress_above", &Solidify::stress_above, quantity("2 Pa", positive), not_given,
-         "Only liquid under more shear stress turns solid near a seed."},
-        {"residence_above", &Solidify::residence_above, quantity("1 s", positive), not_given,
-         "Only liquid that has been in the region for longer turns solid near a seed."},
-        {"rule", &Solidify::rule, word_of<SolidifyRule>(), "per_candidate",
-         "What the dice are thrown for: each pair of a seed and liquid within reach, each liquid particle within reach of "
-         "a seed, or pairs that are each other's nearest."},
-        {"reach", &Solidify::reach, quantity("0.12 mm", positive), required,
-         "R_max, distance from a seed within which liquid may turn solid; neighbours are about a spacing away."},
-        {"probability", &Solidify::probability, number(fraction), required, "With which the rule binds, in one event."},
-        {"from", &Solidify::from, quantity("0.5 s", not_negative), "0 s", "When the first event is."},
-        {"interval", &Solidify::interval, quantity("10 ms", positive), required, "Time between events."},
-        {"active", &Solidify::active, word_of<SeedActivity>(), "always",
-         "When a seed acts: in every event, in its first one only, or in one of one_in events."},
-        {"one_in", &Solidify::one_in, integer(at_least(1)), not_given, "N, with active = \"one_in\"."},
-        {"spreads", &Solidify::spreads, boolean(), "true", "Whether what turned solid is a seed from the next event on."},
-        {"most_bonds", &Solidify::most_bonds, integer(at_least(1)), not_given,
-         "Bonds that one particle may be given; without it, any number."},
-        {"bond_stiffness", &Solidify::bond_stiffness, quantity("10 N/m", positive), required,
-         "k_b of a new bond, of energy k_b (r - r0)^2."},
-        {"rest_length", &Solidify::rest_length, quantity_or_auto("0.1 mm"), "auto",
-         "r0 of a new bond; \"auto\" is the distance when it is made."},
-        {"bond_damping", &Solidify::bond_damping, number(between(0, 1)), "0.01",
-         "Dashpot along a new bond, as a fraction of critical damping."},
-        {"bond_to", &Solidify::bond_to, word_of<BondTo>(), "seed",
-         "What a particle that turns solid is bonded to: its seed, or also all of the aggregate within reach."},
-        {"seed", &Solidify::seed, integer(not_negative), "1", "Chooses among the random numbers."},
-    };
-}
-
-std::vector<Key<Breaking>> breaking_keys() {
-    return {
-        {"name", &Breaking::name, name(), required, "What the rule is called."},
-        {"part", &Breaking::part, name(), required, "The springs part or [[solidify]] whose bonds may break."},
-        {"force_above", &Breaking::force_above, quantity("1 mN", positive), not_given,
-         "Tension 2 k_b (r - r0) beyond which a bond breaks; or give strain_above."},
-        {"strain_above", &Breaking::strain_above, number(positive), not_given,
-         "Strain (r - r0) / r0 beyond which a bond breaks."},
-        {"interval", &Breaking::interval, quantity("1 ms", positive), not_given,
-         "Time between looks at the bonds; without it they are looked at in every step."},
     };
 }
 // clang-format on

@@ -12,8 +12,10 @@
 #include "base/nearest_name.hpp"
 #include "base/vec.hpp"
 #include "scene/expression.hpp"
+#include "scene/items.hpp"
 #include "scene/quantity.hpp"
 #include "scene/toml_node.hpp"
+#include "scene/value.hpp"
 #include "scene/words.hpp"
 
 namespace dmp {

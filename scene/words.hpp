@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/choices.hpp"
 
 namespace dmp {
 
@@ -13,7 +13,7 @@ namespace dmp {
 template <class Enumeration>
 using Words = std::vector<std::pair<Enumeration, std::string>>;
 
-/// Specialised for each enumeration of scene.hpp.
+/// Specialised for each enumeration of choices.hpp.
 template <class Enumeration>
 const Words<Enumeration>& words_of();
 

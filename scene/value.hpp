@@ -1,0 +1,26 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "base/errors.hpp"
+
+namespace dmp {
+
+/// A scene value with the place it came from. Defaults have no place.
+template <class T>
+struct Value {
+    T value{};
+    Place place;
+
+    Value() = default;
+    Value(T v) : value(std::move(v)) {}  // NOLINT(google-explicit-constructor): defaults read as plain values
+    Value(T v, Place p) : value(std::move(v)), place(std::move(p)) {}
+
+    operator const T&() const { return value; }  // NOLINT(google-explicit-constructor): reads as the value itself
+    [[nodiscard]] const T& operator*() const { return value; }
+    [[nodiscard]] const T* operator->() const { return &value; }
+    [[nodiscard]] bool given() const { return place.known(); }
+};
+
+}  // namespace dmp
