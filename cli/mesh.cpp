@@ -1,6 +1,4 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
-
 #include <fmt/format.h>
 
 #include "base/safe_file.hpp"
@@ -30,16 +28,17 @@ int execute(const MeshCommand& command) {
         throw InputError("--settle is for fluids and their walls, and this is a scene of spheres",
                          "leave --settle out");
     MeshDetail detail;
-    const auto start = std::chrono::steady_clock::now();
-    MeshResult made = mesh_drawing(scene, detail);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    ParticlesWithOrigin fresh{std::move(made.particles), origin_of(scene, made.report)};
-    MeshCache().keep(scene, fresh, took.count());
+    MeshReport report;
+    ParticlesWithOrigin fresh = MeshCache().make(scene, [&]() -> ParticlesWithOrigin {
+        MeshResult made = mesh_drawing(scene, detail);
+        report = std::move(made.report);
+        return {std::move(made.particles), origin_of(scene, report)};
+    });
     const Prepared prepared{std::move(scene), std::move(fresh.particles), std::move(fresh.origin)};
     const auto folder = output_folder(command.out, scene_name(prepared.scene) + "_mesh");
     const std::string removed = prepare_folder(folder);
-    if (command.settle) made.report.at_rest = settle(prepared.scene, prepared.particles);
-    print(heading(prepared) + "\n" + made.report.text() + "\n");
+    if (command.settle) report.at_rest = settle(prepared.scene, prepared.particles);
+    print(heading(prepared) + "\n" + report.text() + "\n");
     if (!removed.empty()) print(removed + "\n");
 
     write_file(folder / resolved_scene_name, resolved_scene(prepared.scene));
@@ -47,7 +46,7 @@ int execute(const MeshCommand& command) {
     sink.write(particle_frame(prepared.particles));
     std::vector<std::string> files = sink.files();
     files.emplace_back(resolved_scene_name);
-    write_file(folder / mesh_report_name, made.report.json());
+    write_file(folder / mesh_report_name, report.json());
     files.emplace_back(mesh_report_name);
     if (*prepared.scene.output.pictures && !is_of_spheres(prepared.scene)) {
         const std::string& title = *prepared.scene.title;
@@ -57,7 +56,7 @@ int execute(const MeshCommand& command) {
         if (!pictures.warning.empty()) print(Style(Stream::output).warning("warning: ") + pictures.warning + "\n");
     }
     print(results_text(folder, files));
-    const ExitCode code = made.report.at_rest && !made.report.at_rest->holds() ? exit_diverged : exit_done;
+    const ExitCode code = report.at_rest && !report.at_rest->holds() ? exit_diverged : exit_done;
     if (command.particles.empty()) return code;
     const std::filesystem::path file = command.particles;
     if (file.has_parent_path()) make_folder(file.parent_path());

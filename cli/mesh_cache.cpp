@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <sstream>
 #include <vector>
@@ -101,6 +102,14 @@ std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
     } catch (const Json::exception&) {
     }
     return std::nullopt;
+}
+
+ParticlesWithOrigin MeshCache::make(const Scene& scene, const std::function<ParticlesWithOrigin()>& how) const {
+    const auto start = std::chrono::steady_clock::now();
+    ParticlesWithOrigin made = how();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    keep(scene, made, took.count());
+    return made;
 }
 
 void MeshCache::keep(const Scene& scene, ParticlesWithOrigin& made, double seconds) const {

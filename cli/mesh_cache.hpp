@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ class MeshCache {
 
     /// None when they are not there, or damaged.
     [[nodiscard]] std::optional<ParticlesWithOrigin> find(const Scene& scene) const;
+    /// Makes them anew, in the way given, and keeps them.
+    [[nodiscard]] ParticlesWithOrigin make(const Scene& scene, const std::function<ParticlesWithOrigin()>& how) const;
     /// Keeps what took at least `worth_keeping` seconds to make, and removes what was used longest ago until all
     /// together have at most `largest` bytes. A cache that cannot be written to is noted in `made`, no error.
     void keep(const Scene& scene, ParticlesWithOrigin& made, double seconds) const;

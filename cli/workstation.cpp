@@ -1,8 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/workstation.hpp"
 
-#include <chrono>
-
 #include "cli/mesh_cache.hpp"
 #include "cli/mesh_drawing.hpp"
 #include "postproc/vtk_sink.hpp"
@@ -14,12 +12,10 @@ std::string workstation_libraries() { return "VTK " DMP_VTK_VERSION ", gmsh " DM
 ParticlesWithOrigin particles_from_drawing(const Scene& scene) {
     const MeshCache cache;
     if (auto found = cache.find(scene)) return std::move(*found);
-    const auto start = std::chrono::steady_clock::now();
-    MeshResult result = mesh_drawing(scene);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    ParticlesWithOrigin made{std::move(result.particles), origin_of(scene, result.report)};
-    cache.keep(scene, made, took.count());
-    return made;
+    return cache.make(scene, [&]() -> ParticlesWithOrigin {
+        MeshResult result = mesh_drawing(scene);
+        return {std::move(result.particles), origin_of(scene, result.report)};
+    });
 }
 
 std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "base/disjoint_sets.hpp"
 #include "solver/models/springs/spring.hpp"
 
 namespace dmp {
@@ -79,15 +80,10 @@ class Graph {
 
     [[nodiscard]] std::vector<BodyParts> pieces() {
         const std::size_t count = all_.nodes.size();
-        std::vector<int> root(count);
-        std::iota(root.begin(), root.end(), 0);
-        const auto root_of = [&root](int node) {
-            while (root[node] != node) node = root[node] = root[root[node]];
-            return node;
-        };
+        DisjointSets together(count);
         const auto join = [&](const auto& springs) {
             for (const auto& spring : springs)
-                for (const int node : spring.node) root[root_of(node)] = root_of(spring.node[0]);
+                for (const int node : spring.node) together.join(node, spring.node[0]);
         };
         join(all_.bonds);
         join(all_.hinges);
@@ -96,11 +92,11 @@ class Graph {
         std::vector<int> by_id(count);
         std::iota(by_id.begin(), by_id.end(), 0);
         std::ranges::sort(by_id, {}, [&](int node) { return all_.nodes[node].id; });
-        std::unordered_map<int, std::size_t> piece_of_root;
+        std::unordered_map<std::size_t, std::size_t> piece_of_root;
         std::vector<BodyParts> pieces;
         std::vector<std::pair<std::size_t, int>> place_of(count);  // piece, and number in it
         for (const int node : by_id) {
-            const auto [known, is_new] = piece_of_root.try_emplace(root_of(node), pieces.size());
+            const auto [known, is_new] = piece_of_root.try_emplace(together.find(node), pieces.size());
             if (is_new) pieces.emplace_back();
             BodyParts& piece = pieces[known->second];
             place_of[node] = {known->second, static_cast<int>(piece.nodes.size())};
