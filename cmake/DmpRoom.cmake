@@ -36,6 +36,14 @@ endfunction()
 # What tests add to a library's optimised code are short loops: compiling them lightly saves a sixth of a whole build.
 set(dmp_test_options $<$<CONFIG:Release>:-O1>)
 
+# Lets a test use the headers that tests/CMakeLists.txt precompiles, where it does.
+function(dmp_use_test_headers target)
+  if(TARGET dmp_test_headers)
+    target_precompile_headers(${target} REUSE_FROM dmp_test_headers)
+    set_target_properties(${target} PROPERTIES PCH_WARN_INVALID OFF)
+  endif()
+endfunction()
+
 # dmp_test(NAME library...) or dmp_test(NAME LABEL l TIMEOUT seconds LIBRARIES library... PROPERTIES ctest's...): one
 # GoogleTest program from NAME.cpp in the current folder.
 function(dmp_test name)
@@ -51,6 +59,7 @@ function(dmp_test name)
                                              ${TEST_UNPARSED_ARGUMENTS})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(test_${name} PRIVATE ${dmp_test_options})
+  dmp_use_test_headers(test_${name})
   target_compile_definitions(test_${name} PRIVATE DMP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   DMP_BUILD_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(test_${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABEL}" ${TEST_PROPERTIES}
@@ -70,6 +79,7 @@ function(dmp_mpi_test name)
   add_executable(test_${name} ${name}.cpp mpi_main.cpp)
   target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest GTest::gmock MPI::MPI_C ${TEST_LIBRARIES})
   target_compile_options(test_${name} PRIVATE ${dmp_test_options})
+  dmp_use_test_headers(test_${name})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   # Open MPI in a container: as root, more ranks than processors, none bound to one, waiting without keeping others from
   # working, and no copying from another process's memory, which containers forbid.
