@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "geometry/geometry.hpp"
-#include "mesher/mesh.hpp"
+#include "mesher/mesh_spheres.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/simulation.hpp"
 
@@ -20,20 +22,56 @@ class LastFrame : public FrameSink {
     Frame frame;
 };
 
-/// Meshes and runs a case of the repository, without writing anything; frames go to the sink.
-inline RunSummary run_case(const std::string& name, const std::vector<std::string>& overrides, double until,
-                           FrameSink* sink = nullptr) {
-    const Scene scene = read_scene(DMP_SOURCE_DIR "/cases/" + name, overrides);
+/// A case of the repository, with what a test sets in it.
+inline Scene scene_of_case(const std::string& name, const std::vector<std::string>& overrides) {
+    return read_scene(DMP_SOURCE_DIR "/cases/" + name, overrides);
+}
+
+/// What the scene's drawing is filled with, or where its spheres are.
+inline ParticleSet particles_of(const Scene& scene) {
+    if (is_of_spheres(scene)) return mesh_spheres(scene).particles;
     DrawingOptions drawing;
     drawing.file = scene.directory + "/" + scene.geometry.file.value;
     drawing.unit = scene.geometry.unit;
     drawing.chord_error = 1e-3 * scene.particles.spacing;
     for (const auto& [parameter, value] : scene.geometry.parameters) drawing.parameters[parameter] = value;
-    Simulation simulation(scene, mesh(read_drawing(drawing), scene).particles);
+    return mesh(read_drawing(drawing), scene).particles;
+}
+
+/// Runs a scene without writing anything; frames go to the sink. Few particles are fastest on one thread.
+inline RunSummary run_scene(const Scene& scene, const ParticleSet& particles, double until, FrameSink* sink = nullptr,
+                            int threads = 0) {
+    Simulation simulation(scene, particles, threads);
     RunOptions options;
     options.until = until;
     options.sink = sink;
     return simulation.run(options);
+}
+
+/// Meshes and runs a case of the repository.
+inline RunSummary run_case(const std::string& name, const std::vector<std::string>& overrides, double until,
+                           FrameSink* sink = nullptr, int threads = 0) {
+    const Scene scene = scene_of_case(name, overrides);
+    return run_scene(scene, particles_of(scene), until, sink, threads);
+}
+
+/// A value with all its digits.
+inline std::string quantity(double value, const std::string& unit = "") {
+    std::array<char, 32> digits{};
+    (void)std::snprintf(digits.data(), digits.size(), "%.17g", value);
+    return digits.data() + (unit.empty() ? "" : " " + unit);
+}
+
+/// An override of it.
+inline std::string set_to(const std::string& key, double value, const std::string& unit = "") {
+    return key + "=" + quantity(value, unit);
+}
+
+/// The same of a point or vector.
+inline std::string set_to(const std::string& key, const std::array<double, 3>& value, const std::string& unit) {
+    std::string list;
+    for (const double axis : value) list += (list.empty() ? "\"" : ", \"") + quantity(axis, unit) + '"';
+    return key + "=[" + list + "]";
 }
 
 /// One measure of a run, by name.
