@@ -149,7 +149,9 @@ Conserved Simulation::State::conserved() const {
 std::vector<StepLimit> Simulation::State::limits_now(double largest_speed) const {
     double g = 0;
     for (const double axis : fluid.body_acceleration(time_)) g = std::hypot(g, axis);
-    auto limits = fluid_step_limits(scales, std::max(largest_speed, fluid.walls().largest_speed(time_)), g);
+    StepScales now = scales;
+    if (now.contact_limit > 0) now.contact_limit = std::min(now.contact_limit, fluid.contact_step_limit());
+    auto limits = fluid_step_limits(now, std::max(largest_speed, fluid.walls().largest_speed(time_)), g);
     add_driving_limit(limits, fluid.driving(), scales.support, time_);
     return limits;
 }
@@ -362,6 +364,7 @@ RunSummary Simulation::run(const RunOptions& options) {
     const std::int64_t first_step = s.step_;
     s.fluid.refresh_neighbours();
     if (s.step_ == 0) s.events.act(s.time_, s.particles, s.fluid);
+    if (s.step_ == 0) s.fluid.look_at_contacts();
     s.extremes = s.fluid.extremes();
     if (s.step_ == 0) s.write_what_is_due(options.sink);
     const RunEnd end = run_steps(s, s.ranks, checkpoints, options, until);

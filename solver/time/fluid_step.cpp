@@ -76,6 +76,7 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
+    if (!springs_.empty()) timer_.timed("springs", [&] { look_at_contacts(); });
     if (solidifies_) drive_what_turned_solid(t + dt / 2, dt);
     if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
     if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + dt / 2, dt); });
@@ -157,6 +158,10 @@ void FluidStep::refresh_neighbours() {
     if (!neighbours_.near_outdated()) return;
     exchange({Field::position});
     look_through_list();
+}
+
+void FluidStep::look_at_contacts() {
+    contact_rate_ = springs_.largest_contact_rate(particles_, neighbours_.list(), settings_.threads);
 }
 
 void FluidStep::look_through_list() {
@@ -288,6 +293,7 @@ FluidExtremes FluidStep::drift_to_end(double dt) {
 
 void FluidStep::archive(Archive& file) {
     file("fluid/largest_speed", largest_speed_);
+    if (settings_.repulsion_strength > 0) file("fluid/contact_rate", contact_rate_);
     file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
     file("fluid/impulse_of_fixed", impulses_.of_fixed);
     file("fluid/impulse_of_drag", impulses_.of_drag);

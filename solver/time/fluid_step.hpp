@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "solver/models/contact/contact_stiffness.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/driving.hpp"
@@ -43,6 +44,10 @@ class FluidStep {
 
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
+    /// Takes note of how stiff the contacts of spring bodies are where they were drawn. Neighbours must be up to date.
+    void look_at_contacts();
+    /// Largest stable step of those contacts [s], as of the middle of the last step (or the start).
+    [[nodiscard]] double contact_step_limit() const { return dmp::contact_step_limit(contact_rate_); }
     /// Makes the neighbour list and the copies fit the present positions.
     void refresh_neighbours();
     /// Brings pressure (and volume) up to the present density, of copies too.
@@ -117,6 +122,7 @@ class FluidStep {
     double fluid_mass_;      ///< of all ranks, what turned solid included [kg]
     double bodies_ahead_ = 0;
     double largest_speed_ = 0;
+    double contact_rate_ = 0;  ///< bound of the square of the contacts' highest frequency [1/s^2]
     OutsideImpulses impulses_;
     StageTimer timer_;
 };

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "solver/models/contact/contact_stiffness.hpp"
+
 namespace dmp {
 
 namespace {
@@ -75,6 +77,19 @@ void SelfContact<D>::add_forces(const Vectors& position, Vectors& force) {
         force[i] += by_other;
         force[j] -= by_other;
     }
+}
+
+template <int D>
+double SelfContact<D>::rate(const Vectors& position, const std::vector<double>& inverse_mass) {
+    if (moved_far(position)) look_around(position);
+    std::vector<double> sum(pairs_.empty() ? 0 : position.size(), 0);
+    for (const auto& [i, j] : pairs_) {
+        const auto apart = position[i] - position[j];
+        const double stiffness = contact_stiffness(contact_.repulsion, dot(apart, apart), contact_.range);
+        sum[i] += contact_rate(stiffness, inverse_mass[i], inverse_mass[j]);
+        sum[j] += contact_rate(stiffness, inverse_mass[j], inverse_mass[i]);
+    }
+    return sum.empty() ? 0 : *std::ranges::max_element(sum);
 }
 
 template class SelfContact<2>;

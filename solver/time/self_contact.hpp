@@ -49,6 +49,10 @@ class SelfContact {
     /// were looked for.
     void add_forces(const Vectors& position, Vectors& force);
 
+    /// Bound of the square of the highest frequency of nodes at these places [1/s^2] (contact_stiffness.hpp); inverse
+    /// masses by node [1/kg].
+    [[nodiscard]] double rate(const Vectors& position, const std::vector<double>& inverse_mass);
+
   private:
     [[nodiscard]] bool moved_far(const Vectors& position) const;
     /// Lists the pairs that repel or may before nodes have moved by half the skin.

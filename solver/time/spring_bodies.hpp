@@ -8,6 +8,7 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
+#include "solver/neighbours/cluster_list.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/store/particle_store.hpp"
@@ -43,6 +44,10 @@ class SpringBodies {
     void number_particles(ParticleStore& particles) const;
     /// Kicks all bodies by the forces in the store, then moves them over dt; the store sees their mean velocities.
     SpringImpulses advance(ParticleStore& particles, double dt, int threads);
+    /// Bound of the square of the highest frequency of contacts, of nodes with anything, as positions and the list are
+    /// now [1/s^2] (contact_stiffness.hpp). All ranks take part.
+    [[nodiscard]] double largest_contact_rate(const ParticleStore& particles, const ClusterList& list,
+                                              int threads) const;
     /// Hands the positions after the last advance to the store. Returns the longest way a node went [m].
     double show_positions(ParticleStore& particles) const;
 
@@ -83,6 +88,8 @@ class SpringBodies {
     struct Node {
         int body, index;  ///< index in its body
     };
+    [[nodiscard]] double inverse_mass(const Node& node) const;  ///< [1/kg]; 0: fixed
+
     const Ranks& ranks_;
     int dimension_;
     std::vector<std::unique_ptr<SpringBody>> bodies_;

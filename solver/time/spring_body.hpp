@@ -68,6 +68,9 @@ class SpringBody {
     /// Largest stable explicit step of the drawn body [s].
     [[nodiscard]] virtual double step_limit() const = 0;
 
+    /// Of contact with itself, as nodes are now: bound of the square of its highest frequency [1/s^2].
+    [[nodiscard]] virtual double self_contact_rate() const = 0;
+
     /// Virial SUM F (x) r of each node, symmetric part: xx, yy, zz, xy, yz, xz [J]. Of each spring, F is the force on
     /// the end of an arm and r the arm, summed over its arms; its nodes share it equally (Thompson, Plimpton & Mattson
     /// 2009). Elastic forces alone, no dashpots; no kinetic part.

@@ -104,6 +104,15 @@ SpringImpulses SpringNetwork<D>::advance(std::span<const Vec> force, double dt, 
 }
 
 template <int D>
+double SpringNetwork<D>::self_contact_rate() const {
+    if (!self_contact_) return 0;
+    std::vector<double> inverse_mass;
+    inverse_mass.reserve(ids_.size());
+    for (std::size_t n = 0; n < ids_.size(); ++n) inverse_mass.push_back(fixed_[n] ? 0 : 1 / mass_[n]);
+    return self_contact_->rate(position_, inverse_mass);
+}
+
+template <int D>
 void SpringNetwork<D>::drift(double h) {
     for (std::size_t n = 0; n < ids_.size(); ++n)
         if (!fixed_[n]) position_[n] += h * velocity_[n];

@@ -103,6 +103,7 @@ class SpringNetwork final : public SpringBody {
     void archive(Archive& file, const std::string& name) override;
 
     [[nodiscard]] double energy() const override;
+    [[nodiscard]] double self_contact_rate() const override;
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
 
     [[nodiscard]] const Vectors& positions() const { return position_; }

@@ -31,7 +31,7 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         limits.push_back(
             {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
     if (scales.contact_limit > 0)
-        limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion at touch"});
+        limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion, at touch or nearer"});
     return limits;
 }
 
