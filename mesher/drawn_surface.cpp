@@ -211,25 +211,24 @@ void DrawnSurface::sample_solids(const Geometry& geometry, const Scene& scene, c
     if (!real.triangles.empty()) triangles_.emplace(real, reach_);
 }
 
-std::optional<double> DrawnSurface::distance_here(const Vec& point) const {
-    if (curves_)
-        if (const auto found = curves_->nearest(point)) return found->distance;
-    if (triangles_)
-        if (const auto found = triangles_->nearest(point)) return found->distance;
-    return std::nullopt;
+std::optional<Projection> DrawnSurface::nearest_here(const Vec& point) const {
+    if (curves_) return curves_->nearest(point);
+    if (!triangles_) return std::nullopt;
+    const auto found = triangles_->nearest(point);
+    return found ? std::optional(Projection{found->point, found->distance}) : std::nullopt;
 }
 
-std::optional<double> DrawnSurface::distance(const Vec& point) const {
-    std::optional<double> nearest = distance_here(point);
+std::optional<Projection> DrawnSurface::nearest(const Vec& point) const {
+    std::optional<Projection> nearest = nearest_here(point);
     for (int axis = 0; axis < space_.dimension; ++axis) {
         if (!space_.periodic.at(static_cast<std::size_t>(axis))) continue;
         for (const bool high : {false, true}) {
             const double to_side = high ? space_.box.high[axis] - point[axis] : point[axis] - space_.box.low[axis];
             if (to_side > reach_) continue;
-            Vec image = point;
-            image[axis] += (high ? -1 : 1) * space_.box.extent()[axis];
-            const auto found = distance_here(image);
-            if (found && (!nearest || *found < *nearest)) nearest = found;
+            const Vec shift = (high ? -1 : 1) * space_.box.extent()[axis] * Vec::Unit(axis);
+            const auto found = nearest_here(point + shift);
+            if (found && (!nearest || found->distance < nearest->distance))
+                nearest = Projection{found->point - shift, found->distance};
         }
     }
     return nearest;

@@ -31,15 +31,15 @@ class DrawnSurface {
     /// Evenly over the surface, about half a spacing apart; further where there would be more than two million.
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 
-    /// Distance to the surface, across periodic sides too; nothing where it is further than the reach [m].
-    [[nodiscard]] std::optional<double> distance(const Vec& point) const;
+    /// The nearest point of the surface, across periodic sides too; nothing where it is further than the reach.
+    [[nodiscard]] std::optional<Projection> nearest(const Vec& point) const;
 
   private:
     void sample_curves(const Geometry& geometry, const Part& fluid, const std::vector<const Part*>& fluids);
     void sample_solids(const Geometry& geometry, const Scene& scene, const Part& fluid);
     [[nodiscard]] bool is_on_a_side(const Vec& point) const;
     [[nodiscard]] Vec back_in_box(Vec point) const;
-    [[nodiscard]] std::optional<double> distance_here(const Vec& point) const;
+    [[nodiscard]] std::optional<Projection> nearest_here(const Vec& point) const;
 
     const ParticleSpace& space_;
     double reach_;

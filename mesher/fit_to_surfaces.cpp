@@ -19,6 +19,10 @@ constexpr double descent = 0.1;
 constexpr double longest_move = 0.1, slowing = 0.985;
 /// At first, and later, particles nearer than this to a surface belong to the layer at it [spacings].
 constexpr double first_layer = 1.0, later_layer = 0.75;
+/// Moves go on while the fluid's kernel sums are spread by more than this, as a share of their mean.
+constexpr double even_enough = 0.01;
+/// Particles that would be nearer than this in the layer do not both belong to it [spacings].
+constexpr double on_top = 0.55;
 /// A surface is asked for anew after a move of so much; where there was none within two spacings [spacings].
 constexpr double stale = 0.1, stale_far_away = 0.5;
 /// The pairs are listed this much further than the support [spacings].
@@ -36,8 +40,10 @@ class Holds {
           in_layer_(set.size(), 0) {}
 
     /// Asks for the surfaces anew where particles moved.
-    void renew(const ParticleSet& set, int threads) {
-        const double layer = (renewals_++ == 0 ? first_layer : later_layer) * spacing_;
+    template <int D>
+    void renew(const ParticleSet& set, const ClosePairs& pairs, int threads) {
+        const bool is_first = renewals_++ == 0;
+        const double layer = (is_first ? first_layer : later_layer) * spacing_;
         const auto count = static_cast<std::ptrdiff_t>(set.size());
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
         for (std::ptrdiff_t k = 0; k < count; ++k) {
@@ -48,14 +54,17 @@ class Holds {
             asked_at_[i] = set.position[i];
             if (holds_[i] && distance(i, set.position[i]) < layer) in_layer_[i] = 1;
         }
+        if (is_first && D == 2) thin_out<D>(set, pairs, threads);
     }
 
-    /// The place nearest to `moved` where particle i may stand, no further than `longest` from it [m].
-    [[nodiscard]] Vec allowed(std::size_t i, const Vec& moved, double longest) const {
-        if (!holds_[i]) return moved;
-        const double short_of = spacing_ / 2 - distance(i, moved);
-        if (in_layer_[i] == 0 && short_of < 0) return moved;
-        return moved + std::clamp(short_of, -longest, longest) * holds_[i]->to_particle;
+    /// Where particle i may go from a place when it is to move: in the layer at a surface along that, and towards half
+    /// a spacing from it, no further than `longest` [m]. What pushes it across the surface never holds that up.
+    [[nodiscard]] Vec allowed(std::size_t i, const Vec& place, const Vec& move, double longest) const {
+        if (!holds_[i]) return place + move;
+        const Vec& normal = holds_[i]->to_particle;
+        const double short_of = spacing_ / 2 - distance(i, place), along_normal = move.dot(normal);
+        if (in_layer_[i] == 0 && along_normal > short_of) return place + move;
+        return place + move + (std::clamp(short_of, -longest, longest) - along_normal) * normal;
     }
 
     /// Of the surface as it is asked for now.
@@ -78,6 +87,35 @@ class Holds {
         return (place - holds_[i]->point).dot(holds_[i]->to_particle);
     }
 
+    /// From where particle i is to where it would be in the layer.
+    [[nodiscard]] Vec to_layer(std::size_t i, const Vec& place) const {
+        return (spacing_ / 2 - distance(i, place)) * holds_[i]->to_particle;
+    }
+
+    /// Lets go of what would stand on top of another in the layer: of two rows of a lattice that are both within a
+    /// spacing of a curve, the one behind. In space a layer has room to spread, and to let go would leave holes.
+    template <int D>
+    void thin_out(const ParticleSet& set, const ClosePairs& pairs, int threads) {
+        std::vector<std::uint8_t> stays = in_layer_;
+        const auto count = static_cast<std::ptrdiff_t>(set.size());
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1024)
+        for (std::ptrdiff_t k = 0; k < count; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            if (in_layer_[i] == 0) continue;
+            const double own = distance(i, set.position[i]);
+            const Vec move = to_layer(i, set.position[i]);
+            pairs.for_each_near<D>(i, [&](std::size_t j, const std::array<double, D>& separation, double) {
+                if (in_layer_[j] == 0 || holds_[i]->to_particle.dot(holds_[j]->to_particle) < 0) return;
+                const double other = distance(j, set.position[j]);
+                if (other > own || (other == own && j >= i)) return;
+                Vec apart = move - to_layer(j, set.position[j]);
+                for (std::size_t axis = 0; axis < D; ++axis) apart[static_cast<Eigen::Index>(axis)] += separation[axis];
+                if (apart.norm() < on_top * spacing_) stays[i] = 0;
+            });
+        }
+        in_layer_.swap(stays);
+    }
+
     double spacing_;
     const std::vector<std::uint8_t>& held_;
     const HoldOf& hold_of_;
@@ -87,19 +125,38 @@ class Holds {
     int renewals_ = 0;
 };
 
-/// - descent R^2 SUM V grad W, the largest parts of it for what stands too near.
+struct Evening {
+    Vec move;           ///< - descent R^2 SUM V grad W, the largest parts of it for what stands too near
+    double kernel_sum;  ///< SUM V W, itself too
+};
+
 template <int D>
-Vec evening_move(const ParticleSet& set, const ClosePairs& pairs, const WendlandC2<D>& kernel, double support,
-                 std::size_t i) {
+Evening evening_of(const ParticleSet& set, const ClosePairs& pairs, const WendlandC2<D>& kernel, double support,
+                   std::size_t i) {
     const double inverse_at_spacing = 1 / kernel.value(set.spacing);
     std::array<double, 3> sum{};
+    double kernel_sum = set.volume[i] * kernel.value(0.0);
     pairs.for_each_near<D>(i, [&](std::size_t j, const std::array<double, D>& separation, double square_of_distance) {
         const double r = std::sqrt(square_of_distance);
-        const double crowding = 1 + 0.2 * square(square(kernel.value(r) * inverse_at_spacing));
+        const double value = kernel.value(r);
+        const double crowding = 1 + 0.2 * square(square(value * inverse_at_spacing));
+        kernel_sum += set.volume[j] * value;
         const double weight = crowding * set.volume[j] * kernel.slope(r);
         for (std::size_t axis = 0; axis < D; ++axis) sum[axis] += weight * separation[axis];
     });
-    return -descent * support * support * Vec(sum[0], sum[1], sum[2]);
+    return {-descent * support * support * Vec(sum[0], sum[1], sum[2]), kernel_sum};
+}
+
+/// Standard deviation of the fluid's kernel sums over their mean.
+double fluid_spread(const ParticleSet& set, const std::vector<double>& kernel_sum) {
+    double count = 0, sum = 0, squares = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::fluid) continue;
+        ++count;
+        sum += kernel_sum[i];
+        squares += square(kernel_sum[i]);
+    }
+    return count == 0 ? 0 : std::sqrt(std::max(0.0, squares * count / square(sum) - 1));
 }
 
 /// Into the period, and back over planes of symmetry.
@@ -123,13 +180,14 @@ Fit fit(ParticleSet& set, double support, const std::vector<std::uint8_t>& held,
     ClosePairs pairs;
     double gone = HUGE_VAL;  // by the fastest since the pairs were listed
     std::vector<Vec> moved(set.size());
+    std::vector<double> kernel_sum(set.size(), 1);
     const auto count = static_cast<std::ptrdiff_t>(set.size());
     double longest = longest_move * set.spacing;
     for (; fit.iterations < most_iterations; ++fit.iterations, longest *= slowing) {
         if (2 * gone > skin * set.spacing) {
             wrap(set);
             pairs.find(set, held, support + skin * set.spacing, threads);
-            holds.renew(set, threads);
+            holds.renew<D>(set, pairs, threads);
             gone = 0;
         }
         double farthest = 0, squares = 0;
@@ -138,10 +196,11 @@ Fit fit(ParticleSet& set, double support, const std::vector<std::uint8_t>& held,
             const auto i = static_cast<std::size_t>(k);
             moved[i] = set.position[i];
             if (held[i] != 0) continue;
-            Vec move = evening_move<D>(set, pairs, kernel, support, i);
+            auto [move, sum] = evening_of<D>(set, pairs, kernel, support, i);
+            kernel_sum[i] = sum;
             const double length = move.norm();
             if (length > longest) move *= longest / length;
-            moved[i] = holds.allowed(i, set.position[i] + move, longest_move * set.spacing);
+            moved[i] = holds.allowed(i, set.position[i], move, longest_move * set.spacing);
             farthest = std::max(farthest, (moved[i] - set.position[i]).norm());
         }
         for (std::size_t i = 0; i < set.size(); ++i) squares += (moved[i] - set.position[i]).squaredNorm();
@@ -149,7 +208,8 @@ Fit fit(ParticleSet& set, double support, const std::vector<std::uint8_t>& held,
         pairs.follow(set);
         gone += farthest;
         fit.last_move = std::sqrt(squares / static_cast<double>(free)) / set.spacing;
-        if (fit.last_move < settled) break;
+        fit.spread = fluid_spread(set, kernel_sum);
+        if (fit.last_move < settled && fit.spread < even_enough) break;
     }
     wrap(set);
     holds.measure(set, fit);

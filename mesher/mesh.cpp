@@ -103,8 +103,11 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     disturb(builder.particles(), disorder,
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
-    relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
-                        [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
+    if (*scene.particles.fill == FillKind::relaxed)
+        builder.fit();
+    else
+        relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
+                            [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     cost.candidates = builder.candidates();
     MeshResult result = builder.finish();
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());

@@ -66,7 +66,7 @@ ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
     for (const Part* part : scene.parts_of(PartKind::fluid))
         fluids_.push_back({part, InsideTest(*geometry.region(part->name))});
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
-        const double thickness = part->layers * spacing_;
+        const double thickness = (part->layers + spare_layers(scene)) * spacing_;
         walls_.push_back({part, thickness, NearestCurve(*geometry.curve_set(part->name), 1.001 * thickness)});
     }
 }
@@ -213,12 +213,12 @@ void ParticleBuilder::look_from_images(const Vec& point, WallPoint& best) const 
             const double twice_plane = 2 * (side == 0 ? set.box.low : set.box.high)[axis];
             Vec image = point;
             image[axis] = twice_plane - image[axis];
-            for (const Wall& wall : walls_) {
-                auto found = wall.curve.nearest(image);
-                if (!found || found->distance >= wall.thickness) continue;
-                if (best.part != nullptr && best.surface.distance <= found->distance) continue;
+            for (std::size_t w = 0; w < walls_.size(); ++w) {
+                auto found = walls_[w].curve.nearest(image);
+                if (!found || found->distance >= walls_[w].thickness) continue;
+                if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
                 found->point[axis] = twice_plane - found->point[axis];
-                best = {wall.part, *found};
+                best = {static_cast<int>(w), *found};
             }
         }
 }
@@ -226,11 +226,11 @@ void ParticleBuilder::look_from_images(const Vec& point, WallPoint& best) const 
 ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
     WallPoint best;
     const auto look_from = [&](const Vec& shift) {
-        for (const Wall& wall : walls_) {
-            const auto found = wall.curve.nearest(point + shift);
-            if (!found || found->distance >= wall.thickness) continue;
-            if (best.part != nullptr && best.surface.distance <= found->distance) continue;
-            best = {wall.part, {found->point - shift, found->distance}};
+        for (std::size_t w = 0; w < walls_.size(); ++w) {
+            const auto found = walls_[w].curve.nearest(point + shift);
+            if (!found || found->distance >= walls_[w].thickness) continue;
+            if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
+            best = {static_cast<int>(w), {found->point - shift, found->distance}};
         }
     };
     look_from(Vec::Zero());
@@ -304,11 +304,12 @@ void ParticleBuilder::add_walls(const Part& part) {
     double density = 0;  // a wall never moves: its mass only has to be there
     for (const Fluid& fluid : fluids_) density = std::max(density, fluid.part->density.value);
     std::size_t count = 0;
-    for (const Vec& point : lattice_.points((part.layers + 1) * spacing_)) {
+    const auto own = static_cast<int>(std::ranges::find(walls_, &part, &Wall::part) - walls_.begin());
+    for (const Vec& point : lattice_.points((part.layers + 1 + spare_layers(scene_)) * spacing_)) {
         ++candidates_;
         if (fluid_at(point) != nullptr || is_beyond_a_plane(result_.particles, point)) continue;
         const auto [owner, surface] = wall_at(point);
-        if (owner != &part || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
+        if (owner != own || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
         const Vec to_surface = surface.point - point;
         const Vec normal = surface.distance > 1e-6 * spacing_ ? Vec(to_surface.normalized()) : normal_on_surface(point);
         add_particle(number, {point, volume, volume * density, -1, true, normal, surface.distance});
@@ -327,6 +328,22 @@ void ParticleBuilder::add_walls(const Part& part) {
     line.reached = static_cast<double>(count) / part.layers * spacing_;
     line.unit = "m";
     result_.report.parts.push_back(line);
+}
+
+void ParticleBuilder::fit() {
+    FitBounds bounds;
+    for (const Wall& wall : walls_) bounds.walls.push_back({wall.part, false});
+    bounds.nearest_wall = [this](const Vec& place) {
+        const auto [wall, surface] = wall_at(place);
+        return NearestWall{wall, surface.point, surface.distance};
+    };
+    bounds.into_fluid = [this](const Vec& place, const NearestWall&) { return normal_on_surface(place); };
+    bounds.cell_volume = lattice_.cell_area();
+    std::vector<const CurveSet*> curves;
+    for (const Wall& wall : walls_) curves.push_back(geometry_.curve_set(wall.part->name));
+    bounds.features = corner_places(
+        curves, [this](const Vec& point) { return fluid_at(point) != nullptr; }, spacing_);
+    fit_particles(result_, geometry_, scene_, bounds);
 }
 
 bool ParticleBuilder::holds(std::size_t i, const Vec& point) const {

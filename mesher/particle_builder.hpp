@@ -6,6 +6,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
+#include "mesher/fit_particles.hpp"
 #include "mesher/lattice.hpp"
 #include "mesher/mesh.hpp"
 
@@ -37,6 +38,8 @@ class ParticleBuilder {
     /// True where no spring body stands: at least one spacing from their curves.
     [[nodiscard]] bool clear_of_bodies(const Vec& point) const;
 
+    /// Moves fluid and walls off the lattice until they follow the curves.
+    void fit();
     [[nodiscard]] MeshResult finish();
     /// Lattice points that were looked at.
     [[nodiscard]] std::size_t candidates() const { return candidates_; }
@@ -52,7 +55,7 @@ class ParticleBuilder {
         double wall_distance = 0;
     };
 
-    /// A rigid part's surface; `thickness` is how far the part reaches behind it [m].
+    /// A rigid part's surface; `thickness` is how far the part reaches behind it, until it is fitted [m].
     struct Wall {
         const Part* part;
         double thickness;
@@ -63,7 +66,7 @@ class ParticleBuilder {
         InsideTest region;
     };
     struct WallPoint {
-        const Part* part = nullptr;  ///< none where no wall reaches the point
+        int wall = -1;  ///< index into walls_; -1: no wall reaches the point
         Projection surface;
     };
 
@@ -74,7 +77,7 @@ class ParticleBuilder {
                                                      double along) const;
     /// The fluid part that holds the point; none outside and on walls.
     [[nodiscard]] const Part* fluid_at(const Vec& point) const;
-    /// The rigid part the point belongs to, and its surface, looked for across periodic sides as well.
+    /// The wall the point belongs to, and its surface, looked for across periodic sides as well.
     [[nodiscard]] WallPoint wall_at(const Vec& point) const;
     void look_from_images(const Vec& point, WallPoint& best) const;
     /// From a point on the surface into the fluid: the mean direction in which fluid lies.

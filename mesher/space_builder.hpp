@@ -1,7 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -9,7 +8,7 @@
 
 #include "geometry/geometry.hpp"
 #include "geometry/nearest_triangle.hpp"
-#include "mesher/fit_to_surfaces.hpp"
+#include "mesher/fit_particles.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/space_lattice.hpp"
 #include "mesher/spring_bodies.hpp"
@@ -93,8 +92,9 @@ class SpaceBuilder {
     }
     /// The same for a lattice point of which `owner_` says who owns it: the wall that it may belong to.
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const;
-    [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& place) const;
-    void trim_walls();
+    [[nodiscard]] FitBounds bounds() const;
+    [[nodiscard]] bool is_in_a_shell(const Vec& point) const;
+    [[nodiscard]] Vec into_fluid(const Vec& place, int wall, int triangle) const;
     void mark_band(const Wall& wall);
     void find_walls();
     [[nodiscard]] WallParticle wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const;
@@ -123,11 +123,6 @@ class SpaceBuilder {
     /// nobody.
     std::vector<std::int16_t> owner_;
 };
-
-/// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
-[[nodiscard]] inline int spare_layers(const Scene& scene) {
-    return *scene.particles.fill == FillKind::relaxed ? static_cast<int>(std::ceil(scene.accuracy.support)) : 0;
-}
 
 template <class Counts>
 SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last) const {

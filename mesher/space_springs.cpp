@@ -220,8 +220,13 @@ bool SpaceBuilder::may_stand(const Vec& point) const {
     if (is_beyond_a_plane(point)) return false;
     const auto wall = surface_at(point);
     if (wall.wall >= 0 && wall.surface.distance < wall_distance * spacing_) return false;
-    return std::ranges::none_of(shells_,
-                                [&](const NearestTriangle& shell) { return is_within(shell, point, spacing_); });
+    return !is_in_a_shell(point);
+}
+
+/// Within a spacing of its surface, where its nodes stand.
+bool SpaceBuilder::is_in_a_shell(const Vec& point) const {
+    return std::ranges::any_of(shells_,
+                               [&](const NearestTriangle& shell) { return is_within(shell, point, spacing_); });
 }
 
 }  // namespace dmp

@@ -120,8 +120,7 @@ void SpaceBuilder::find_walls() {
 SpaceBuilder::WallParticle SpaceBuilder::wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const {
     const Vec to_surface = surface.point - point;
     if (surface.distance > 1e-6 * spacing_) return {point, to_surface.normalized(), surface.distance};
-    const Vec across = normal_of(*walls_[static_cast<std::size_t>(wall)].surface, surface.triangle);
-    return {point, owner_near(point + spacing_ * across) >= 0 ? across : Vec(-across), surface.distance};
+    return {point, into_fluid(point, wall, surface.triangle), surface.distance};
 }
 
 void SpaceBuilder::add_walls(const Part& part) {

@@ -72,9 +72,9 @@ MeshReport::SurfaceLine surface_error(const ParticleSet& set, const SearchablePa
     }
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.part[i] != part) continue;
-        const auto distance = surface.distance(set.position[i]);
-        if (!distance || *distance >= set.spacing) continue;
-        const double deviation = *distance / set.spacing - 0.5;
+        const auto nearest = surface.nearest(set.position[i]);
+        if (!nearest || nearest->distance >= set.spacing) continue;
+        const double deviation = nearest->distance / set.spacing - 0.5;
         error[i] = static_cast<float>(deviation);
         from_particles.add(deviation, 1, set.position[i]);
     }

@@ -130,10 +130,12 @@ void need_terms_that_go_together(const Scene& scene) {
         "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
 }
 
-void need_lattice_in_plane(const Scene& scene) {
-    if (scene.dimension == 3 || *scene.particles.fill == FillKind::lattice) return;
-    throw InputError(scene.particles.fill.place, "particles.fill: \"relaxed\" is for drawings in space",
-                     "leave it out, or write dimension = 3");
+void need_lattice_for_disorder(const Scene& scene) {
+    if (!(*scene.particles.disorder > 0) || *scene.particles.fill == FillKind::lattice) return;
+    throw InputError(scene.particles.disorder.place,
+                     "particles.disorder displaces particles from their lattice, and particles.fill = \"" +
+                         word(*scene.particles.fill) + "\" leaves none",
+                     "leave out disorder or fill");
 }
 
 void need_arrangement_in_plane(const Scene& scene) {
@@ -355,7 +357,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_arrangement_in_plane(scene);
-    need_lattice_in_plane(scene);
+    need_lattice_for_disorder(scene);
     need_thick_walls(scene);
     if (scene.dimension == 2) {
         need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);

@@ -81,8 +81,8 @@ std::vector<Key<Particles>> particles_keys() {
          "Lattice on which the fluid starts; in space \"square\" is cubic, \"hexagonal\" is close-packed, and there is "
          "face-centred cubic, \"fcc\"."},
         {"fill", &Particles::fill, word_of<FillKind>(), "lattice",
-         "\"relaxed\" moves particles off the lattice until they follow the surfaces of a drawing in space, those of walls "
-         "too; arrangement is then where they start from, and \"square\" a good start."},
+         "\"relaxed\" moves particles off the lattice until they follow the curves or surfaces of the drawing, those of walls "
+         "too, with particles at corners and edges; arrangement is then where they start from, and \"square\" a good start."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
          "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
         {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements, and the places of spheres."},

@@ -13,7 +13,6 @@
 namespace dmp {
 namespace {
 
-using testing_mesh::fault_of;
 using testing_mesh::mesh_case;
 using testing_mesh::mesh_texts;
 using testing_mesh::Texts;
@@ -161,13 +160,6 @@ TEST(FittedMeshes, are_the_same_by_any_number_of_threads) {
     ASSERT_EQ(one.particles.size(), three.particles.size());
     for (std::size_t i = 0; i < one.particles.size(); ++i)
         EXPECT_EQ(one.particles.position[i], three.particles.position[i]);
-}
-
-TEST(FittedMeshes, are_for_drawings_in_space) {
-    EXPECT_EQ(
-        fault_of(testing_mesh::channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\nfill = \"relaxed\"")),
-        "scene.toml:6:8: particles.fill: \"relaxed\" is for drawings in space\n  leave it out, or write "
-        "dimension = 3");
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "geometry/geometry.hpp"
+#include "mesher/features.hpp"
+#include "mesher/mesh.hpp"
+
+namespace dmp {
+
+/// The nearest point of the walls' surfaces.
+struct NearestWall {
+    int wall = -1;  ///< index into FitBounds::walls; -1: no wall reaches the place
+    Vec point = Vec::Zero();
+    double distance = 0;  ///< [m]
+    int triangle = -1;    ///< in space: of that wall's surface
+};
+
+/// What bounds the particles that a builder made: the same questions in the plane and in space. Any number of threads
+/// asks at once.
+struct FitBounds {
+    struct Wall {
+        const Part* part;
+        bool is_body;  ///< in the fluid, not the fluid's edge
+    };
+    std::vector<Wall> walls;
+    /// No further than the walls were built thick, across periodic sides too.
+    std::function<NearestWall(const Vec& place)> nearest_wall;
+    /// The unit vector from a place on a surface into the fluid.
+    std::function<Vec(const Vec& place, const NearestWall& there)> into_fluid;
+    std::vector<FeaturePlace> features;  ///< at corners and edges of the walls
+    double cell_volume = 0;              ///< what a lattice point stands for [m^2 x 1 m or m^3]
+};
+
+/// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
+[[nodiscard]] inline int spare_layers(const Scene& scene) {
+    return *scene.particles.fill == FillKind::relaxed ? static_cast<int>(std::ceil(scene.accuracy.support)) : 0;
+}
+
+/// particles.fill = "relaxed": takes the nearest particles to the places at corners and edges, where they stay, and
+/// moves fluid and walls off the lattice until they follow the walls' surfaces and the borders of fluids
+/// (fit_to_surfaces.hpp); cuts walls to the layers asked for, by where their particles are then. Spring bodies stay
+/// where they are. Without bodies the particles of each fluid share its volume equally.
+void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& scene, const FitBounds& bounds);
+
+}  // namespace dmp
