@@ -33,7 +33,7 @@ std::optional<SurfaceHold> SpaceBuilder::hold_of(std::size_t i, const Vec& place
     if (found.wall < 0 || found.surface.distance > reach * spacing_) return std::nullopt;
     const Vec apart = place - found.surface.point;
     if (found.surface.distance > on_surface * spacing_) return SurfaceHold{found.surface.point, apart.normalized()};
-    const Vec across = normal_of(*walls_[static_cast<std::size_t>(found.wall)].surface, found.surface.triangle);
+    const Vec across = normal_of(walls_[static_cast<std::size_t>(found.face)].face(), found.surface.triangle);
     const bool is_fluid = result_.particles.kind(i) == ParticleKind::fluid;
     const bool fluid_across = owner_near(place + spacing_ * across) >= 0;
     return SurfaceHold{found.surface.point, fluid_across == is_fluid ? across : Vec(-across)};
