@@ -4,68 +4,25 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "cli/first_guess.hpp"
 #include "cli/text.hpp"
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/select_faces.hpp"
 #include "geometry/surface_box.hpp"
 #include "geometry/winding_number.hpp"
-#include "scene/toml_node.hpp"
 
 namespace dmp::cli {
 
 namespace {
 
-constexpr double reynolds_number = 10, particles_across = 20, most_particles = 2e5;
 /// What the fluid speeds up to, over the speed that it is driven to in the empty section.
 constexpr double faster = 1.5, faster_past_bodies = 2;
-
-struct Liquid {
-    const char* name;  ///< what part of the fluid's name says that it is this
-    const char* what;
-    double density, viscosity;  ///< [kg/m^3], [Pa s]
-};
-
-/// The first one where no name fits.
-constexpr std::array<Liquid, 3> liquids{
-    {{"water", "water", 1000, 1e-3}, {"blood", "blood, Newtonian", 1060, 3.5e-3}, {"air", "air", 1.2, 1.8e-5}}};
-
-/// A length as scenes have it; what is as good as 0 beside `size` is 0.
-std::string in_millimetres(double length, double size) {
-    return std::abs(length) < 1e-9 * size ? "0 mm" : fmt::format("{:.9g} mm", 1e3 * length);
-}
-
-/// To two digits.
-double rounded(double value) {
-    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-    return std::max(1.0, std::round(value / unit)) * unit;
-}
-
-std::string in_small_letters(std::string name) {
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name;
-}
-
-const Liquid& liquid_named(const std::string& name) {
-    const std::string lower = in_small_letters(name);
-    const auto* found = std::ranges::find_if(
-        liquids, [&](const Liquid& liquid) { return lower.find(liquid.name) != std::string::npos; });
-    return found == liquids.end() ? liquids.front() : *found;
-}
-
-bool sounds_like_a_fluid(const std::string& name) {
-    const std::string lower = in_small_letters(name);
-    constexpr std::array<const char*, 9> words{"fluid",  "blood", "water", "lumen",  "liquid",
-                                               "plasma", "mucus", "air",   "channel"};
-    return std::ranges::any_of(words, [&](const char* word) { return lower.find(word) != std::string::npos; });
-}
 
 /// What lies in the plane at one end of the fluid.
 struct Cap {
@@ -113,30 +70,17 @@ class Author {
     }
 
     FirstScene write() {
-        text_ = "# A first scene, made by 'dmp new' of " + file_name() + ". It assumes:\n";
         const std::string parts = written_parts();  // may assume more
-        for (const std::string& assumption : assumptions_) text_ += "# - " + assumption + "\n";
-        text_ += fmt::format("schema = 1\ntitle = \"First scene of {}\"\ndimension = 3\n\n[geometry]\nfile = {}\n",
-                             fluid_.name, toml_quoted(file_name()));
-        if (unit_given_) text_ += fmt::format("unit = \"{:.17g} m\"\n", geometry_.unit);
-        text_ += fmt::format("\n[particles]\nspacing = \"{}\"\n", in_millimetres(spacing_, 0)) + parts +
-                 written_flow() +
-                 fmt::format(
-                     "\n[run]\nduration = \"{:.3g} s\"\n\n[output]\nevery = \"{:.3g} s\"\n"
-                     "fields = [\"velocity\", \"pressure\"]\n",
-                     duration_, duration_ / 20);
-        return {text_, assumptions_};
+        const SceneDraft draft{geometry_, unit_given_, fluid_.name,    assumptions_,
+                               spacing_,  parts,       written_flow(), duration_};
+        return {draft.text(), assumptions_};
     }
 
   private:
-    [[nodiscard]] std::string file_name() const { return std::filesystem::path(geometry_.file).filename().string(); }
     [[nodiscard]] char axis_name() const { return "xyz"[axis_]; }
     void assume(const std::string& what) { assumptions_.push_back(what); }
 
     const Solid& choose_fluid() {
-        if (geometry_.dimension != 3)
-            throw InputError({geometry_.file, 0, 0}, "first scenes are made for drawings in space only",
-                             "Start from a case in the plane, such as cases/vein_valve.");
         if (geometry_.solids.empty())
             throw InputError({geometry_.file, 0, 0}, "the drawing has no closed body that could hold the fluid",
                              "'dmp inspect' says what is open; close it in the program that made the drawing.");
@@ -189,14 +133,8 @@ class Author {
         duration_ = across / speed_;
     }
 
-    [[nodiscard]] std::string free_name(std::string name) const {
-        const auto names = geometry_.names();
-        while (std::ranges::find(names, name) != names.end()) name += "_end";
-        return name;
-    }
-
-    static std::string written_wall(const std::string& name) {
-        return fmt::format("\n[[part]]\nname = \"{}\"\nkind = \"rigid\"\n", name);
+    [[nodiscard]] std::string free_name(const std::string& name) const {
+        return name_that_is_free(name, geometry_.names());
     }
 
     /// Whether a named surface is an end of the period: no wall.
@@ -208,9 +146,7 @@ class Author {
     }
 
     std::string written_parts() {
-        std::string parts = fmt::format(
-            "\n[[part]]\nname = \"{}\"\nkind = \"fluid\"\ndensity = \"{:g} kg/m^3\"\nviscosity = \"{:g} mPa*s\"\n",
-            fluid_.name, liquid_.density, 1e3 * liquid_.viscosity);
+        std::string parts = written_fluid(fluid_.name, liquid_);
         std::string selections, walls;
         std::vector<FaceSelection> asked;
         std::vector<std::string> taken;
@@ -226,15 +162,15 @@ class Author {
                 wall(set.name);
                 continue;
             }
-            parts += written_wall(set.name) + "enabled = false  # an end of the period\n";
+            parts += written_left_out(set.name, "an end of the period");
         }
+        for (const auto& [name, places] : geometry_.points) parts += written_left_out(name, "points");
         for (const bool high : {false, true}) {
             if (!periodic_) break;
             FaceSelection cap{.name = free_name(high ? "outlet" : "inlet"), .of = fluid_.name};
             const double place = (high ? box_.high : box_.low)[axis_];
             cap.in_plane.at(static_cast<std::size_t>(axis_)) = place;
-            selections += fmt::format("\n[[select]]\nname = \"{}\"\nof = \"{}\"\n{} = \"{}\"\n", cap.name, fluid_.name,
-                                      axis_name(), in_millimetres(place, box_.extent().norm()));
+            selections += written_selection(cap, box_.extent().norm(), 3);
             taken.push_back(cap.name);
             asked.push_back(cap);
         }
@@ -244,11 +180,7 @@ class Author {
         const Box around{.low = box_.low - box_.extent(), .high = box_.high + box_.extent()};
         if (taken.empty()) asked.back().in_box = around;
         if (has_faces(asked)) {
-            selections += fmt::format("\n[[select]]\nname = \"{}\"\nof = \"{}\"\n", rest.name, fluid_.name);
-            if (taken.empty())
-                selections += fmt::format("from = [{}]\nto = [{}]\n", written(around.low), written(around.high));
-            else
-                selections += fmt::format("except = [{}]\n", listed(taken));
+            selections += written_selection(asked.back(), box_.extent().norm(), 3);
             wall(rest.name);
         }
         assume("walls that do not move and that the fluid sticks to: " + (walls.empty() ? "none" : walls));
@@ -263,18 +195,6 @@ class Author {
             return false;
         }
         return true;
-    }
-
-    [[nodiscard]] std::string written(const Vec& place) const {
-        std::string list;
-        for (const double x : place)
-            list += (list.empty() ? "\"" : ", \"") + in_millimetres(x, box_.extent().norm()) + "\"";
-        return list;
-    }
-    static std::string listed(const std::vector<std::string>& names) {
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
-        return list;
     }
 
     [[nodiscard]] std::string written_flow() const {
@@ -331,12 +251,12 @@ class Author {
     Vec centre_ = Vec::Zero();
     std::optional<double> radius_;
     double spacing_ = 0, speed_ = 0, acceleration_ = 0, duration_ = 0;
-    std::string text_;
 };
 
 }  // namespace
 
 FirstScene first_scene(const Geometry& geometry, bool unit_given) {
+    if (geometry.dimension == 2) return first_scene_in_plane(geometry, unit_given);
     Author author(geometry, unit_given);
     author.tell_flow();
     return author.write();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 #include <gmsh.h>
@@ -117,6 +118,12 @@ const std::vector<CurvePiece>& DrawnCurves::curve(int tag) {
         if (!has_length) throw problem(tag, "has no length", "Remove it, or move one of its ends.");
     }
     return pieces;
+}
+
+CurveSet DrawnCurves::set(const std::string& name, const std::vector<int>& tags) {
+    std::vector<CurvePiece> pieces;
+    for (const int tag : tags) std::ranges::copy(curve(tag), std::back_inserter(pieces));
+    return {.name = name, .pieces = maximal_chains(pieces)};
 }
 
 std::vector<CurvePiece> DrawnCurves::boundary(const std::vector<int>& surfaces) {

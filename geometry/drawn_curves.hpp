@@ -21,6 +21,9 @@ class DrawnCurves {
     /// One piece for a curve with a formula, one for each edge of a mesh. Throws InputError for a curve without length.
     const std::vector<CurvePiece>& curve(int tag);
 
+    /// Several of them as a named set.
+    CurveSet set(const std::string& name, const std::vector<int>& tags);
+
     /// The boundary pieces of surfaces; one that lies between two of them comes twice or not at all.
     std::vector<CurvePiece> boundary(const std::vector<int>& surfaces);
 

@@ -100,10 +100,10 @@ struct Geometry {
 };
 
 /// Triangles of a body or surface in space by where they lie; all that is given must hold at once. They get a name and
-/// become a surface set.
+/// become a surface set. In the plane: straight pieces of an area's boundary or of a curve, which become a curve set.
 struct FaceSelection {
     std::string name{};
-    std::string of{};                                 ///< the solid or surface set
+    std::string of{};                                 ///< the solid or surface set; region or curve set
     std::array<std::optional<double>, 3> in_plane{};  ///< by axis: all corners have this coordinate [m]
     std::optional<Box> in_box{};                      ///< all corners lie in it [m]
     std::optional<Vec> normal{};                      ///< of any length: where they face
@@ -128,7 +128,7 @@ struct DrawingOptions {
 /// Reads a drawing, by its ending (docs/cad.md):
 ///
 /// - a gmsh drawing: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then taken as they are;
-/// - a CAD file: .step, .stp, .iges, .igs or .brep. Its bodies become solids;
+/// - a CAD file: .step, .stp, .iges, .igs or .brep. Its bodies become solids; faces alone in z = 0 regions;
 /// - a file of triangles: .stl, .obj, .ply or .off. Each closed group of triangles becomes a solid, others surface
 /// sets.
 ///

@@ -7,6 +7,8 @@
 #include <gmsh.h>
 
 #include "geometry/drawing_file.hpp"
+#include "geometry/drawn_area.hpp"
+#include "geometry/drawn_curves.hpp"
 #include "geometry/drawn_surfaces.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/triangle_drawing.hpp"
@@ -44,26 +46,39 @@ void add(std::vector<Named>& all, const std::string& name, int tag) {
     found->tags.push_back(tag);
 }
 
-std::vector<Named> named_bodies(const std::vector<int>& volumes, const std::string& file) {
-    std::vector<Named> bodies;
+/// Bodies, or faces, all with a name: their own, else the file's where there is one only, else `kind` and a number.
+std::vector<Named> all_named(int dimension, const std::vector<int>& tags, const std::string& kind,
+                             const std::string& file) {
+    std::vector<Named> all;
     int number = 0;
-    for (const int tag : volumes) {
+    for (const int tag : tags) {
         ++number;
-        std::string name = name_of(3, tag);
-        if (name.empty()) name = volumes.size() == 1 ? name_of_file(file) : "solid_" + std::to_string(number);
-        add(bodies, name, tag);
+        std::string name = name_of(dimension, tag);
+        if (name.empty()) name = tags.size() == 1 ? name_of_file(file) : kind + "_" + std::to_string(number);
+        add(all, name, tag);
     }
-    return bodies;
+    return all;
 }
 
-/// Faces that have a name other than a body's, which faces inherit.
-std::vector<Named> named_faces(const std::vector<Named>& bodies) {
-    std::vector<Named> faces;
-    for (const int tag : tags_of(2)) {
-        const std::string name = name_of(2, tag);
-        if (!name.empty() && std::ranges::find(bodies, name, &Named::name) == bodies.end()) add(faces, name, tag);
+/// Faces that have a name other than a body's, which faces inherit; edges likewise of faces.
+std::vector<Named> named_sides(int dimension, const std::vector<Named>& bodies) {
+    std::vector<Named> sides;
+    for (const int tag : tags_of(dimension)) {
+        const std::string name = name_of(dimension, tag);
+        if (!name.empty() && std::ranges::find(bodies, name, &Named::name) == bodies.end()) add(sides, name, tag);
     }
-    return faces;
+    return sides;
+}
+
+/// Curves that bound no face and have no name.
+std::vector<int> loose_curves() {
+    std::vector<int> loose;
+    for (const int tag : tags_of(1)) {
+        std::vector<int> faces, ends;
+        gmsh::model::getAdjacencies(1, tag, faces, ends);
+        if (faces.empty() && name_of(1, tag).empty()) loose.push_back(tag);
+    }
+    return loose;
 }
 
 Box box_in_the_file() {
@@ -71,6 +86,28 @@ Box box_in_the_file() {
     gmsh::model::getBoundingBox(-1, -1, box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(),
                                 box.high.z());
     return box;
+}
+
+/// Faces without bodies that all lie in z = 0 are areas of the plane.
+bool lies_in_the_plane() {
+    if (!tags_of(3).empty()) return false;
+    const Box box = box_in_the_file();  // a little larger than what is in it
+    const Vec extent = box.extent();
+    constexpr double flat = 1e-6;
+    return std::max(-box.low.z(), box.high.z()) <= flat * std::max(extent.x(), extent.y());
+}
+
+void read_areas(Geometry& geometry, const DrawingOptions& options) {
+    geometry.dimension = 2;
+    DrawnCurves curves(options);
+    const std::vector<Named> areas = all_named(2, tags_of(2), "area", options.file);
+    for (const Named& area : areas) geometry.regions.push_back(drawn_area(area.name, area.tags, curves, options.file));
+    for (const Named& side : named_sides(1, areas)) geometry.curves.push_back(curves.set(side.name, side.tags));
+    int number = 0;
+    for (const int tag : loose_curves())
+        geometry.curves.push_back(curves.set("curve_" + std::to_string(++number), {tag}));
+    lay_flat(geometry);
+    geometry.warnings = GmshSession::logged("Warning");
 }
 
 }  // namespace
@@ -88,8 +125,11 @@ Geometry read_open_cad(const DrawingOptions& asked) {
     geometry.dimension = 3;
     geometry.unit = options.metres();
     geometry.unit_source = stated ? UnitSource::file : UnitSource::scene;
-    const std::vector<int> volumes = tags_of(3);
-    const std::vector<Named> bodies = named_bodies(volumes, asked.file);
+    if (lies_in_the_plane()) {
+        read_areas(geometry, options);
+        return geometry;
+    }
+    const std::vector<Named> bodies = all_named(3, tags_of(3), "solid", asked.file);
     const DrawnSurfaces drawn(options);
     for (const Named& body : bodies) {
         Solid solid{.name = body.name, .surface = drawn.boundary(body.tags)};
@@ -99,7 +139,7 @@ Geometry read_open_cad(const DrawingOptions& asked) {
                              "Repair the body in the program that made it, and export it again.");
         geometry.solids.push_back(std::move(solid));
     }
-    for (const Named& face : named_faces(bodies))
+    for (const Named& face : named_sides(2, bodies))
         geometry.surfaces.push_back({face.name, drawn.surfaces(face.tags), {}});
     if (bodies.empty())
         geometry.surfaces.push_back(

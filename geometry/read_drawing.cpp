@@ -1,18 +1,15 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 
 #include <gmsh.h>
 
-#include "geometry/chains.hpp"
 #include "geometry/drawing_file.hpp"
+#include "geometry/drawn_area.hpp"
 #include "geometry/drawn_curves.hpp"
 #include "geometry/drawn_surfaces.hpp"
 #include "geometry/geometry.hpp"
 #include "geometry/gmsh_session.hpp"
-#include "geometry/number_text.hpp"
 #include "geometry/read_cad.hpp"
 #include "geometry/select_faces.hpp"
 #include "geometry/triangle_drawing.hpp"
@@ -53,66 +50,6 @@ std::vector<Group> groups_of(int dimension, const std::string& file) {
     return groups;
 }
 
-std::string text_of(const Vec& point) { return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m)"; }
-
-Region region_of(const Group& group, DrawnCurves& curves, const std::string& file) {
-    const auto wrong = [&](const std::string& what, const std::string& what_to_do) {
-        return InputError({.file = file}, "region '" + group.name + "' " + what, what_to_do);
-    };
-    auto search = closed_loops(curves.boundary(group.tags));
-    if (search.loose_end) {
-        throw wrong("is not closed: its boundary ends at " + text_of(*search.loose_end),
-                    "Curves that meet must share the point, or have the same coordinates to the last digit.");
-    }
-    Region region{.name = group.name, .loops = std::move(search.loops)};
-    if (region.loops.empty()) throw wrong("is empty", "Give its Physical Surface a surface with a boundary.");
-    if (const auto crossing = self_crossing(region)) {
-        throw wrong("crosses itself near " + text_of(*crossing), "Check the drawing, or the parameters it was given.");
-    }
-    double around = 0;
-    for (const auto& loop : region.loops) around += loop.length();
-    if (region.area() <= 1e-12 * around * around) {
-        throw wrong("has no area", "Check the drawing, or the parameters it was given.");
-    }
-    return region;
-}
-
-template <class Visit>
-void for_each_point(Geometry& geometry, Visit&& visit) {
-    for (auto& region : geometry.regions) {
-        for (auto& loop : region.loops) std::ranges::for_each(loop.points, visit);
-    }
-    for (auto& set : geometry.curves) {
-        for (auto& piece : set.pieces) std::ranges::for_each(piece.points, visit);
-    }
-    for (auto& [name, positions] : geometry.points) std::ranges::for_each(positions, visit);
-}
-
-/// Sets the box, and puts the drawing on z = 0 where rounding left it beside.
-void flatten(Geometry& geometry) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Box box{.low = Vec::Constant(infinity), .high = Vec::Constant(-infinity)};
-    for_each_point(geometry, [&](const Vec& point) {
-        box.low = box.low.cwiseMin(point);
-        box.high = box.high.cwiseMax(point);
-    });
-    if (!box.low.allFinite() || !box.high.allFinite()) {
-        throw InputError({.file = geometry.file}, "the drawing has a point without finite coordinates",
-                         "Check the drawing, or the parameters it was given.");
-    }
-    const double height = std::max(-box.low.z(), box.high.z());
-    const double width = std::max(box.extent().x(), box.extent().y());
-    if (height > 1e-9 * width) {
-        throw InputError({.file = geometry.file},
-                         "the drawing leaves the plane z = 0: it reaches z = " +
-                             number_text(box.high.z() == height ? height : -height) + " m",
-                         "Draw it in the x-y plane, or give it volumes.");
-    }
-    for_each_point(geometry, [](Vec& point) { point.z() = 0; });
-    box.low.z() = box.high.z() = 0;
-    geometry.box = box;
-}
-
 Solid solid_of(const Group& group, const DrawnSurfaces& drawn, const std::string& file) {
     Solid solid{.name = group.name, .surface = drawn.boundary(group.tags)};
     const std::string problem = why_open(solid.name, solid.surface, file);
@@ -151,12 +88,10 @@ Geometry read_open_drawing(const DrawingOptions& options) {
     geometry.file = options.file;
     DrawnCurves curves(options);
     for (const auto& group : groups_of(2, options.file)) {
-        geometry.regions.push_back(region_of(group, curves, options.file));
+        geometry.regions.push_back(drawn_area(group.name, group.tags, curves, options.file));
     }
     for (const auto& group : groups_of(1, options.file)) {
-        std::vector<CurvePiece> pieces;
-        for (const int tag : group.tags) std::ranges::copy(curves.curve(tag), std::back_inserter(pieces));
-        geometry.curves.push_back({.name = group.name, .pieces = maximal_chains(pieces)});
+        geometry.curves.push_back(curves.set(group.name, group.tags));
     }
     for (const auto& group : groups_of(0, options.file)) {
         for (const int tag : group.tags) geometry.points[group.name].push_back(curves.point(tag));
@@ -166,7 +101,7 @@ Geometry read_open_drawing(const DrawingOptions& options) {
             {.file = options.file}, "the drawing has no named groups",
             "Name its parts, as in Physical Surface(\"blood\") = {1}; or Physical Curve(\"wall\") = {2, 3};");
     }
-    flatten(geometry);
+    lay_flat(geometry);
     geometry.warnings = GmshSession::logged("Warning");
     return geometry;
 }

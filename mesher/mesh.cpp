@@ -55,6 +55,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     builder.sort_triangles();
     watch.lap("nearest triangles");
     builder.check_boundary();
+    builder.leave_out_hidden_faces();
     watch.lap("boundary");
     for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
     watch.lap("springs");

@@ -122,8 +122,8 @@ void check_names(const Geometry& geometry, const Scene& scene) {
         if (geometry.dimension == 3) {
             if (geometry.solid(part.anchor) == nullptr && geometry.surface_set(part.anchor) == nullptr)
                 missing(geometry, part.anchor, "a surface or a volume");
-        } else if (!geometry.points.contains(part.anchor)) {
-            missing(geometry, part.anchor, "a point");
+        } else if (!geometry.points.contains(part.anchor) && geometry.curve_set(part.anchor) == nullptr) {
+            missing(geometry, part.anchor, "a point or a curve");
         }
     }
     for (const std::string& name : geometry.names()) {

@@ -16,6 +16,8 @@ namespace {
 
 /// A wall particle nearer than this to a body's node would stand in its place [spacings].
 constexpr double wall_clearance = 0.75;
+/// The end of a curve so near to another lies on it [spacings].
+constexpr double touching = 0.1;
 
 bool is_beyond_a_plane(const ParticleSet& set, const Vec& point) {
     for (int axis = 0; axis < set.dimension; ++axis)
@@ -96,9 +98,14 @@ void ParticleBuilder::add_springs(const Part& part) {
     line.part = part.name;
     line.axial_stiffness_asked = strip_stiffness(part).axial;
     for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
-    if (!part.anchor->empty() && line.anchored == 0)
-        throw InputError(part.anchor.place, "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'",
-                         "put the anchor points on the curve in the drawing");
+    if (!part.anchor->empty() && line.anchored == 0) {
+        const bool to_points = geometry_.points.contains(part.anchor);
+        throw InputError(part.anchor.place,
+                         to_points ? "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'"
+                                   : "no end of '" + part.name.value + "' lies on '" + part.anchor.value + "'",
+                         to_points ? "put the anchor points on the curve in the drawing"
+                                   : "let the curve begin or end on it in the drawing");
+    }
     if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
         std::ostringstream note;
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
@@ -133,7 +140,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     middles.reserve(ladder.nodes.size() / 2);
     for (std::size_t n = 0; n < ladder.nodes.size(); n += 2)
         middles.emplace_back(0.5 * (ladder.nodes[n] + ladder.nodes[n + 1]));
-    const std::vector<bool> anchored = anchored_columns(part, middles, ladder.along);
+    const std::vector<bool> anchored = anchored_columns(part, curve, middles, ladder.along);
 
     const int first = static_cast<int>(set.size());
     const double mass = part.mass_per_length * ladder.along / 2;
@@ -179,11 +186,21 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     line.particle_mass = mass;
 }
 
-std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const std::vector<Vec>& middles,
-                                                    double along) const {
+std::vector<Vec> ParticleBuilder::anchors_of(const Part& part, const Polyline& curve) const {
+    if (part.anchor->empty()) return {};
+    const auto points = geometry_.points.find(part.anchor);
+    if (points != geometry_.points.end()) return points->second;
+    const NearestCurve held_by(*geometry_.curve_set(part.anchor), touching * spacing_);
+    std::vector<Vec> ends;
+    for (const Vec& end : {curve.points.front(), curve.points.back()})
+        if (held_by.nearest(end)) ends.push_back(end);
+    return ends;
+}
+
+std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const Polyline& curve,
+                                                    const std::vector<Vec>& middles, double along) const {
     std::vector<bool> anchored(middles.size(), false);
-    if (part.anchor->empty()) return anchored;
-    for (const Vec& anchor : geometry_.points.at(part.anchor)) {
+    for (const Vec& anchor : anchors_of(part, curve)) {
         const auto distance = [&](const Vec& middle) { return (middle - anchor).norm(); };
         const auto nearest = std::min_element(middles.begin(), middles.end(),
                                               [&](const Vec& a, const Vec& b) { return distance(a) < distance(b); });

@@ -73,8 +73,10 @@ class ParticleBuilder {
     int add_part(const Part& part, ParticleKind kind);
     int add_particle(int part, const NewParticle& particle);
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
-    [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const std::vector<Vec>& middles,
-                                                     double along) const;
+    /// Where a piece of a springs part is clamped: at named points, or at its ends that lie on a curve.
+    [[nodiscard]] std::vector<Vec> anchors_of(const Part& part, const Polyline& curve) const;
+    [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const Polyline& curve,
+                                                     const std::vector<Vec>& middles, double along) const;
     /// The fluid part that holds the point; none outside and on walls.
     [[nodiscard]] const Part* fluid_at(const Vec& point) const;
     /// The wall the point belongs to, and its surface, looked for across periodic sides as well.

@@ -66,7 +66,7 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
             solid != nullptr ? &solid->surface : &geometry.surface_set(part->name)->surface;
         const double thickness = (part->layers + spare_layers(scene)) * spacing_;
         if (solid != nullptr) claim(*surface, owner_of_wall(walls_.size()));
-        walls_.push_back({part, surface, solid != nullptr, thickness, {}});
+        walls_.push_back({part, surface, solid != nullptr, thickness});
     }
     for (const Part* part : scene.parts_of(PartKind::springs))
         if (const Solid* solid = geometry.solid(part->name)) claim_springs(*part, *solid);

@@ -28,6 +28,9 @@ class SpaceBuilder {
     /// Every piece of a fluid's surface must be closed off: by a wall, another fluid, a periodic side or a plane of
     /// symmetry. Throws InputError with the area and place of one that is not.
     void check_boundary() const;
+    /// From here on, faces of rigid parts that touch each other, or lie outside of the fluid, count as their inside:
+    /// where a body stands flush on a wall, particles look for the nearest face that fluid sees.
+    void leave_out_hidden_faces();
     /// Before all others, so that what bonds join keeps its numbers.
     void add_springs(const Part& part);
     void add_fluid(const Part& part);
@@ -44,16 +47,26 @@ class SpaceBuilder {
     [[nodiscard]] std::size_t candidates() const { return owner_.size(); }
 
   private:
+    /// What of a wall's surface faces fluid.
+    struct Facing {
+        TriangleSurface surface;
+        NearestTriangle nearest;
+    };
     struct Wall {
         const Part* part;
         const TriangleSurface* surface;
         bool is_solid;     ///< the part is a body in the fluid, not the fluid's edge
         double thickness;  ///< how far the part reaches behind its surface, until it is fitted [m]
-        NearestTriangle nearest;
+        NearestTriangle nearest{};
+        std::optional<Facing> facing{};  ///< none: all of it
+
+        [[nodiscard]] const TriangleSurface& face() const { return facing ? facing->surface : *surface; }
+        [[nodiscard]] const NearestTriangle& nearest_face() const { return facing ? facing->nearest : nearest; }
     };
     struct WallPoint {
         int wall = -1;  ///< index into walls_; -1: no wall reaches the point
-        SurfacePoint surface;
+        int face = -1;  ///< index of the wall whose surface it is: that one, but where bodies touch walls
+        SurfacePoint surface{};
     };
 
     /// In owner_: none; none, but near a wall's surface; a shell; the solid wall with this index in walls_, and after
@@ -83,10 +96,16 @@ class SpaceBuilder {
     void note_open_ends(const Part& part, std::size_t first);
     [[nodiscard]] Vec lattice_step() const { return {lattice_->step()[0], lattice_->step()[1], lattice_->step()[2]}; }
     static Vec normal_of(const TriangleSurface& surface, int triangle);
-    /// The nearest point of the walls that counts(index into walls_) is true for, no further than they are thick.
-    /// `last`, if given: by wall, a point of its surface that was found nearby; it takes the new one.
+    /// Whether the lattice point nearest to a place is a rigid body's.
+    [[nodiscard]] bool is_in_a_body(const Vec& place) const;
+    /// The place in the box that it is an image of.
+    [[nodiscard]] Vec in_the_box(Vec place) const;
+    /// The nearest point that faces fluid (or may, `hidden`) of the walls that counts(index into walls_) is true for,
+    /// no further than they are thick. `last`, if given: by wall, a point of its surface that was found nearby; it
+    /// takes the new one.
     template <class Counts>
-    [[nodiscard]] WallPoint surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last = nullptr) const;
+    [[nodiscard]] WallPoint surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last = nullptr,
+                                       bool hidden = false) const;
     [[nodiscard]] WallPoint surface_at(const Vec& point) const {
         return surface_at(point, [](std::size_t) { return true; });
     }
@@ -94,10 +113,10 @@ class SpaceBuilder {
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const;
     [[nodiscard]] FitBounds bounds() const;
     [[nodiscard]] bool is_in_a_shell(const Vec& point) const;
-    [[nodiscard]] Vec into_fluid(const Vec& place, int wall, int triangle) const;
+    [[nodiscard]] Vec into_fluid(const Vec& place, int face, int triangle) const;
     void mark_band(const Wall& wall);
     void find_walls();
-    [[nodiscard]] WallParticle wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const;
+    [[nodiscard]] WallParticle wall_particle(const Vec& point, int face, const SurfacePoint& surface) const;
     void make_room(std::size_t particles);
     [[nodiscard]] bool closes(const Vec& point, const Part& fluid) const;
     [[nodiscard]] std::int16_t owner_near(const Vec& place) const;
@@ -113,6 +132,7 @@ class SpaceBuilder {
     std::vector<Wall> walls_;
     std::vector<SpringSolid> spring_solids_;
     std::vector<NearestTriangle> shells_;                    ///< as far as their nodes keep fluid away
+    bool has_hidden_faces_ = false;                          ///< of some wall
     int bodies_ = 0;                                         ///< connected pieces of springs so far
     std::vector<NearestTriangle> fluid_edges_;               ///< by fluid: what lies on its surface
     std::vector<std::vector<WallParticle>> wall_particles_;  ///< by wall; empty before find_walls()
@@ -125,18 +145,19 @@ class SpaceBuilder {
 };
 
 template <class Counts>
-SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last) const {
+SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last,
+                                                 bool hidden) const {
     WallPoint best;
     const auto look_from = [&](const Vec& shift) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             if (!counts(w)) continue;
-            const NearestTriangle& surface = walls_[w].nearest;
+            const NearestTriangle& surface = hidden ? walls_[w].nearest : walls_[w].nearest_face();
             auto found = last != nullptr ? surface.nearest(point + shift, (*last)[w]) : surface.nearest(point + shift);
             if (found && last != nullptr) (*last)[w] = found->point;
             if (!found || found->distance >= walls_[w].thickness) continue;
             if (best.wall >= 0 && best.surface.distance <= found->distance) continue;
             found->point -= shift;
-            best = {static_cast<int>(w), *found};
+            best = {static_cast<int>(w), static_cast<int>(w), *found};
         }
     };
     look_from(Vec::Zero());

@@ -9,8 +9,8 @@ FitBounds SpaceBuilder::bounds() const {
     FitBounds bounds;
     for (const Wall& wall : walls_) bounds.walls.push_back({wall.part, wall.is_solid});
     bounds.nearest_wall = [this](const Vec& place) {
-        const auto [wall, surface] = surface_at(place);
-        return NearestWall{wall, surface.point, surface.distance, surface.triangle};
+        const auto [wall, face, surface] = surface_at(place);
+        return NearestWall{face, surface.point, surface.distance, surface.triangle};
     };
     bounds.into_fluid = [this](const Vec& place, const NearestWall& there) {
         return into_fluid(place, there.wall, there.triangle);
@@ -30,8 +30,8 @@ void SpaceBuilder::fit() {
 }
 
 /// From a place on a wall's triangle.
-Vec SpaceBuilder::into_fluid(const Vec& place, int wall, int triangle) const {
-    const Vec across = normal_of(*walls_[static_cast<std::size_t>(wall)].surface, triangle);
+Vec SpaceBuilder::into_fluid(const Vec& place, int face, int triangle) const {
+    const Vec across = normal_of(walls_[static_cast<std::size_t>(face)].face(), triangle);
     return owner_near(place + spacing_ * across) >= 0 ? across : Vec(-across);
 }
 

@@ -21,7 +21,17 @@ constexpr double body_clearance = 0.45;
 SpaceBuilder::WallPoint SpaceBuilder::wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const {
     // A body's own particles stand in it, those of other walls outside all bodies.
     const auto counts = [&](std::size_t w) { return walls_[w].is_solid ? owner == owner_of_wall(w) : owner == nobody; };
-    return surface_at(point, counts, &last);
+    if (!has_hidden_faces_) return surface_at(point, counts, &last);
+    // Whose it is does not depend on what fluid sees of the surface.
+    int wall = -1;
+    if (owner == nobody) wall = surface_at(point, counts, nullptr, true).wall;
+    for (std::size_t w = 0; w < walls_.size() && owner != nobody; ++w)
+        if (walls_[w].is_solid && owner == owner_of_wall(w)) wall = static_cast<int>(w);
+    if (wall < 0) return {};
+    WallPoint found = surface_at(
+        point, [](std::size_t) { return true; }, &last);
+    if (found.wall >= 0) found.wall = wall;
+    return found;
 }
 
 /// Marks the lattice points of nobody within reach of the boxes about a wall's triangles; the others are never asked.
@@ -105,9 +115,9 @@ void SpaceBuilder::find_walls() {
                 if (marked >= 0 || marked == nobody) continue;
                 const Vec point = lattice_->at(row, line, static_cast<int>(k));
                 if (is_beyond_a_plane(point)) continue;
-                const auto [wall, surface] = wall_at(point, marked == nobody_near_a_wall ? nobody : marked, last);
+                const auto [wall, face, surface] = wall_at(point, marked == nobody_near_a_wall ? nobody : marked, last);
                 if (wall >= 0 && !overlaps_a_body(point))
-                    found[row].emplace_back(wall, wall_particle(point, wall, surface));
+                    found[row].emplace_back(wall, wall_particle(point, face, surface));
             }
     }
     wall_particles_.resize(walls_.size());
@@ -117,10 +127,10 @@ void SpaceBuilder::find_walls() {
     }
 }
 
-SpaceBuilder::WallParticle SpaceBuilder::wall_particle(const Vec& point, int wall, const SurfacePoint& surface) const {
+SpaceBuilder::WallParticle SpaceBuilder::wall_particle(const Vec& point, int face, const SurfacePoint& surface) const {
     const Vec to_surface = surface.point - point;
     if (surface.distance > 1e-6 * spacing_) return {point, to_surface.normalized(), surface.distance};
-    return {point, into_fluid(point, wall, surface.triangle), surface.distance};
+    return {point, into_fluid(point, face, surface.triangle), surface.distance};
 }
 
 void SpaceBuilder::add_walls(const Part& part) {
@@ -132,7 +142,10 @@ void SpaceBuilder::add_walls(const Part& part) {
     for (const Part* fluid : fluids_) density = std::max(density, fluid->density.value);
     const auto wall = std::ranges::find(walls_, &part, &Wall::part);
     const auto particles = std::exchange(wall_particles_[static_cast<std::size_t>(wall - walls_.begin())], {});
-    if (particles.empty())
+    if (particles.empty() && wall->facing)
+        result_.report.notes.push_back(part.name.value +
+                                       ": it has no particles, as fluid is nowhere within its layers");
+    else if (particles.empty())
         throw InputError(
             part.name.place,
             "no particle of the wall '" + part.name.value + "' fits behind its surface: there is fluid on both sides",

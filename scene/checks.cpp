@@ -308,12 +308,12 @@ void check_measure(const Scene& scene, const Measure& measure) {
                                      : "did you mean '" + nearest + "'?");
 }
 
-/// Faces are selected in space, by something.
+/// Faces, or curves of the plane, are selected by something.
 void check_selection(const Scene& scene, const Selection& selection) {
     const std::string name = "selection '" + *selection.name + "'";
-    if (scene.dimension == 2)
-        throw InputError(selection.name.place, name + ": faces are selected in space only",
-                         "write dimension = 3, or name the curves in the drawing");
+    if (scene.dimension == 2 && selection.z.given())
+        throw InputError(selection.z.place, name + " gives a z, and the scene lies in the plane",
+                         "take z out, or write dimension = 3");
     if (selection.from.given() != selection.to.given())
         throw InputError(first_known(scene, {&selection.from.place, &selection.to.place}),
                          name + " has one corner of a box only", "give from and to");
@@ -325,13 +325,10 @@ void check_selection(const Scene& scene, const Selection& selection) {
     const bool own_angle = selection.angle.given() && std::abs(selection.angle - std::numbers::pi / 18) > 1e-9;
     if (own_angle && !selection.normal.given())
         throw InputError(selection.angle.place, name + " has an angle, and no normal that it is from", "give normal");
+    // What is no selection may be a surface or curve of the drawing.
     for (const std::string& other : *selection.except) {
-        bool known = false;
-        for (const Selection& one : scene.selections) {
-            if (&one == &selection) break;
-            known = known || *one.name == other;
-        }
-        if (known) continue;
+        const auto found = std::ranges::find(scene.selections, other, [](const Selection& one) { return *one.name; });
+        if (found == scene.selections.end() || &*found < &selection) continue;
         throw InputError(selection.except.place, name + ": there is no selection '" + other + "' before it",
                          "give [[select]] of '" + other + "' first, or correct the name");
     }

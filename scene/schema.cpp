@@ -60,16 +60,16 @@ ValueType<double> angle_type() {
 std::vector<Key<Selection>> select_keys() {
     return {
         {"name", &Selection::name, name(), required, "What the selected faces are called, for a part of this name."},
-        {"of", &Selection::of, name(), required, "The volume or surface of the drawing whose faces they are."},
+        {"of", &Selection::of, name(), required, "The volume or surface of the drawing whose faces they are; in the plane the area or curve of which they are curves."},
         {"x", &Selection::x, quantity("2 mm"), not_given, "Faces that lie in the plane of this x."},
         {"y", &Selection::y, quantity("2 mm"), not_given, "Faces that lie in the plane of this y."},
         {"z", &Selection::z, quantity("2 mm"), not_given, "Faces that lie in the plane of this z."},
         {"from", &Selection::from, point(), not_given, "One corner of a box along the axes that the faces lie in."},
         {"to", &Selection::to, point(), not_given, "The opposite corner."},
-        {"normal", &Selection::normal, direction(), not_given, "Faces that face this way, out of the body."},
+        {"normal", &Selection::normal, direction(), not_given, "Faces that face this way, out of the body or area."},
         {"angle", &Selection::angle, angle_type(), "10 deg",
          "How far from the normal they may face."},
-        {"except", &Selection::except, names(), not_given, "Faces that are in none of these selections; with nothing else: all the others."},
+        {"except", &Selection::except, names(), not_given, "Faces that are in none of these selections, surfaces or curves; with nothing else: all the others."},
     };
 }
 
@@ -133,7 +133,7 @@ std::vector<Key<Part>> part_keys() {
         {"mass_per_length", springs, &Part::mass_per_length, quantity("0.4 kg/m", positive), not_given,
          "Mass of a strip 1 m deep along its length; needed in the plane."},
         {"anchor", springs, &Part::anchor, text_not_empty(), not_given,
-         "Named points of the drawing where the part is clamped; in space a surface or volume: all nodes next to it are. Without it the part is free."},
+         "Named points of the drawing where the part is clamped, or a curve, on which its ends are; in space a surface or volume: all nodes next to it are. Without it the part is free."},
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
          "Dashpot along each bond and at each hinge, as a fraction of critical damping."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",

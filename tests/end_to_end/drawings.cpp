@@ -136,4 +136,80 @@ TEST_F(Drawings, AClosedBodyBecomesABasinAtRest) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
+/// A case's drawing as a newcomer takes it: a scene is made of it, and runs with nothing changed but fewer steps.
+class DrawingsInThePlane : public Drawings, public testing::WithParamInterface<const char*> {};
+
+TEST_P(DrawingsInThePlane, MakeAFirstSceneThatRunsAsItIs) {
+    const std::string name = GetParam();
+    const std::string drawing = DMP_SOURCE_DIR "/cases/" + name + "/" + name + ".geo";
+    const Outcome made = dmp({"new", "mine", "--from", drawing});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    const Outcome run = dmp({"run", "mine", "--until", "0.2 ms", "--set", "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("Done"));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfCases, DrawingsInThePlane,
+                         testing::Values("vein_valve", "bent_channel", "heart_valve", "double_vein_valve", "clotting"),
+                         [](const auto& one) { return std::string(one.param); });
+
+TEST_F(Drawings, AVeinValveHasWallsLeafletsAndAPeriod) {
+    const Outcome made = dmp({"new", "valve", "--from", DMP_SOURCE_DIR "/cases/vein_valve/vein_valve.geo"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output,
+                AllOf(HasSubstr("'blood' is the fluid: the only area"), HasSubstr("it is blood, Newtonian"),
+                      HasSubstr("walls that do not move and that the fluid sticks to: 'wall'"),
+                      HasSubstr("'leaflets' lies in the fluid: flexible, clamped at 'leaflet_roots'"),
+                      HasSubstr("what leaves along x comes in again"), HasSubstr("6 at the narrowest tip")));
+    EXPECT_THAT(folder_.read("valve/scene.toml"),
+                AllOf(HasSubstr("dimension = 2"), HasSubstr("kind = \"springs\""), HasSubstr("periodic = [\"x\"]")));
+}
+
+TEST_F(Drawings, EdgesWithoutANameAreSelected) {
+    // A closed basin with a flap on its floor, of which only the area and the flap have a name.
+    folder_.write(
+        "basin.geo",
+        "Point(1) = {0, 0, 0};\nPoint(2) = {0.03, 0, 0};\nPoint(3) = {0.03, 0.01, 0};\nPoint(4) = {0, 0.008, 0};\n"
+        "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\n"
+        "Curve Loop(1) = {1, 2, 3, 4};\nPlane Surface(1) = {1};\n"
+        "Point(5) = {0.01, 0, 0};\nPoint(6) = {0.01, 0.005, 0};\nLine(5) = {5, 6};\n"
+        "Physical Surface(\"water\") = {1};\nPhysical Curve(\"flap\") = {5};\n");
+    const Outcome made = dmp({"new", "basin", "--from", "basin.geo"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output, AllOf(HasSubstr("sticks to: 'wall'"),
+                                   HasSubstr("'flap' lies in the fluid: flexible, clamped at 'wall'"),
+                                   HasSubstr("it is enclosed, at rest and not driven")));
+    const Outcome run = dmp({"run", "basin", "--until", "0.2 ms", "--set", "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
+TEST_F(Drawings, AFaceOfAStepFileIsADrawingInThePlane) {
+    folder_.write("export.geo",
+                  "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 12, 3};\nDisk(2) = {4, 1.5, 0, 0.5};\n"
+                  "BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };\n"
+                  "Physical Surface(\"water\") = {3};\nSave \"channel.step\";\n");
+    ASSERT_EQ(dmp({"inspect", "export.geo"}).code, 0);
+    const Outcome shown = dmp({"inspect", "channel.step"});
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("in the plane"), HasSubstr("12 x 3 x 0 mm"), HasSubstr("35.2")));
+    const Outcome made = dmp({"new", "channel", "--from", "channel.step"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output, AllOf(HasSubstr("what leaves along x comes in again"), HasSubstr("sticks to: 'wall'")));
+    const Outcome run =
+        dmp({"run", "channel", "--until", "0.5 ms", "--set", "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
+TEST_F(Drawings, ANewSceneKnowsSurfacesAndPointsThatTheDrawingNames) {
+    folder_.write("duct.geo",
+                  "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 0.004, 0.001, 0.001};\n"
+                  "Physical Volume(\"water\") = {1};\nPhysical Surface(\"floor\") = {3};\n"
+                  "Physical Point(\"corner\") = {1};\n");
+    const Outcome made = dmp({"new", "duct", "--from", "duct.geo"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output, HasSubstr("'floor', 'wall'"));
+    const Outcome run = dmp({"run", "duct", "--until", "0.2 ms", "--set", "particles.spacing=\"0.1 mm\"", "--set",
+                             "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
 }  // namespace

@@ -70,5 +70,43 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     EXPECT_THAT(fault(selection), HasSubstr("the drawing has a 'blood' already"));
 }
 
+using SelectCurves = testing::DrawingTest;
+
+TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
+    Geometry square =
+        read(testing::unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"floor\") = {1};\n");
+    FaceSelection left{.name = "left", .of = "water"};
+    left.in_plane[0] = 0;
+    FaceSelection up{.name = "lid", .of = "water"};
+    up.normal = Vec(0, 3, 0);
+    up.angle = 0.2;
+    FaceSelection boxed{.name = "boxed", .of = "water"};
+    boxed.in_box = Box{.low = Vec(0.9, -1, 0), .high = Vec(2, 2, 0)};
+    FaceSelection rest{.name = "rest", .of = "water", .except = {"left", "lid", "floor"}};
+    FaceSelection both{.name = "both", .of = "water", .except = {"left"}};
+    select_faces(square, {left, up, boxed, rest, both});
+    EXPECT_EQ(square.curve_set("left")->length(), 1);
+    EXPECT_EQ(square.curve_set("left")->nearest(Vec(0, 0.5, 0)).distance, 0);
+    EXPECT_EQ(square.curve_set("lid")->nearest(Vec(0.5, 1, 0)).distance, 0);
+    EXPECT_EQ(square.curve_set("lid")->length(), 1);
+    for (const char* right : {"boxed", "rest"}) {
+        EXPECT_EQ(square.curve_set(right)->length(), 1) << right;
+        EXPECT_EQ(square.curve_set(right)->nearest(Vec(1, 0.5, 0)).distance, 0) << right;
+    }
+    ASSERT_EQ(square.curve_set("both")->pieces.size(), 1U);  // one chain
+    EXPECT_EQ(square.curve_set("both")->length(), 3);
+    const auto fault = [&](const FaceSelection& selection) {
+        return testing::text_thrown<InputError>([&] { select_faces(square, {selection}); });
+    };
+    FaceSelection wrong{.name = "rim", .of = "wter", .place = {"scene.toml", 9, 1}};
+    EXPECT_THAT(fault(wrong), HasSubstr("scene.toml:9:1: selection 'rim': the drawing has no area or curve 'wter'"));
+    EXPECT_THAT(fault(wrong), HasSubstr("did you mean 'water'?"));
+    wrong.of = "water";
+    wrong.in_plane[1] = 0.5;
+    EXPECT_THAT(fault(wrong), HasSubstr("no curve of 'water' is like that\n  'water' has x from 0 m to 1 m, y from"));
+    wrong.except = {"hole"};
+    EXPECT_THAT(fault(wrong), HasSubstr("there is no curve 'hole' to except"));
+}
+
 }  // namespace
 }  // namespace dmp

@@ -40,9 +40,9 @@ TEST(MeshErrors, ANameOfTheWrongKind) {
             flap_channel.with("name = \"flap\"", "name = \"root\"").with("anchor = \"root\"", "anchor = \"flap\"")),
         "scene.toml:22:8: 'root' is a point in the drawing, but a curve is needed here (channel.geo)\n  it names "
         "'flap', 'root', 'wall' and 'water'");
-    EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"", "anchor = \"wall\"")),
-              "scene.toml:27:10: 'wall' is a curve in the drawing, but a point is needed here (channel.geo)\n  it "
-              "names 'flap', 'root', 'wall' and 'water'");
+    EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"", "anchor = \"water\"")),
+              "scene.toml:27:10: 'water' is a surface in the drawing, but a point or a curve is needed here "
+              "(channel.geo)\n  it names 'flap', 'root', 'wall' and 'water'");
 }
 
 TEST(MeshErrors, ANameThatNoPartUses) {
@@ -126,6 +126,10 @@ TEST(MeshErrors, AnAnchorThatIsNotOnTheCurve) {
         fault_of(flap_channel.with("Point(11)", "Point(12) = {2.07, 0.5, 0};\nPoint(11)")
                      .with("(\"root\") = {10}", "(\"root\") = {12}")),
         "scene.toml:27:10: no point of 'root' lies on 'flap'\n  put the anchor points on the curve in the drawing");
+    EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"", "anchor = \"wall\"")
+                           .with("Physical Point(\"root\") = {10};\n", "")
+                           .with("Point(10) = {2, 0, 0}", "Point(10) = {2, 0.1, 0}")),
+              "scene.toml:27:10: no end of 'flap' lies on 'wall'\n  let the curve begin or end on it in the drawing");
 }
 
 TEST(MeshErrors, AFluidThatNoParticleFitsInto) {

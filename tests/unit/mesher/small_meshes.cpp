@@ -135,6 +135,31 @@ TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
     for (const auto mark : touching.particles.seated) EXPECT_EQ(mark, 0);
 }
 
+TEST(FlapMesh, IsClampedWhereItEndsOnACurve) {
+    const Meshed at_point = mesh_texts(flap_channel);
+    const Texts on_wall =
+        flap_channel.with("anchor = \"root\"", "anchor = \"wall\"").with("Physical Point(\"root\") = {10};\n", "");
+    EXPECT_EQ(mesh_texts(on_wall).particles.fixed, at_point.particles.fixed);
+    // Both ends, of a bridge from wall to wall.
+    const Meshed bridge = mesh_texts(on_wall.with("{2, 1, 0}", "{2, 2, 0}"));
+    EXPECT_EQ(bridge.report.springs[0].anchored, 4U);
+}
+
+TEST(ChannelMesh, WallsMayBeSelectedByWhereTheyLie) {
+    const Texts selected =
+        channel
+            .with("[particles]",
+                  "[[select]]\nname = \"wall\"\nof = \"water\"\nnormal = [0, 1, 0]\nangle = \"5 deg\"\n"
+                  "[[select]]\nname = \"floor\"\nof = \"water\"\ny = 0\n[particles]")
+            .with("[flow]", "[[part]]\nname = \"floor\"\nkind = \"rigid\"\n[flow]")
+            .with("Physical Curve(\"wall\") = {1, 3};\n", "");
+    const Meshed named = mesh_texts(channel), meshed = mesh_texts(selected);
+    EXPECT_EQ(meshed.particles.size(), named.particles.size());
+    EXPECT_EQ(meshed.report.parts[1].name, "wall");
+    EXPECT_EQ(2 * meshed.report.parts[1].particles, named.report.parts[1].particles);
+    EXPECT_EQ(meshed.report.parts[2].particles, meshed.report.parts[1].particles);
+}
+
 TEST(FlapMesh, IsFreeWithoutAnAnchor) {
     const Meshed meshed =
         mesh_texts(flap_channel.with("anchor = \"root\"\n", "").with("Physical Point(\"root\") = {10};\n", ""));

@@ -49,7 +49,12 @@ TEST(SceneSelect, refusesWhatSelectsNothing) {
     EXPECT_EQ(fault_of(pipe_with(named)),
               "scene.toml:6:8: selection 'lid' does not say which faces\n"
               "  give a plane (x, y or z), a box (from and to), a normal, or except");
-    EXPECT_THAT(fault_of(pipe_with(inlet, "2")), HasSubstr("selection 'inlet': faces are selected in space only"));
+    EXPECT_THAT(fault_of(pipe_with(named + "z = 0\n", "2")),
+                HasSubstr("scene.toml:8:5: selection 'lid' gives a z, and the scene lies in the plane"));
+    EXPECT_EQ(read_text(pipe_with(inlet, "2")).selections.size(), 1U);
+    // It may be a surface of the drawing.
+    EXPECT_EQ(*read_text(pipe_with(named + "except = [\"rim\"]\n")).selections[0].except,
+              std::vector<std::string>{"rim"});
     EXPECT_THAT(fault_of(pipe_with(named + "from = [0, 0, 0]\n")),
                 HasSubstr("scene.toml:8:8: selection 'lid' has one corner of a box only"));
     EXPECT_THAT(fault_of(pipe_with(inlet + "angle = \"5 deg\"\n")), HasSubstr("has an angle, and no normal"));

@@ -1,0 +1,109 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Of the SpaceBuilder: which parts of walls' surfaces face fluid.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "geometry/surface_box.hpp"
+#include "geometry/winding_number.hpp"
+#include "mesher/facing_part.hpp"
+#include "mesher/space_builder.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// How far in front of a surface fluid is looked for, more than triangles are off the round face that two parts share;
+/// how closely surfaces are looked at [spacings].
+constexpr double in_front = 0.1, look_every = 0.5;
+
+/// Where fluid is, by the drawing.
+class DrawnFluid {
+  public:
+    DrawnFluid(const std::vector<const TriangleSurface*>& fluids, const std::vector<const TriangleSurface*>& solids) {
+        for (const TriangleSurface* fluid : fluids) fluids_.emplace_back(*fluid);
+        for (const TriangleSurface* solid : solids) solids_.emplace_back(*solid);
+    }
+    [[nodiscard]] bool at(const Vec& place) const {
+        const auto holds = [&](const WindingNumber& body) { return body.inside(place); };
+        return std::ranges::any_of(fluids_, holds) && std::ranges::none_of(solids_, holds);
+    }
+
+  private:
+    std::vector<WindingNumber> fluids_, solids_;
+};
+
+bool meet(const Box& one, const Box& other, double margin) {
+    return (one.low.array() <= other.high.array() + margin).all() &&
+           (other.low.array() <= one.high.array() + margin).all();
+}
+
+}  // namespace
+
+bool SpaceBuilder::is_in_a_body(const Vec& place) const {
+    const std::int16_t owner = owner_near(place);
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+        if (walls_[w].is_solid && owner == owner_of_wall(w)) return true;
+    return false;
+}
+
+Vec SpaceBuilder::in_the_box(Vec place) const {
+    const ParticleSet& set = result_.particles;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double period = set.box.extent()[axis];
+        if (set.periodic.at(static_cast<std::size_t>(axis)))
+            place[axis] -= period * std::floor((place[axis] - set.box.low[axis]) / period);
+        place[axis] = set.mirrored_back(place[axis], axis);
+    }
+    return place;
+}
+
+void SpaceBuilder::leave_out_hidden_faces() {
+    std::vector<const TriangleSurface*> solids, fluids;
+    for (const Wall& wall : walls_) {
+        if (wall.part->moves()) return;  // what is hidden now may come out
+        if (wall.is_solid) solids.push_back(wall.surface);
+    }
+    if (solids.empty() || fluids_.empty()) return;
+    for (const Part* fluid : fluids_) fluids.push_back(&geometry_.solid(fluid->name)->surface);
+    const DrawnFluid fluid(fluids, solids);
+    // Far from all others the lattice knows; next to them the drawing is asked, which takes longer.
+    const auto is_next_to_another = [&](const Wall& wall, const Vec& place) {
+        return std::ranges::any_of(walls_, [&](const Wall& other) {
+            if (&other == &wall || (!wall.is_solid && !other.is_solid)) return false;
+            const auto found = other.nearest.nearest(place);
+            return found && found->distance < spacing_;
+        });
+    };
+    const auto faces_fluid = [&](const Vec& place, const Vec& outward) {
+        return fluid.at(in_the_box(place + in_front * spacing_ * outward));
+    };
+    const auto is_seen = [&](const Wall& wall, const Vec& place, const Vec& outward) {
+        const bool alone = !is_next_to_another(wall, place);
+        if (wall.is_solid) return (alone && owner_near(place + spacing_ * outward) >= 0) || faces_fluid(place, outward);
+        return alone ? !is_in_a_body(place) : faces_fluid(place, outward) || faces_fluid(place, -outward);
+    };
+    for (Wall& wall : walls_) {
+        const Box box = box_of(*wall.surface);
+        // A wall that no body touches is the fluid's edge all over.
+        if (!wall.is_solid && std::ranges::none_of(solids, [&](const TriangleSurface* solid) {
+                return meet(box, box_of(*solid), in_front * spacing_);
+            }))
+            continue;
+        Facing facing{facing_part(*wall.surface, look_every * spacing_,
+                                  [&](const Vec& place, const Vec& outward) { return is_seen(wall, place, outward); }),
+                      {}};
+        const double area = wall.surface->area(), hidden = area - facing.surface.area();
+        if (hidden < spacing_ * spacing_) continue;
+        facing.nearest = NearestTriangle(facing.surface, 1.001 * wall.thickness);
+        wall.facing = std::move(facing);
+        has_hidden_faces_ = true;
+        std::ostringstream note;
+        note.precision(3);
+        note << wall.part->name.value << ": " << 100 * hidden / area
+             << " % of its surface faces no fluid, as it touches other rigid parts or lies outside of the fluid";
+        result_.report.notes.push_back(note.str());
+    }
+}
+
+}  // namespace dmp
