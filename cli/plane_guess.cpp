@@ -12,6 +12,7 @@
 #include "geometry/nearest_curve.hpp"
 #include "geometry/segments.hpp"
 #include "geometry/select_faces.hpp"
+#include "geometry/standing_strips.hpp"
 
 namespace dmp::cli {
 
@@ -50,21 +51,11 @@ bool alike(const Intervals& one, const Intervals& other, double tolerance) {
 
 /// The edges' median distance from what is opposite, measured along strips that stand on them.
 double usual_distance(const std::vector<Segment>& edges, double size) {
-    const double step = size / 200;
-    TriangleSurface strips;
-    const Vec up(0, 0, step);
-    for (const Segment& edge : edges) {
-        const int parts = static_cast<int>(std::clamp(std::ceil(edge.length() / step), 1.0, 1000.0));
-        const Vec along = (edge.b - edge.a) / parts;
-        for (int k = 0; k < parts; ++k) {
-            const auto first = static_cast<int>(strips.corners.size());
-            const Vec from = edge.a + k * along, to = from + along;
-            for (const Vec& corner : {from, to, Vec(to + up), Vec(from + up)}) strips.corners.push_back(corner);
-            strips.triangles.push_back({first, first + 1, first + 2});
-            strips.triangles.push_back({first, first + 2, first + 3});
-        }
-    }
     if (edges.empty()) return 0;
+    const double step = size / 200;
+    std::vector<PlaneSegment> segments;
+    for (const Segment& edge : edges) segments.push_back({edge.a, edge.b});
+    const TriangleSurface strips = standing_strips(segments, step);
     LocalThickness found = local_thickness(strips, step);
     std::ranges::sort(found.samples, {}, &ThicknessSample::thickness);
     double all = 0, passed = 0;

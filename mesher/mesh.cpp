@@ -116,6 +116,8 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     measure_quality(result, scene);
     count_bonds(result);
     watch.lap("quality");
+    std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
+    watch.lap("thin places");
     result.report.cost = cost;
     return result;
 }

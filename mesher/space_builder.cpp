@@ -69,13 +69,15 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
         walls_.push_back({part, surface, solid != nullptr, thickness});
     }
     for (const Part* part : scene.parts_of(PartKind::springs))
-        if (const Solid* solid = geometry.solid(part->name)) claim_springs(*part, *solid);
+        if (const Solid* solid = geometry.solid(part->name); solid != nullptr && !take_as_sheet(*part, *solid))
+            claim_springs(*part, *solid);
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;
         taken_.push_back(claim(surface, static_cast<std::int16_t>(fluid)));
     }
     for (const Part* part : scene.parts_of(PartKind::springs))
-        if (geometry.solid(part->name) == nullptr) clear_for_shell(*geometry.surface_set(part->name));
+        if (geometry.solid(part->name) == nullptr) clear_for_shell(geometry.surface_set(part->name)->surface);
+    for (const ThinSolid& thin : thin_solids_) clear_for_shell(thin.middle);
 }
 
 Vec SpaceBuilder::normal_of(const TriangleSurface& surface, int triangle) {

@@ -84,12 +84,20 @@ class SpaceBuilder {
         const Part* part;
         std::vector<Vec> points;
     };
+    /// A solid of springs that is a sheet: it becomes a shell.
+    struct ThinSolid {
+        const Part* part;
+        Part shell;  ///< the same, with the thickness that was drawn
+        TriangleSurface middle;
+    };
 
     /// Returns how many points in the solid others have.
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
     void claim_springs(const Part& part, const Solid& solid);
-    void clear_for_shell(const SurfaceSet& sheet);
+    /// False where the solid is thick enough for cells; throws InputError where it is thin, and no sheet.
+    bool take_as_sheet(const Part& part, const Solid& solid);
+    void clear_for_shell(const TriangleSurface& sheet);
     void clear_wedges();
     void add_body(const SpringBody& body, int part, MeshReport::SpringLine& line);
     void clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line);
@@ -131,6 +139,7 @@ class SpaceBuilder {
     std::vector<const Part*> fluids_;
     std::vector<Wall> walls_;
     std::vector<SpringSolid> spring_solids_;
+    std::vector<ThinSolid> thin_solids_;
     std::vector<NearestTriangle> shells_;                    ///< as far as their nodes keep fluid away
     bool has_hidden_faces_ = false;                          ///< of some wall
     int bodies_ = 0;                                         ///< connected pieces of springs so far

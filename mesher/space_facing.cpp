@@ -1,9 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Of the SpaceBuilder: which parts of walls' surfaces face fluid.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
+#include "geometry/nearest_triangle.hpp"
 #include "geometry/surface_box.hpp"
 #include "geometry/winding_number.hpp"
 #include "mesher/facing_part.hpp"
@@ -17,20 +20,45 @@ namespace {
 /// how closely surfaces are looked at [spacings].
 constexpr double in_front = 0.1, look_every = 0.5;
 
+/// Whether places lie in a body, for many places next to its surface: the nearest triangle tells, where the place is
+/// straight in front of or behind it. Elsewhere, and where there are holes, it is the winding number.
+class BodyInside {
+  public:
+    BodyInside(const TriangleSurface& surface, double reach)
+        : surface_(surface), nearest_(surface, reach), winding_(surface) {}
+
+    [[nodiscard]] bool holds(const Vec& place) const {
+        constexpr double straight = 0.99;
+        const auto found = surface_.has_holes ? std::nullopt : nearest_.nearest(place);
+        if (!found || found->distance == 0) return winding_.inside(place);
+        const auto& [a, b, c] = surface_.triangles[static_cast<std::size_t>(found->triangle)];
+        const auto corner = [&](int k) -> const Vec& { return surface_.corners[static_cast<std::size_t>(k)]; };
+        const Vec normal = (corner(b) - corner(a)).cross(corner(c) - corner(a)).normalized();
+        const double cosine = (place - found->point).dot(normal) / found->distance;
+        return std::abs(cosine) > straight ? cosine < 0 : winding_.inside(place);
+    }
+
+  private:
+    const TriangleSurface& surface_;
+    NearestTriangle nearest_;
+    WindingNumber winding_;
+};
+
 /// Where fluid is, by the drawing.
 class DrawnFluid {
   public:
-    DrawnFluid(const std::vector<const TriangleSurface*>& fluids, const std::vector<const TriangleSurface*>& solids) {
-        for (const TriangleSurface* fluid : fluids) fluids_.emplace_back(*fluid);
-        for (const TriangleSurface* solid : solids) solids_.emplace_back(*solid);
+    DrawnFluid(const std::vector<const TriangleSurface*>& fluids, const std::vector<const TriangleSurface*>& solids,
+               double reach) {
+        for (const TriangleSurface* fluid : fluids) fluids_.emplace_back(*fluid, reach);
+        for (const TriangleSurface* solid : solids) solids_.emplace_back(*solid, reach);
     }
     [[nodiscard]] bool at(const Vec& place) const {
-        const auto holds = [&](const WindingNumber& body) { return body.inside(place); };
+        const auto holds = [&](const BodyInside& body) { return body.holds(place); };
         return std::ranges::any_of(fluids_, holds) && std::ranges::none_of(solids_, holds);
     }
 
   private:
-    std::vector<WindingNumber> fluids_, solids_;
+    std::vector<BodyInside> fluids_, solids_;
 };
 
 bool meet(const Box& one, const Box& other, double margin) {
@@ -66,7 +94,7 @@ void SpaceBuilder::leave_out_hidden_faces() {
     }
     if (solids.empty() || fluids_.empty()) return;
     for (const Part* fluid : fluids_) fluids.push_back(&geometry_.solid(fluid->name)->surface);
-    const DrawnFluid fluid(fluids, solids);
+    const DrawnFluid fluid(fluids, solids, 2 * spacing_);
     // Far from all others the lattice knows; next to them the drawing is asked, which takes longer.
     const auto is_next_to_another = [&](const Wall& wall, const Vec& place) {
         return std::ranges::any_of(walls_, [&](const Wall& other) {

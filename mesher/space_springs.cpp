@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "base/disjoint_sets.hpp"
+#include "geometry/local_thickness.hpp"
+#include "geometry/mid_surface.hpp"
 #include "geometry/surface_pieces.hpp"
 #include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
@@ -16,6 +18,9 @@ namespace {
 /// A node nearer than this to its anchor is clamped: the first layer of a solid, which stands half a spacing from its
 /// surface, and the edge of a sheet [spacings].
 constexpr double solid_clamped_within = 0.75, sheet_clamped_within = 0.25;
+
+/// A solid of cells must be that thick, or it becomes a shell [spacings].
+constexpr double thinnest_solid = 2;
 
 /// Fluid that is moved stays this far from walls: its first layer on the lattice is half a spacing from them
 /// [spacings].
@@ -40,6 +45,32 @@ std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
 }
 
 }  // namespace
+
+bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
+    const double limit = thinnest_solid * spacing_;
+    if (local_thickness(solid.surface, spacing_).share_thinner((1 - 1e-9) * limit) <= 0.5) return false;
+    // Where most of it is thin, some may be a little thicker.
+    SheetSearch found = mid_surface(solid.surface, 1.5 * limit);
+    std::ostringstream text;
+    text.precision(3);
+    if (!found.sheet) {
+        text << "'" << part.name.value << "' is thinner than two spacings, " << 1e3 * found.thickness << " mm near ("
+             << 1e3 * found.where.x() << ", " << 1e3 * found.where.y() << ", " << 1e3 * found.where.z()
+             << ") mm, and no sheet that could become a shell: " << found.problem;
+        throw InputError(part.name.place, text.str(),
+                         "draw the surface in its middle, with `thickness`, or refine particles.spacing to less than "
+                         "half of its thickness");
+    }
+    ThinSolid thin{&part, part, std::move(found.sheet->surface)};
+    thin.shell.thickness.value = found.sheet->thickness;
+    text << part.name.value << ": a sheet of " << 1e3 * found.sheet->thickness << " mm, from "
+         << 1e3 * found.sheet->least << " to " << 1e3 * found.sheet->most
+         << " mm thick, less than two spacings: it becomes a shell on the surface in "
+         << "its middle";
+    result_.report.notes.push_back(text.str());
+    thin_solids_.push_back(std::move(thin));
+    return true;
+}
 
 /// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.
 void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
@@ -84,8 +115,8 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
 }
 
 /// Takes what the sheet's shell fills, a spacing to both sides, from the fluids.
-void SpaceBuilder::clear_for_shell(const SurfaceSet& sheet) {
-    const NearestTriangle& nearest = shells_.emplace_back(sheet.surface, (0.5 + keep_from_nodes) * spacing_);
+void SpaceBuilder::clear_for_shell(const TriangleSurface& sheet) {
+    const NearestTriangle& nearest = shells_.emplace_back(sheet, (0.5 + keep_from_nodes) * spacing_);
     std::size_t index = 0;
     for_each_point([&](std::int16_t here, const auto& at) {
         if (here >= 0 && is_within(nearest, at(), spacing_)) {
@@ -127,12 +158,15 @@ void SpaceBuilder::add_springs(const Part& part) {
         line.particle_mass = body.mass.front();
         add_body(body, number, line);
     } else {
-        const TriangleSurface& surface = geometry_.surface_set(part.name)->surface;
+        const auto thin = std::ranges::find(thin_solids_, &part, &ThinSolid::part);
+        const bool is_drawn_thick = thin != thin_solids_.end();
+        const Part& of = is_drawn_thick ? thin->shell : part;
+        const TriangleSurface& surface = is_drawn_thick ? thin->middle : geometry_.surface_set(part.name)->surface;
         const SurfacePieces pieces(surface);
         for (const SurfacePiece& piece : pieces.all()) {
-            const ShellBody body = shell_body(part, part_of(surface, piece.triangles), spacing_);
+            const ShellBody body = shell_body(of, part_of(surface, piece.triangles), spacing_);
             line.shell = {body.constants, body.membrane_stiffness_asked};
-            line.particle_mass = part.density * part.thickness * spacing_ * spacing_ / 2;
+            line.particle_mass = of.density * of.thickness * spacing_ * spacing_ / 2;
             add_body(body, number, line);
         }
     }

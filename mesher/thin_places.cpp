@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <utility>
 
+#include "geometry/inside_test.hpp"
 #include "geometry/local_thickness.hpp"
+#include "geometry/segments.hpp"
+#include "geometry/standing_strips.hpp"
 #include "geometry/winding_number.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/space_builder.hpp"
@@ -28,7 +32,8 @@ void add_turned(TriangleSurface& to, const TriangleSurface& body) {
 /// Lines from one side of the box to the other along an axis in which it is no wall that ends there.
 class OpenSides {
   public:
-    OpenSides(const Geometry& geometry, const Scene& scene) : box_(fluid_box_in_space(geometry, scene)) {
+    OpenSides(const Geometry& geometry, const Scene& scene)
+        : box_(geometry.dimension == 3 ? fluid_box_in_space(geometry, scene) : fluid_box(geometry, scene)) {
         const auto mirrored = mirrored_sides(scene);
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t side = 0; side < 2; ++side)
@@ -49,9 +54,18 @@ class OpenSides {
     std::array<std::array<bool, 2>, 3> open_{};  ///< by axis, low and high
 };
 
+std::string place_text(const Vec& place, int dimension) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "(" << 1e3 * place.x() << ", " << 1e3 * place.y();
+    if (dimension == 3) text << ", " << 1e3 * place.z();
+    text << ") mm";
+    return text.str();
+}
+
 /// The line about one part; empty if nothing that counts is thinner than the limit [spacings].
 std::string thinnest_text(const LocalThickness& found, double spacing, double limit, const std::string& what,
-                          const std::function<bool(const ThicknessSample&)>& counts) {
+                          int dimension, const std::function<bool(const ThicknessSample&)>& counts) {
     const ThicknessSample* thinnest = nullptr;
     double area = 0;
     for (const ThicknessSample& sample : found.samples) {
@@ -60,18 +74,90 @@ std::string thinnest_text(const LocalThickness& found, double spacing, double li
         if (thinnest == nullptr || sample.thickness < thinnest->thickness) thinnest = &sample;
     }
     if (thinnest == nullptr) return {};
-    const Vec place = 0.5 * (thinnest->place + thinnest->opposite) * 1e3;
     std::ostringstream text;
     text.precision(3);
-    text << what << " of " << thinnest->thickness / spacing << " spacings near (" << place.x() << ", " << place.y()
-         << ", " << place.z() << ") mm, less than " << limit << " particles, as are " << 100 * area / found.area
-         << " % of its surface";
+    text << what << " of " << thinnest->thickness / spacing << " spacings near "
+         << place_text(0.5 * (thinnest->place + thinnest->opposite), dimension) << ", less than " << limit
+         << " particles, as are " << 100 * area / found.area << " % of its " << (dimension == 3 ? "surface" : "edge");
     return text.str();
+}
+
+/// Edges of fluids in the plane behind which there is no other fluid.
+std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& fluids, double spacing) {
+    std::vector<PlaneSegment> edges;
+    std::vector<InsideTest> inside;
+    for (const Region* fluid : fluids) inside.emplace_back(*fluid);
+    for (const Region* fluid : fluids)
+        for_each_segment(*fluid, [&](const Vec& a, const Vec& b) {
+            const Vec right = Vec(b.y() - a.y(), a.x() - b.x(), 0).normalized();
+            const Vec behind = 0.5 * (a + b) + 1e-3 * spacing * right;
+            const bool borders = std::ranges::any_of(
+                inside, [&](const InsideTest& other) { return other.side_of(behind) == Side::inside; });
+            if (!borders) edges.push_back({a, b});
+        });
+    return edges;
+}
+
+/// From the ends of a flexible part to walls and other flexible pieces. A layer of fluid is half a spacing from a wall,
+/// and a whole one from a flexible curve.
+std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part& part,
+                       const std::vector<PlaneSegment>& edges) {
+    const double spacing = scene.particles.spacing;
+    double fewest = least_gap * (1 - 1e-9);
+    Vec where = Vec::Zero();
+    for (const Polyline& piece : geometry.curve_set(part.name)->pieces)
+        for (const Vec& end : {piece.points.front(), piece.points.back()}) {
+            Projection wall{.distance = std::numeric_limits<double>::infinity()}, body = wall;
+            for (const auto& [a, b] : edges) keep_nearest(wall, end, a, b);
+            if (wall.distance < spacing) continue;  // it is held there
+            for (const Part* other : scene.parts_of(PartKind::springs))
+                for (const Polyline& others : geometry.curve_set(other->name)->pieces)
+                    if (&others != &piece)
+                        for_each_segment(others, [&](const Vec& a, const Vec& b) { keep_nearest(body, end, a, b); });
+            if (body.distance < spacing) continue;  // it is joined to it
+            const double particles = std::min(wall.distance / spacing - 0.5, body.distance / spacing - 1);
+            if (particles >= fewest) continue;
+            fewest = particles;
+            where = end;
+        }
+    if (fewest >= least_gap * (1 - 1e-9)) return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << part.name.value << ": a gap at its end near " << place_text(where, 2) << " that " << fewest
+         << " particles fit into, less than " << least_gap;
+    return text.str();
+}
+
+std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Scene& scene) {
+    const double spacing = scene.particles.spacing;
+    std::vector<std::string> said;
+    std::vector<const Region*> fluids;
+    for (const Part* part : scene.parts_of(PartKind::fluid)) fluids.push_back(geometry.region(part->name));
+    const OpenSides open(geometry, scene);
+    std::vector<PlaneSegment> edges = edges_of_fluids(fluids, spacing);
+    std::erase_if(edges, [&](const PlaneSegment& edge) {
+        return open.holds(0.5 * (edge[0] + edge[1])) && open.holds(edge[0]) && open.holds(edge[1]);
+    });
+    const LocalThickness found = local_thickness(standing_strips(edges, spacing), spacing);
+    for (const Region* fluid : fluids) {
+        const InsideTest inside(*fluid);
+        said.push_back(
+            thinnest_text(found, spacing, least_gap, fluid->name + ": a gap", 2, [&](const ThicknessSample& sample) {
+                Vec middle = 0.5 * (sample.place + sample.opposite);
+                middle.z() = 0;
+                return inside.side_of(middle) == Side::inside;
+            }));
+    }
+    for (const Part* part : scene.parts_of(PartKind::springs))
+        said.push_back(narrow_tip(geometry, scene, *part, edges));
+    std::erase(said, std::string());
+    return said;
 }
 
 }  // namespace
 
 std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene) {
+    if (geometry.dimension == 2) return thin_places_in_plane(geometry, scene);
     std::vector<std::string> said;
     const double spacing = scene.particles.spacing;
     const OpenSides open(geometry, scene);
@@ -84,7 +170,7 @@ std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scen
         if (solid == nullptr) continue;
         bodies.push_back(&solid->surface);
         said.push_back(thinnest_text(local_thickness(solid->surface, spacing), spacing, least_thickness,
-                                     part->name.value + ": a thickness", ends_on_walls));
+                                     part->name.value + ": a thickness", 3, ends_on_walls));
     }
     std::vector<WindingNumber> in_body;
     in_body.reserve(bodies.size());
@@ -99,7 +185,7 @@ std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scen
                    std::ranges::none_of(in_body, [&](const WindingNumber& body) { return body.inside(middle); });
         };
         said.push_back(thinnest_text(local_thickness(around, spacing), spacing, least_gap, part->name.value + ": a gap",
-                                     is_fluid));
+                                     3, is_fluid));
     }
     std::erase(said, std::string());
     return said;

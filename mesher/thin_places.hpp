@@ -9,9 +9,10 @@
 
 namespace dmp {
 
-/// What of a 3-D scene is too thin for its particles, one line a part, with the thinnest place: gaps between walls, or
-/// between a body in the fluid and anything else, of fewer than 3 fluid particles; rigid bodies thinner than 2.
-/// Periodic sides and planes of symmetry are no walls.
+/// What of a scene is too thin for its particles, one line a part, with the thinnest place: gaps between walls, or
+/// between a body in the fluid and anything else, of fewer than 3 fluid particles; in space rigid bodies thinner than
+/// 2; in the plane gaps between the end of a flexible curve and what is next to it. Periodic sides and planes of
+/// symmetry are no walls.
 std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene);
 
 }  // namespace dmp

@@ -135,6 +135,22 @@ TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
     for (const auto mark : touching.particles.seated) EXPECT_EQ(mark, 0);
 }
 
+TEST(ChannelMesh, GapsTooNarrowForThreeParticlesAreSaid) {
+    const Texts narrow = channel.with("{4, 2, 0}", "{4, 0.3, 0}").with("{0, 2, 0}", "{0, 0.3, 0}");
+    EXPECT_THAT(mesh_texts(narrow).report.notes,
+                testing::Contains(testing::AllOf(testing::HasSubstr("water: a gap of 2.4 spacings near ("),
+                                                 testing::HasSubstr(", 150) mm, less than 3 particles, as are 100 % of "
+                                                                    "its edge"))));
+    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.7, 0}")).report.notes,
+                testing::Contains("flap: a gap at its end near (2e+03, 1.7e+03) mm that 1.9 particles fit into, less "
+                                  "than 3"));
+    // 3.5 spacings from the wall, as the fluid's first layer is half a spacing from it; and a bridge has no loose end.
+    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.5625, 0}")).report.notes,
+                testing::Not(testing::Contains(testing::HasSubstr("gap"))));
+    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 2, 0}")).report.notes,
+                testing::Not(testing::Contains(testing::HasSubstr("gap"))));
+}
+
 TEST(FlapMesh, IsClampedWhereItEndsOnACurve) {
     const Meshed at_point = mesh_texts(flap_channel);
     const Texts on_wall =

@@ -180,6 +180,31 @@ TEST(SpaceBodies, a_sheet_becomes_a_shell) {
     EXPECT_LT(meshed.report.parts.front().kernel_sum_spread, 0.05);
 }
 
+TEST(SpaceBodies, a_thin_solid_that_is_a_sheet_becomes_a_shell) {
+    // 1.6 spacings thick, across the duct's axis, standing on its floor.
+    const Texts thin =
+        column.with("spacing = \"0.125 m\"", "spacing = \"0.0625 m\"")
+            .with("Box(2) = {0.75, 0, 0.25, 0.5, 0.75, 0.5}", "Box(2) = {0.75, 0, 0.25, 0.1, 0.75, 0.5}");
+    const auto meshed = mesh_texts(thin);
+    EXPECT_THAT(meshed.report.notes, Contains(AllOf(HasSubstr("body: a sheet of 100 mm, from 100 to 100 mm thick"),
+                                                    HasSubstr("it becomes a shell"))));
+    const MeshReport::SpringLine& line = meshed.report.springs.at(0);
+    ASSERT_TRUE(line.shell);
+    const double bending = 1e6 * 0.1 * 0.1 * 0.1 / (12 * (1 - 0.25 * 0.25));
+    EXPECT_NEAR(line.shell->constants.bending_stiffness() / bending, 1, 1e-9);
+    EXPECT_GT(line.anchored, 10U);
+    double mass = 0;
+    for (const std::size_t i : nodes_of(meshed.particles)) {
+        EXPECT_NEAR(std::abs(meshed.particles.position[i].x() - 0.8), 0.03125, 1e-9);
+        mass += meshed.particles.mass[i];
+    }
+    EXPECT_NEAR(mass / (1200 * 0.1 * 0.75 * 0.5), 1, 0.01);
+    EXPECT_THAT(fault_of(thin.with("0.1, 0.75, 0.5}", "0.1, 0.75, 0.1}")),
+                AllOf(HasSubstr("scene.toml:16:8: 'body' is thinner than two spacings, 100 mm near ("),
+                      HasSubstr("no sheet that could become a shell: its faces are not two"),
+                      HasSubstr("draw the surface in its middle")));
+}
+
 TEST(SpaceBodies, a_thick_shell_holds_both_stiffnesses) {
     const auto meshed = mesh_texts(sheet.with("thickness = \"0.05 m\"", "thickness = \"0.2 m\"\npoisson_ratio = 0.3"));
     const auto& line = meshed.report.springs.at(0);
@@ -195,8 +220,8 @@ TEST(SpaceBodies, wrong_ones_are_refused_with_what_to_do) {
                 AllOf(HasSubstr("scene.toml:7:15: 'body' is a solid of springs, which are built on the cubic lattice"),
                       HasSubstr("arrangement = \"square\"")));
     EXPECT_THAT(replaced("poisson_ratio = 0.25", "poisson_ratio = 0.3"), HasSubstr("more than 0.25"));
-    EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.25, 0.1, 0.75, 0.5}"),
-                AllOf(HasSubstr("'body' is too thin for a solid of springs"), HasSubstr("make it a shell")));
+    EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.25, 0.1, 0.75, 0.1}"),
+                AllOf(HasSubstr("'body' is thinner than two spacings"), HasSubstr("draw the surface in its middle")));
     EXPECT_THAT(replaced("poisson_ratio = 0.25", "thickness = \"1 cm\""),
                 AllOf(HasSubstr("is a volume in the drawing"), HasSubstr("take `thickness` out")));
     EXPECT_THAT(fault_of(sheet.with("thickness = \"0.05 m\"\n", "")), HasSubstr("its thickness is missing"));
