@@ -25,7 +25,7 @@ constexpr double on_surface = 1e-6;
 /// The surface is looked for this far [spacings].
 constexpr double reach = 2;
 /// A particle no further away than this is brought to its place at a corner or an edge [spacings].
-constexpr double fetched_from = 1.1;
+constexpr double fetched_from = 1.5;
 /// Places nearer to another than this are left out, as at ends of edges shorter than it [spacings].
 constexpr double pins_apart = 0.7;
 /// So much room there must be at a place's deep point: edges of what is thinner than twice that are not kept

@@ -121,7 +121,7 @@ TEST(FittedFeatures, corners_in_the_plane_keep_their_particles) {
                            .with("Line(3) = {3, 4};", "Line(3) = {7, 4};")
                            .with("{1, 2, 3, 4};", "{1, 2, 5, 6, 3, 4};")
                            .with("Physical Curve(\"wall\") = {1, 3}", "Physical Curve(\"wall\") = {1:6}")
-                           .with("spacing = \"0.125 m\"", "spacing = \"0.0309 m\"\nfill = \"relaxed\"");
+                           .with("spacing = \"0.125 m\"", "spacing = \"0.0411 m\"\nfill = \"relaxed\"");
     const Meshed meshed = mesh_texts(room);
     const ParticleSet& set = meshed.particles;
     EXPECT_THAT(meshed.report.notes, testing::Contains(testing::HasSubstr("11 particles are pinned at corners")));
@@ -143,6 +143,36 @@ TEST(FittedFeatures, corners_in_the_plane_keep_their_particles) {
     EXPECT_LT(water.inside.spread, 0.01);
     EXPECT_LT(water.near_walls.spread, 0.03);
     EXPECT_GT(water.nearest, 0.75);
+}
+
+/// A cube that lies askew to the lattice: the places of its edges, inside and outside, are all taken.
+TEST(FittedFeatures, edges_in_space_keep_their_particles) {
+    const Texts cube{channel.with("schema = 1", "schema = 1\ndimension = 3")
+                         .with("periodic = [\"x\"]\n", "")
+                         .with("spacing = \"0.125 m\"", "spacing = \"0.11 m\"\nfill = \"relaxed\"")
+                         .scene,
+                     "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"
+                     "Rotate {{0, 0, 1}, {0, 0, 0}, 0.4} { Volume{1}; }\nPhysical Volume(\"water\") = {1};\n"
+                     "Physical Surface(\"wall\") = {1:6};\n"};
+    const Meshed meshed = mesh_texts(cube);
+    const ParticleSet& set = meshed.particles;
+    const auto inside = [](const Vec& p) {
+        const Vec back(std::cos(0.4) * p.x() + std::sin(0.4) * p.y(), std::cos(0.4) * p.y() - std::sin(0.4) * p.x(),
+                       p.z());
+        return back.minCoeff() > 0 && back.maxCoeff() < 1;
+    };
+    const auto places = edge_places({&meshed.geometry.surface_set("wall")->surface}, inside, set.spacing);
+    // Inside 1 / 0.11 - 1 = 8.1 steps between corners, outside 10.1.
+    ASSERT_EQ(places.size(), 2U * 8 + 12 * (7 + 9));
+    EXPECT_THAT(meshed.report.notes, testing::Contains(testing::HasSubstr("; 208 particles are pinned at corners")));
+    for (const FeaturePlace& place : places) {
+        double nearest = HUGE_VAL;
+        for (std::size_t i = 0; i < set.size(); ++i)
+            if ((set.kind(i) == ParticleKind::fluid) == place.in_fluid)
+                nearest = std::min(nearest, (set.position[i] - place.point).norm());
+        EXPECT_LT(nearest, 1e-12) << place.point.transpose();
+    }
+    EXPECT_LT(meshed.report.parts.front().near_walls.spread, 0.03);
 }
 
 }  // namespace
