@@ -141,7 +141,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
         const double range = scene.contact.range * scene.particles.spacing;
         // Automatic strength: a small part of the fluid's energy rho c0^2 r*^3, in the plane rho c0^2 r*^2 on 1 m of
         // depth. At 0.9 r* it then pushes like a pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not
-        // exceed, and it never rules the step.
+        // exceed, and at touch it does not rule the step.
         const double depth = *scene.dimension == 3 ? range : 1;
         settings.repulsion_strength = scene.contact.strength > 0 ? scene.contact.strength.value
                                                                  : 0.002 * settings.density * settings.sound_speed *

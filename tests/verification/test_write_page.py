@@ -34,6 +34,10 @@ class Page(unittest.TestCase):
         self.assertEqual(self.lines(), ["| [cavity](../cases/verification/cavity/README.md) | fine | error | -0.5 % "
                                         "| at most 1 % | 10 | 2.0 | 3.00 |"])
 
+    def test_cases_outside_the_suites_folder_are_linked_too(self):
+        self.record("tricuspid_valve", "a", 0, 1)
+        self.assertIn("(../cases/tricuspid_valve/README.md)", self.lines()[0])
+
     def test_what_is_beyond_its_bound_is_bold(self):
         self.record("cavity", "a", -2, 1)
         self.record("cavity", "b", 0.9, 1, "at least")

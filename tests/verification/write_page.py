@@ -11,8 +11,8 @@ import sys
 HEAD = """# Verification
 
 Written by `./dmp test --verification`; each row was shown by the last run of its case. `--long` runs those of many
-minutes too (the cavity at Re 1000). Each case is a scene under `cases/verification/`, whose README tells what it is and
-what it is compared with. Tests assert the bounds; a figure beyond its bound stands in bold. Times and speeds are those of
+minutes too (the cavity at Re 1000). Each case is a scene under `cases/verification/` or `cases/`, whose README tells what
+it is and what it is compared with. Tests assert the bounds; a figure beyond its bound stands in bold. Times and speeds are those of
 the machine and moment at hand.
 
 Last run on: {machine}.
@@ -36,9 +36,15 @@ def number(value, unit):
     return f"{value:.3g}" + (f" {unit}" if unit else "")
 
 
+def readme_of(case):
+    """From the page: below cases/verification/, or below cases/ itself."""
+    cases = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "cases")
+    return f"../cases/{case if os.path.isdir(os.path.join(cases, case)) else 'verification/' + case}/README.md"
+
+
 def lines_of(record):
     """The table's lines of one run, the run's own facts in the first."""
-    case = f"[{record['case']}](../cases/verification/{record['case']}/README.md)"
+    case = f"[{record['case']}]({readme_of(record['case'])})"
     facts = f"{record['particles']} | {record['wall_s']:.1f} | {record['particle_steps_per_s'] / 1e6:.2f}"
     for row in record["rows"]:
         figure, bound = row["figure"], row["bound"]
