@@ -8,6 +8,7 @@
 #include "solver/models/dem/bradley.hpp"
 #include "solver/models/dem/contact.hpp"
 #include "solver/models/dem/contact_constants.hpp"
+#include "solver/models/dem/dashpot_ends.hpp"
 #include "solver/models/dem/hertz.hpp"
 #include "solver/models/dem/jkr.hpp"
 #include "solver/models/dem/mindlin.hpp"
@@ -31,6 +32,8 @@ template <ContactModel model>
 struct ContactLaw {
     /// Where a law asks whether surfaces have touched, the history ends with the contact's radius at the last step.
     static constexpr bool keeps_touch = model.adhesion == Adhesion::jkr;
+    /// A dashpot of d^(1/4) begins and ends with the overlap, and in LAMMPS' way every step counts alike.
+    static constexpr bool counts_ends = model.adhesion != Adhesion::jkr && model.history == TangentialHistory::rescaled;
     static constexpr int history_vectors = model.rolling == RollingFriction::spring ? 2 : 1;
     static constexpr int history_values = 3 * history_vectors + (keeps_touch ? 1 : 0);
 
@@ -62,10 +65,22 @@ struct ContactLaw {
         const NormalContact<T> normal = normal_contact(contact, pair, before);
 
         const T root = sqrt(contact.mass * normal.touch), mass_touch = contact.mass * normal.touch;
-        const T dashpot = pair.normal_dashpot * root + pair.normal_rate * mass_touch;
-        const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.parting;
         const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
-        const T pressing = where_less(damped, least, least, damped);
+        const auto press = [&](const T& ends) {
+            const T dashpot = pair.normal_dashpot * (ends * root) + pair.normal_rate * mass_touch;
+            const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.parting;
+            return where_less(damped, least, least, damped);
+        };
+        T pressing = press(T(1.0));
+        if constexpr (counts_ends) {
+            const T part = contact.parting, slow = T(dt) * where_less(part, zero, -part, part);
+            const T deep = where_less(zero, contact.overlap, contact.overlap, T(1e300));
+            if (any_less(deep, T(2.0) * slow)) {
+                // The way of the step that led here, or of the next one where they part.
+                const T next = T(dt) * (part + (T(dt) / contact.mass) * pressing);
+                pressing = press(DashpotEnds::weight(deep, where_less(part, zero, slow, next)));
+            }
+        }
         const T gripping = Tangential::gripping(pressing + normal.grip);
 
         const ShearContact<T> shear{normal.touch, T(pair.tangential_stiffness),

@@ -136,7 +136,7 @@ TEST(SphereImpacts, few_steps_give_the_restitution_on_average) {
             for (int start = 0; start < 20; ++start) {
                 fall.start = (start + 0.5) / 20;
                 const double found = fall.land().velocity[2] / fall.speed;
-                EXPECT_NEAR(found, restitution, 0.015) << restitution;
+                EXPECT_NEAR(found, restitution, 0.006) << restitution;
                 mean += found / 20;
             }
             EXPECT_NEAR(mean, restitution, 0.005);
