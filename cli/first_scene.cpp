@@ -113,6 +113,11 @@ class Author {
         const double round = std::numbers::pi / 4 * extent[one] * extent[other];
         if (std::abs(extent[one] / extent[other] - 1) < 0.02 && std::abs(low.area / round - 1) < 0.02)
             radius_ = 0.25 * (extent[one] + extent[other]);
+        // Flexible sheets would be torn along by a flow that starts as if they were not there.
+        if (std::ranges::none_of(geometry_.surfaces, [&](const SurfaceSet& set) { return lies_in_the_fluid(set); }))
+            return;
+        obstructed_ = true;
+        radius_.reset();
     }
 
     void choose_numbers() {
@@ -145,9 +150,65 @@ class Author {
                    tolerance_;
     }
 
+    /// Most of it has fluid on both sides.
+    [[nodiscard]] bool lies_in_the_fluid(const SurfaceSet& set) const {
+        double both = 0;
+        const WindingNumber fluid(fluid_.surface);
+        for (const auto& [a, b, c] : set.surface.triangles) {
+            const auto corner = [&](int k) -> const Vec& { return set.surface.corners[static_cast<std::size_t>(k)]; };
+            const Vec across = (corner(b) - corner(a)).cross(corner(c) - corner(a));
+            const Vec middle = (corner(a) + corner(b) + corner(c)) / 3;
+            const Vec aside = 1e-3 * box_.extent().norm() * across.normalized();
+            if (fluid.inside(middle + aside) && fluid.inside(middle - aside)) both += 0.5 * across.norm();
+        }
+        return both > 0.9 * set.surface.area();
+    }
+
+    /// The walls on which most corners of a sheet lie; empty: none touches it.
+    [[nodiscard]] std::string held_by(const SurfaceSet& sheet, const std::vector<FaceSelection>& asked) const {
+        Geometry drawing = geometry_;
+        if (has_faces(asked)) select_faces(drawing, asked);
+        std::string best;
+        std::ptrdiff_t most = 0;
+        const auto look = [&](const std::string& name, const TriangleSurface& surface) {
+            const NearestTriangle nearest(surface, 0.1 * spacing_);
+            const std::ptrdiff_t held = std::ranges::count_if(
+                sheet.surface.corners, [&](const Vec& corner) { return nearest.nearest(corner).has_value(); });
+            if (held <= most) return;
+            best = name;
+            most = held;
+        };
+        for (const SurfaceSet& set : drawing.surfaces)
+            if (set.name != sheet.name && !is_cap(set)) look(set.name, set.surface);
+        for (const Solid& solid : drawing.solids)
+            if (solid.name != fluid_.name) look(solid.name, solid.surface);
+        return best;
+    }
+
+    /// A shell of springs that what drives the fluid bends by a tenth of its length: as a strip of length L that is
+    /// held at one end, by p L^4 / (8 D) under the pressure p.
+    std::string written_sheet(const SurfaceSet& sheet, const std::vector<FaceSelection>& asked) {
+        constexpr double bend = 0.1;
+        const double thickness = 2 * spacing_, length = std::sqrt(sheet.surface.area());
+        const double pressure =
+            periodic_ ? liquid_.density * acceleration_ * box_.extent()[axis_] : 10 * liquid_.density * speed_ * speed_;
+        const double stiffness = 12 * pressure * std::pow(length, 3) / (8 * bend * std::pow(thickness, 3));
+        const std::string anchor = held_by(sheet, asked);
+        assume(fmt::format(
+            "'{}' lies in the fluid: flexible, {}; E = {:.2g} Pa, so that {:.2g} Pa bend it by about "
+            "{:g} % of its length",
+            sheet.name, anchor.empty() ? "free" : "clamped at '" + anchor + "'", stiffness, pressure, 100 * bend));
+        return fmt::format(
+                   "\n[[part]]\nname = \"{}\"\nkind = \"springs\"\ndensity = \"{:g} kg/m^3\"\n"
+                   "youngs_modulus = \"{:.3g} Pa\"\nthickness = \"{}\"\n",
+                   sheet.name, liquid_.density, stiffness, in_millimetres(thickness, 0)) +
+               (anchor.empty() ? "" : fmt::format("anchor = \"{}\"\n", anchor));
+    }
+
     std::string written_parts() {
         std::string parts = written_fluid(fluid_.name, liquid_);
         std::string selections, walls;
+        std::vector<const SurfaceSet*> sheets;
         std::vector<FaceSelection> asked;
         std::vector<std::string> taken;
         const auto wall = [&](const std::string& name) {
@@ -158,6 +219,10 @@ class Author {
             if (solid.name != fluid_.name) wall(solid.name);
         for (const SurfaceSet& set : geometry_.surfaces) {
             taken.push_back(set.name);
+            if (lies_in_the_fluid(set)) {
+                sheets.push_back(&set);
+                continue;
+            }
             if (!is_cap(set)) {
                 wall(set.name);
                 continue;
@@ -183,6 +248,7 @@ class Author {
             selections += written_selection(asked.back(), box_.extent().norm(), 3);
             wall(rest.name);
         }
+        for (const SurfaceSet* sheet : sheets) parts += written_sheet(*sheet, asked);
         assume("walls that do not move and that the fluid sticks to: " + (walls.empty() ? "none" : walls));
         return selections + parts;
     }

@@ -15,11 +15,16 @@ class Cutter {
     Cutter(double distance, const std::function<bool(const Vec&, const Vec&)>& counts, TriangleSurface& out)
         : distance_(distance), counts_(counts), out_(out) {}
 
-    /// Adds what counts of a triangle; returns whether all of it does.
-    bool add(const Corners& corners, const Vec& normal) {
+    /// Adds what counts of a triangle, or a piece of one; returns whether all of it does.
+    bool add(const Corners& corners, const Vec& normal, bool is_drawn = true) {
         std::size_t longest = 0;
         for (const std::size_t k : {1U, 2U})
             if (length(corners, k) > length(corners, longest)) longest = k;
+        if (is_drawn && length(corners, longest) <= finest * distance_) {  // there is nothing to cut
+            const bool counted = counts_((corners[0] + corners[1] + corners[2]) / 3, normal);
+            if (counted) put(corners);
+            return counted;
+        }
         if (length(corners, longest) <= distance_) {
             const int here = places_that_count(corners, normal);
             if (here == places) put(corners);
@@ -30,7 +35,7 @@ class Cutter {
         Corners first = corners, second = corners;
         first.at((longest + 1) % 3) = middle;
         second.at(longest) = middle;
-        const bool first_whole = add(first, normal), second_whole = add(second, normal);
+        const bool first_whole = add(first, normal, false), second_whole = add(second, normal, false);
         if (!first_whole || !second_whole) return false;
         out_.triangles.resize(before);
         out_.corners.resize(3 * before);

@@ -96,12 +96,14 @@ void SpaceBuilder::leave_out_hidden_faces() {
     for (const Part* fluid : fluids_) fluids.push_back(&geometry_.solid(fluid->name)->surface);
     const DrawnFluid fluid(fluids, solids, 2 * spacing_);
     // Far from all others the lattice knows; next to them the drawing is asked, which takes longer.
+    std::vector<NearestTriangle> within_a_spacing;
+    for (const Wall& wall : walls_) within_a_spacing.emplace_back(*wall.surface, spacing_);
     const auto is_next_to_another = [&](const Wall& wall, const Vec& place) {
-        return std::ranges::any_of(walls_, [&](const Wall& other) {
-            if (&other == &wall || (!wall.is_solid && !other.is_solid)) return false;
-            const auto found = other.nearest.nearest(place);
-            return found && found->distance < spacing_;
-        });
+        for (std::size_t w = 0; w < walls_.size(); ++w) {
+            if (&walls_[w] == &wall || (!wall.is_solid && !walls_[w].is_solid)) continue;
+            if (within_a_spacing[w].nearest(place)) return true;
+        }
+        return false;
     };
     const auto faces_fluid = [&](const Vec& place, const Vec& outward) {
         return fluid.at(in_the_box(place + in_front * spacing_ * outward));

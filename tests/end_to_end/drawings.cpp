@@ -136,6 +136,23 @@ TEST_F(Drawings, AClosedBodyBecomesABasinAtRest) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
+TEST_F(Drawings, ASheetInTheFluidIsAShellHeldByTheWall) {
+    folder_.write("duct.geo",
+                  "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 0.004, 0.002, 0.002};\n"
+                  "Point(101) = {0.002, 0, 0.0005};\nPoint(102) = {0.002, 0.0015, 0.0005};\n"
+                  "Point(103) = {0.002, 0.0015, 0.0015};\nPoint(104) = {0.002, 0, 0.0015};\n"
+                  "Line(101) = {101, 102};\nLine(102) = {102, 103};\nLine(103) = {103, 104};\nLine(104) = {104, 101};\n"
+                  "Curve Loop(101) = {101, 102, 103, 104};\nPlane Surface(101) = {101};\n"
+                  "Physical Volume(\"water\") = {1};\nPhysical Surface(\"flap\") = {101};\n");
+    const Outcome made = dmp({"new", "duct", "--from", "duct.geo"});
+    ASSERT_EQ(made.code, 0) << made.errors;
+    EXPECT_THAT(made.output, AllOf(HasSubstr("'flap' lies in the fluid: flexible, clamped at 'wall'"),
+                                   HasSubstr("sticks to: 'wall'")));
+    const Outcome run = dmp({"run", "duct", "--until", "0.2 ms", "--set", "particles.spacing=\"0.125 mm\"", "--set",
+                             "output.pictures=false", "--threads", "1"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+}
+
 /// A case's drawing as a newcomer takes it: a scene is made of it, and runs with nothing changed but fewer steps.
 class DrawingsInThePlane : public Drawings, public testing::WithParamInterface<const char*> {};
 
