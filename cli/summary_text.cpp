@@ -29,6 +29,7 @@ std::string stages_text(const RunSummary& summary) {
 }
 
 std::string density_text(const Scene& scene, const RunSummary& summary) {
+    if (summary.density_low > summary.density_high) return "of no fluid: all of it turned solid";
     std::string text = fmt::format("{:.2f} to {:.2f} kg/m^3", summary.density_low, summary.density_high);
     const auto fluids = scene.parts_of(PartKind::fluid);
     if (fluids.size() == 1) {
