@@ -227,4 +227,13 @@ TEST(Carrier, ShedsItsDrugOnAWallAndLeavesSpheresToLookAt) {
     EXPECT_EQ(nlohmann::json::parse(folder.read("two/summary.json"))["state_hash"], summary["state_hash"]);
 }
 
+TEST(Clotting, OfAllLiquidLeavesNoDensityToTell) {
+    TemporaryFolder folder;
+    folder.copy_case("verification/chain");
+    const auto outcome =
+        run_dmp(folder.path(), {"run", ".", "--out", "out", "--until", "0.1 s", "--set", "output.pictures=false"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("of no fluid: all of it turned solid"));
+}
+
 }  // namespace
