@@ -230,8 +230,8 @@ TEST(Carrier, ShedsItsDrugOnAWallAndLeavesSpheresToLookAt) {
 TEST(Clotting, OfAllLiquidLeavesNoDensityToTell) {
     TemporaryFolder folder;
     folder.copy_case("verification/chain");
-    const auto outcome =
-        run_dmp(folder.path(), {"run", ".", "--out", "out", "--until", "0.1 s", "--set", "output.pictures=false"});
+    const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "out", "--until", "0.1 s", "--set",
+                                                 "output.pictures=false", "--set", "solidify.chain.reach=\"20 mm\""});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("of no fluid: all of it turned solid"));
 }
