@@ -67,6 +67,7 @@ std::string written_selection(const FaceSelection& selection, double size, int d
             text += fmt::format("{} = \"{}\"\n", "xyz"[axis], in_millimetres(*place, size));
     const auto corner = [&](const Vec& place) {
         std::vector<std::string> list;
+        list.reserve(3);
         for (int axis = 0; axis < dimension; ++axis) list.push_back(in_millimetres(place[axis], size));
         return listed(list);
     };

@@ -279,9 +279,9 @@ class Look {
             curve.anchor = name;
             curve.anchored = held;
         };
-        for (const auto& [name, points] : geometry_.points)
-            hold(name, [&](const Vec& end) {
-                return std::ranges::any_of(points, [&](const Vec& p) { return (p - end).norm() <= on_side * size_; });
+        for (const auto& named : geometry_.points)
+            hold(named.first, [&](const Vec& end) {
+                return std::ranges::any_of(named.second, [&](const Vec& p) { return (p - end).norm() <= on_side * size_; });
             });
         const auto hold_by_wall = [&](const std::string& name) {
             const NearestCurve nearest(*selected_.curve_set(name), on_curve * size_);

@@ -118,7 +118,7 @@ class Search {
         return std::ranges::max_element(area, {}, [](const auto& entry) { return entry.second; })->first;
     }
 
-    SheetSearch sheet_beside(const std::vector<int>& chosen) const {
+    [[nodiscard]] SheetSearch sheet_beside(const std::vector<int>& chosen) const {
         MidSurface sheet;
         double sum = 0, area = 0;
         for (const int t : chosen) {

@@ -93,7 +93,7 @@ void SpaceBuilder::find_walls() {
     for (const Wall& wall : walls_)
         if (!wall.is_solid) mark_band(wall);
     const auto& rows = lattice_->rows();
-    const std::size_t points = static_cast<std::size_t>(lattice_->points());
+    const auto points = static_cast<std::size_t>(lattice_->points());
     std::optional<SearchableParticles> bodies;
     if (bodies_ > 0) bodies.emplace(result_.particles, spacing_);
     const auto overlaps_a_body = [&](const Vec& point) {
