@@ -281,7 +281,8 @@ class Look {
         };
         for (const auto& named : geometry_.points)
             hold(named.first, [&](const Vec& end) {
-                return std::ranges::any_of(named.second, [&](const Vec& p) { return (p - end).norm() <= on_side * size_; });
+                return std::ranges::any_of(named.second,
+                                           [&](const Vec& p) { return (p - end).norm() <= on_side * size_; });
             });
         const auto hold_by_wall = [&](const std::string& name) {
             const NearestCurve nearest(*selected_.curve_set(name), on_curve * size_);
