@@ -12,16 +12,23 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-Vec at(const ParticleGroup& group, Field field, std::int32_t i) {
-    Vec value = Vec::Zero();
-    for (int axis = 0; axis < group.dimension(); ++axis) value[axis] = group.data(field, axis)[i];
-    return value;
-}
+/// One vector field of a group.
+class Vectors {
+  public:
+    Vectors(const ParticleGroup& group, Field field)
+        : x_(group.data(field, 0)),
+          y_(group.data(field, 1)),
+          z_(group.dimension() == 3 ? group.data(field, 2) : nullptr) {}
+    Vec operator[](std::int32_t i) const { return {x_[i], y_[i], z_ != nullptr ? z_[i] : 0.0}; }
 
-/// Adds a b^T, each number rounded.
-void add_rounded(Matrix& sum, const OrderFree& rounded, const Vec& a, const Vec& b) {
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) sum(row, column) += rounded(a[row] * b[column]);
+  private:
+    const double *x_, *y_, *z_;
+};
+
+/// Adds a b^T, each number rounded, of the axes that there are.
+void add_rounded(Matrix& sum, const OrderFree& rounded, const Vec& a, const Vec& b, int dimension) {
+    for (int row = 0; row < dimension; ++row)
+        for (int column = 0; column < dimension; ++column) sum(row, column) += rounded(a[row] * b[column]);
 }
 
 }  // namespace
@@ -34,23 +41,26 @@ std::vector<Matrix> velocity_gradient(const ParticleStore& particles, const Flui
     // The moments of a full neighbourhood are the unit matrix. A state that has diverged may hold anything.
     const OrderFree round_moment(1);
     const OrderFree round_gradient(std::isfinite(largest_speed) ? largest_speed / particles.space().spacing : 1);
+    const int dimension = particles.dimension();
+    const Vectors position(fluid, Field::position), velocity(fluid, Field::velocity);
+    const double* const volume = fluid.data(Field::volume);
     const ClusterList& list = step.neighbours().list();
     const auto clusters = list.clusters(ParticleKind::fluid);
     const auto count = static_cast<std::ptrdiff_t>(clusters.size());
 #pragma omp parallel for num_threads(step.threads()) schedule(static)
     for (std::ptrdiff_t c = 0; c < count; ++c) {
         for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
-            const Vec x = at(fluid, Field::position, i), v = at(fluid, Field::velocity, i);
+            const Vec x = position[i], v = velocity[i];
             Matrix moments = Matrix::Zero(), sum = Matrix::Zero();
             for (const std::int32_t j :
                  list.neighbours(ParticleKind::fluid, static_cast<std::size_t>(c), ParticleKind::fluid)) {
-                const Vec offset = at(fluid, Field::position, j) - x;
-                const double weight = fluid.data(Field::volume)[j] * -step.sweeps().kernel_slope(offset.norm());
+                const Vec offset = position[j] - x;
+                const double weight = volume[j] * -step.sweeps().kernel_slope(offset.norm());
                 if (weight == 0) continue;
-                add_rounded(moments, round_moment, weight * offset, offset);
-                add_rounded(sum, round_gradient, at(fluid, Field::velocity, j) - v, weight * offset);
+                add_rounded(moments, round_moment, weight * offset, offset, dimension);
+                add_rounded(sum, round_gradient, velocity[j] - v, weight * offset, dimension);
             }
-            if (particles.dimension() == 2) moments(2, 2) = 1;
+            if (dimension == 2) moments(2, 2) = 1;
             if (moments.determinant() < 1e-3) continue;
             gradients[i] = sum * moments.inverse();
         }
