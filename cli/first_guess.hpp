@@ -10,6 +10,8 @@ namespace dmp::cli {
 
 // What first scenes take for granted, in space and in the plane (docs/cad.md).
 inline constexpr double reynolds_number = 10, particles_across = 20, most_particles = 2e5;
+/// What the fluid speeds up to, over the speed that it is driven to in the empty section.
+inline constexpr double faster = 1.5, faster_past_bodies = 2;
 
 struct Liquid {
     const char* name;  ///< what part of the fluid's name says that it is this

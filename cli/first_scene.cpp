@@ -21,9 +21,6 @@ namespace dmp::cli {
 
 namespace {
 
-/// What the fluid speeds up to, over the speed that it is driven to in the empty section.
-constexpr double faster = 1.5, faster_past_bodies = 2;
-
 /// What lies in the plane at one end of the fluid.
 struct Cap {
     double area = 0;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.hpp"
 #include "cli/first_guess.hpp"
 #include "cli/first_scene.hpp"
 #include "cli/plane_guess.hpp"
@@ -16,20 +17,12 @@ namespace {
 
 /// Particles at the narrowest tip, and along the shortest flexible curve.
 constexpr double particles_at_a_tip = 6, particles_along = 8;
-/// What the fluid speeds up to, over the speed that it is driven to in the empty section.
-constexpr double faster = 1.5, faster_past_bodies = 2;
 /// Nothing is to happen faster than in this time [s]: at a fixed Reynolds number it would where all is small.
 constexpr double shortest_passage = 0.01;
 /// What drives the fluid bends flexible curves by this much of their length.
 constexpr double bend = 0.1;
 /// Of flexible curves: two rows [spacings].
 constexpr double thickness = 2;
-
-std::string quoted(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
-    return list;
-}
 
 class AuthorInPlane {
   public:
@@ -56,8 +49,8 @@ class AuthorInPlane {
         const auto named = std::ranges::find_if(
             areas, [](const std::string& name) { return &liquid_named(name) != &liquid_named(""); });
         if (named != areas.end()) liquid_ = &liquid_named(*named);
-        assume(areas.size() == 1 ? quoted(areas) + " is the fluid: the only area"
-                                 : quoted(areas) + " are areas of fluid, all of the same one");
+        assume(areas.size() == 1 ? quoted_list(areas) + " is the fluid: the only area"
+                                 : quoted_list(areas) + " are areas of fluid, all of the same one");
         assume(fmt::format("it is {}: {:g} kg/m^3, {:g} mPa s", liquid_->what, liquid_->density,
                            1e3 * liquid_->viscosity));
     }
@@ -121,10 +114,10 @@ class AuthorInPlane {
         for (const auto& [name, places] : geometry_.points)
             if (std::ranges::find(anchors, name) == anchors.end())
                 parts += written_left_out(name, "nothing is held there");
-        assume("walls that do not move and that the fluid sticks to: " + (walls.empty() ? "none" : quoted(walls)));
-        if (!ends.empty()) assume("ends of the period, no walls: " + quoted(ends));
+        assume("walls that do not move and that the fluid sticks to: " + (walls.empty() ? "none" : quoted_list(walls)));
+        if (!ends.empty()) assume("ends of the period, no walls: " + quoted_list(ends));
         if (!left_out.empty())
-            assume("left out, as they are no edge of the fluid and no open curve in it: " + quoted(left_out));
+            assume("left out, as they are no edge of the fluid and no open curve in it: " + quoted_list(left_out));
         return selections + parts;
     }
 
