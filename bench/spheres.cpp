@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "bench/start.hpp"
 #include "cli/failure.hpp"
 #include "cli/terminal.hpp"
@@ -142,12 +144,25 @@ void measure(const std::string& name, Start made, double until) {
     cli::print(text);
 }
 
+/// A line with the sides of the periodic box, then one for each sphere: radius, place, velocity.
+void print_particles(const ParticleSet& set) {
+    const auto three = [](const Vec& v) { return fmt::format("{} {} {}", v[0], v[1], v[2]); };
+    std::string text = three(set.box.high) + "\n";
+    for (std::size_t i = 0; i < set.size(); ++i)
+        text += fmt::format("{} {} {}\n", set.radius[i], three(set.position[i]), three(set.velocity[i]));
+    cli::print(text);
+}
+
 }  // namespace
 
-/// dmp_bench_spheres [bed|carrier]
+/// dmp_bench_spheres [bed|carrier|particles-of-bed]
 int main(int argc, char** argv) {
     return cli::exit_code_of([&] {
         const std::string which = argc > 1 ? argv[1] : "";
+        if (which == "particles-of-bed") {
+            print_particles(bed(29).set);
+            return 0;
+        }
         if (which != "carrier") measure("bed", bed(29), 4e-4);
         if (which != "bed") measure("carrier", carrier(), 1e-4);
         return 0;
