@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "solver/models/dem/contact_law.hpp"
@@ -18,15 +20,22 @@ template <class L, ContactModel model>
 class ContactKernel {
     using Law = ContactLaw<model>;
     static constexpr std::size_t kept = Law::history_values;
+    /// Vectors of contacts whose loads are handed out together: laws are chains of roots and quotients, and a processor
+    /// looks the farther ahead into the next one, the less lies between them.
+    static constexpr std::size_t together = 4;
 
   public:
     /// One function all through: values stay in registers from law to law.
     [[gnu::flatten]] static void run(ContactJob& job) {
         L largest(0.0);
-        for (std::size_t k = job.first; k < job.end; k += L::width) {
-            fetch_ahead(job, k);
-            const Loads loads = contacts_at(job, k, largest);
-            hand_out(job, k, loads);
+        std::array<Loads, together> loads;
+        for (std::size_t k = job.first; k < job.end; k += together * L::width) {
+            const std::size_t count = std::min(together, (job.end - k) / L::width);
+            for (std::size_t n = 0; n < count; ++n) {
+                fetch_ahead(job, k + n * L::width);
+                loads[n] = contacts_at(job, k + n * L::width, largest);
+            }
+            for (std::size_t n = 0; n < count; ++n) hand_out(job, k + n * L::width, loads[n]);
         }
         for (std::size_t lane = 0; lane < L::width; ++lane)
             if (largest[lane] > job.largest_force) job.largest_force = largest[lane];
