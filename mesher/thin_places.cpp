@@ -86,6 +86,7 @@ std::string thinnest_text(const LocalThickness& found, double spacing, double li
 std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& fluids, double spacing) {
     std::vector<PlaneSegment> edges;
     std::vector<InsideTest> inside;
+    inside.reserve(fluids.size());
     for (const Region* fluid : fluids) inside.emplace_back(*fluid);
     for (const Region* fluid : fluids)
         for_each_segment(*fluid, [&](const Vec& a, const Vec& b) {
