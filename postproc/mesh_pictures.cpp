@@ -58,6 +58,7 @@ ParticleLayer layer(const MeshLook& look, const Viewpoint& view, const std::vect
 ColourScale scale_about(double middle, double least, const std::vector<float>& values,
                         const std::vector<std::size_t>& members, const std::string& label) {
     std::vector<double> away;
+    away.reserve(members.size());
     for (const std::size_t i : members) away.push_back(std::abs(static_cast<double>(values[i]) - middle));
     std::ranges::sort(away);
     double span = least;

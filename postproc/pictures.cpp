@@ -49,6 +49,7 @@ class RunPainter {
         FieldRange range;
         for (const std::size_t number : frames) range.include(run_.read(number), options_.field);
         std::vector<PanelDrawing> drawings;
+        drawings.reserve(looks.size());
         // panels of several frames have a caption of their own
         for (const Look& look : looks) drawings.push_back({look.area, frames.size() == 1 ? look.caption : ""});
         const PanelLayout layout(drawings);
@@ -59,7 +60,7 @@ class RunPainter {
             const std::string time = time_text(frame.time, run_.end_time());
             const auto draw = [&](std::size_t k, int width, int height) {
                 const Seen shown = seen(looks[k], frame, run_.walls());
-                const Image image =
+                Image image =
                     view_.draw(layers_of(looks[k], shown, options_.field, scale), looks[k].area, width, height);
                 if (looks[k].shows == Look::Shows::slice && frame.fluid && !shown.frame.fluid)
                     warn(pictures.warning, file + ": no fluid at t = " + time + " in the slice with " +

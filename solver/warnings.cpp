@@ -83,9 +83,9 @@ class Warnings {
         if (fluid_ && *accuracy.support < 2.9)
             add("accuracy.support", accuracy.support.place,
                 "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
-                "not "
-                "cure it (docs/accuracy.md)",
+                "not cure it (docs/accuracy.md)",
                 "take 3 or more");
+        if (fluid_) about_shifting();
         if (fluid_) return;
         const std::string reason = "no part is a fluid";
         if (*accuracy.density_diffusion > 0)
@@ -93,6 +93,19 @@ class Warnings {
         if (*accuracy.shifting > 0) has_no_effect("accuracy.shifting", accuracy.shifting, reason);
         has_no_effect("accuracy.kernel", accuracy.kernel, reason);
         has_no_effect("accuracy.walls", accuracy.walls, reason);
+    }
+
+    /// Measured in docs/accuracy.md, "Shifting and the speed of sound". Implicit viscosity damps what it stirs up.
+    void about_shifting() {
+        constexpr double times_too_fast = 50;
+        const auto& accuracy = scene_.accuracy;
+        if (*accuracy.shifting == 0 || *accuracy.transport_velocity || !accuracy.sound_speed.given()) return;
+        if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly || *scene_.flow.largest_speed == 0) return;
+        if (*accuracy.sound_speed < 0.999 * times_too_fast * *scene_.flow.largest_speed) return;
+        add("accuracy.sound_speed", accuracy.sound_speed.place,
+            "is 50 times flow.largest_speed or more: shifting then stirs the fluid and slows the flow "
+            "(docs/accuracy.md)",
+            "lower it to 30 times or less, or set accuracy.shifting = 0");
     }
 
     void about_walls() {

@@ -8,7 +8,7 @@
 namespace dmp {
 
 /// All laws that are compiled, by number.
-inline constexpr std::size_t contact_models = 2 * 3 * 3;
+inline constexpr std::size_t contact_models = std::size_t{2} * 3 * 3;
 
 constexpr ContactModel contact_model(std::size_t number) {
     return {static_cast<TangentialHistory>(number % 2), static_cast<RollingFriction>(number / 2 % 3),

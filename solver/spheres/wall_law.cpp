@@ -28,14 +28,14 @@ WallPush push(const SphereMotion& sphere, const WallTouch& touch, const ContactC
 }
 
 template <std::size_t... number>
-WallLaw law_of(std::size_t wanted, std::index_sequence<number...>) {
+WallLaw law_of(std::size_t wanted, std::index_sequence<number...> /*all*/) {
     WallLaw found = nullptr;
     ((number == wanted ? void(found = &push<contact_model(number)>) : void()), ...);
     return found;
 }
 
 template <std::size_t... number>
-int values_of(std::size_t wanted, std::index_sequence<number...>) {
+int values_of(std::size_t wanted, std::index_sequence<number...> /*all*/) {
     int found = 0;
     ((number == wanted ? void(found = ContactLaw<contact_model(number)>::history_values) : void()), ...);
     return found;
@@ -43,7 +43,7 @@ int values_of(std::size_t wanted, std::index_sequence<number...>) {
 
 template <std::size_t... number>
 double reach_of(std::size_t wanted, double radius, const ContactConstants<double>& pair,
-                std::index_sequence<number...>) {
+                std::index_sequence<number...> /*all*/) {
     double found = 0;
     ((number == wanted ? void(found = ContactLaw<contact_model(number)>::reach(radius, pair)) : void()), ...);
     return found;

@@ -121,6 +121,13 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:7:9: accuracy.kernel", "has no effect: no part is a fluid"},
         Oddity{"a_support_below_the_cliff", [](Scene& s) { give(s.accuracy.support, 2.5); },
                "scene.toml:7:9: accuracy.support", "is below 2.9 spacings"},
+        Oddity{"sound_too_fast_for_shifting",
+               [](Scene& s) {
+                   give(s.flow.largest_speed, 0.1);
+                   give(s.accuracy.shifting, 4.0);
+                   give(s.accuracy.sound_speed, 5.0);
+               },
+               "scene.toml:7:9: accuracy.sound_speed", "is 50 times flow.largest_speed or more"},
         Oddity{"walls_of_nothing",
                [](Scene& s) {
                    without(s, PartKind::rigid);
