@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <functional>
 #include <sstream>
 
@@ -220,9 +219,8 @@ TEST(SplitPolygon, OfOneThatCoversItselfEnds) {
         const double angle = 2 * 3.141592653589793 * (k % half) / half;
         twice.emplace_back(std::cos(angle), std::sin(angle), 0);
     }
-    const std::clock_t start = std::clock();
+    // Within the time that CTest gives a test.
     EXPECT_EQ(split_polygon(twice).size(), most_polygon_corners - 2);
-    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 30);
 }
 
 TEST_F(TriangleDrawings, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
