@@ -133,7 +133,7 @@ Conserved Simulation::State::conserved() const {
             momentum[axis].add(m * liquid.data(Field::velocity, axis)[i]);
     }
     ranks.sum(mass);
-    for (ExactSum& axis : momentum) ranks.sum(axis);
+    ranks.sum(momentum);
     // Every rank holds all bodies.
     Conserved sum;
     for (const auto& body : fluid.springs().bodies()) {

@@ -85,8 +85,7 @@ class Warnings {
                 "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
                 "not cure it (docs/accuracy.md)",
                 "take 3 or more");
-        if (fluid_) about_shifting();
-        if (fluid_) return;
+        if (fluid_) return about_shifting();
         const std::string reason = "no part is a fluid";
         if (*accuracy.density_diffusion > 0)
             has_no_effect("accuracy.density_diffusion", accuracy.density_diffusion, reason);

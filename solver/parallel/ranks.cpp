@@ -90,12 +90,22 @@ void Ranks::sum(std::span<std::int64_t> values) const {
                   MPI_SUM, communicator_->handle);
 }
 
-void Ranks::sum(ExactSum& value) const {
+void Ranks::sum(ExactSum& value) const { sum(std::span(&value, 1)); }
+
+void Ranks::sum(std::span<ExactSum> values) const {
     if (size_ == 1) return;
-    ExactSum::Words words = value.carried_words();
+    std::vector<std::int64_t> words;
+    words.reserve(values.size() * ExactSum::words);
+    for (ExactSum& value : values) words.insert(words.end(), value.carried_words().begin(), value.carried_words().end());
     sum(words);
-    value = ExactSum();
-    value.add_words(words);
+    auto next = words.begin();
+    for (ExactSum& value : values) {
+        ExactSum::Words own;
+        std::copy_n(next, own.size(), own.begin());
+        next += own.size();
+        value = ExactSum();
+        value.add_words(own);
+    }
 }
 
 void Ranks::broadcast(std::string& text) const {

@@ -49,6 +49,8 @@ class Ranks {
     void sum(std::span<std::int64_t> values) const;
     /// Adds the other ranks' sums: the same bits however the summands are spread over ranks.
     void sum(ExactSum& value) const;
+    /// The same entry by entry, in one message; as many on every rank.
+    void sum(std::span<ExactSum> values) const;
 
     /// The first rank's on every rank.
     template <Sendable T>

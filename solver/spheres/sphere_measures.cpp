@@ -125,11 +125,9 @@ std::vector<double> SphereMeasures::mean_of(const Measure& measure, const Sphere
         ++count;
     }
     const auto all = static_cast<double>(std::max<std::int64_t>(1, ranks_.sum(count)));
+    ranks_.sum(sum);
     std::vector<double> mean;
-    for (ExactSum& axis : sum) {
-        ranks_.sum(axis);
-        mean.push_back(axis.value() / all);
-    }
+    for (const ExactSum& axis : sum) mean.push_back(axis.value() / all);
     return mean;
 }
 

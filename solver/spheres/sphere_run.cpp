@@ -82,12 +82,8 @@ Conserved SphereRun::conserved() const {
         for (std::size_t axis = 0; axis < 3; ++axis) momentum[axis].add(sphere.velocity.c[3] * sphere.velocity.c[axis]);
     }
     ranks_.sum(mass);
-    Conserved sum{mass.value(), {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        ranks_.sum(momentum[axis]);
-        sum.momentum[axis] = momentum[axis].value();
-    }
-    return sum;
+    ranks_.sum(momentum);
+    return {mass.value(), {momentum[0].value(), momentum[1].value(), momentum[2].value()}};
 }
 
 SphereEnergy SphereRun::energy() const { return kinetic_energy(step_, ranks_); }

@@ -226,11 +226,10 @@ void SphereStep::find_forces(double dt) {
         if (!walls_.empty()) walls_.add_loads(rows_, group_.tags(), time);
     });
     if (walls_.empty() && !any_fixed_) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!walls_.empty()) from_outside[axis].add(walls_.total_force()[axis]);
-        ranks_.sum(from_outside[axis]);
-        wall_force_[axis] = from_outside[axis].value();
-    }
+    if (!walls_.empty())
+        for (std::size_t axis = 0; axis < 3; ++axis) from_outside[axis].add(walls_.total_force()[axis]);
+    ranks_.sum(from_outside);
+    for (std::size_t axis = 0; axis < 3; ++axis) wall_force_[axis] = from_outside[axis].value();
 }
 
 void SphereStep::sweep_contacts(const ContactTime& time) {

@@ -184,12 +184,8 @@ std::array<double, 3> Driving::add_forces(ParticleStore& particles, const Ranks&
         add_by_place(group, t, sum);
     }
     largest_acceleration_ = ranks.largest(largest_acceleration_);
-    std::array<double, 3> total{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        ranks.sum(sum.at(axis));
-        total.at(axis) = sum.at(axis).value();
-    }
-    return total;
+    ranks.sum(sum);
+    return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 
 double Driving::step_limit(double length, double t) const {

@@ -7,6 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "solver/parallel/sums_over.hpp"
+#include "solver/sweeps/order_free.hpp"
+
 namespace dmp {
 
 namespace {
@@ -151,6 +154,23 @@ double FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<doubl
     };
     return root(fluid.dimension() == 3 ? pass(std::integral_constant<int, 3>{})
                                        : pass(std::integral_constant<int, 2>{}));
+}
+
+ExactSum FluidPasses::squared_speeds(const ParticleGroup& fluid, double largest_speed) const {
+    ExactSum broken;
+    broken.add(infinity);
+    if (!(largest_speed < infinity)) return broken;
+    std::array<const double*, 3> v{};
+    for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
+    const OrderFree rounded(at_least_something(largest_speed * largest_speed));
+    const auto add = [&]<int D>() {
+        return sums_of_multiples<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+            double square = 0;
+            for (int axis = 0; axis < D; ++axis) square += v[axis][i] * v[axis][i];
+            sum[0] += rounded(square);
+        });
+    };
+    return (fluid.dimension() == 3 ? add.operator()<3>() : add.operator()<2>())[0];
 }
 
 template <int D>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/models/sph/liquid_state.hpp"
+#include "solver/parallel/exact_sum.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {
@@ -31,8 +32,10 @@ class FluidPasses {
 
     /// x += dt v, rho += dt drho/dt (also of solids that carry a density), then pressure and volume.
     void drift_to_middle(ParticleStore& particles, double dt) const;
-    /// v += dt (F / m + g).
+    /// v += dt (F / m + g). The largest speed; infinite when any velocity is not finite.
     [[nodiscard]] double kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const;
+    /// Sum of the squares of the speeds [m^2/s^2], whose largest speed is that of all ranks; the same bits in any order.
+    [[nodiscard]] ExactSum squared_speeds(const ParticleGroup& fluid, double largest_speed) const;
     /// x += dt v + shift, rho += dt drho/dt. What it finds: the longest shift and the extremes of density.
     [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
 

@@ -203,7 +203,7 @@ std::array<double, 3> FluidStep::hydrostatic_acceleration(double t) const {
 void FluidStep::kick(double t, double dt) {
     const auto g = body_acceleration(t);
     largest_speed_ = ranks_.largest(passes_.kick(particles_.fluid(), dt, g));
-    add_impulses(dt, g);
+    add_up(dt, g);
 }
 
 double FluidStep::place_in_box(double x, int axis) const {
@@ -259,13 +259,22 @@ void FluidStep::drive_what_turned_solid(double t, double dt) {
     }
 }
 
-void FluidStep::add_impulses(double dt, const std::array<double, 3>& g) {
-    for (int axis = 0; axis < particles_.dimension(); ++axis) {
-        impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
-        ExactSum on_walls = total_force(particles_.of(ParticleKind::rigid), axis, !viscosity_);
-        ranks_.sum(on_walls);
-        impulses_.of_fixed[axis] -= dt * on_walls.value();
+void FluidStep::add_up(double dt, const std::array<double, 3>& g) {
+    const auto axes = static_cast<std::size_t>(particles_.dimension());
+    std::vector<ExactSum> sums;
+    for (std::size_t axis = 0; axis < axes; ++axis)
+        sums.push_back(total_force(particles_.of(ParticleKind::rigid), static_cast<int>(axis), !viscosity_));
+    if (settings_.shifting > 0) {
+        sums.push_back(passes_.squared_speeds(particles_.fluid(), largest_speed_));
+        sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
+    ranks_.sum(sums);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
+        impulses_.of_fixed[axis] -= dt * sums[axis].value();
+    }
+    if (settings_.shifting > 0)
+        root_mean_square_speed_ = std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value()));
 }
 
 void FluidStep::drift_to_middle(double dt) {
@@ -275,7 +284,7 @@ void FluidStep::drift_to_middle(double dt) {
 
 ShiftStep FluidStep::shift_step(double dt) const {
     if (settings_.shifting == 0 && !settings_.transport_velocity) return {};
-    return {sweeps_->shift_step(largest_speed_, dt), sweeps_->longest_shift()};
+    return {sweeps_->shift_step(root_mean_square_speed_, largest_speed_, dt), sweeps_->longest_shift()};
 }
 
 FluidExtremes FluidStep::drift_to_end(double dt) {

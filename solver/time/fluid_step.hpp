@@ -100,7 +100,8 @@ class FluidStep {
     void drive(double t, double dt);
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
-    void add_impulses(double dt, const std::array<double, 3>& g);
+    /// What all ranks' particles add up to after the kick, in one message: impulses, and the mean speed.
+    void add_up(double dt, const std::array<double, 3>& g);
 
     ParticleStore& particles_;
     PairSettings settings_;
@@ -122,6 +123,7 @@ class FluidStep {
     double fluid_mass_;      ///< of all ranks, what turned solid included [kg]
     double bodies_ahead_ = 0;
     double largest_speed_ = 0;
+    double root_mean_square_speed_ = 0;  ///< of the fluid at the last kick; only where shifting goes by it [m/s]
     double contact_rate_ = 0;  ///< bound of the square of the contacts' highest frequency [1/s^2]
     OutsideImpulses impulses_;
     StageTimer timer_;

@@ -58,11 +58,9 @@ std::array<double, Count> SpeciesSystem::sums_over_unknowns(const Visit& visit) 
         });
         for (std::size_t k = 0; k < Count; ++k) all[k].add(of_group[k]);
     }
+    on_.ranks.sum(all);
     std::array<double, Count> values{};
-    for (std::size_t k = 0; k < Count; ++k) {
-        on_.ranks.sum(all[k]);
-        values[k] = all[k].value();
-    }
+    for (std::size_t k = 0; k < Count; ++k) values[k] = all[k].value();
     return values;
 }
 

@@ -54,7 +54,7 @@ ViscousSystem::ViscousSystem(const Around& around, double dt, const std::array<d
         sum[0].add(mass[i]);
         sum[1].add(mass[i] * square);
     });
-    for (ExactSum& sum : sums) on_.ranks.sum(sum);
+    on_.ranks.sum(sums);
     mass_ = sums[0].value();
     velocity_scale_ = std::max(std::sqrt(sums[1].value()), std::sqrt(mass_) * fastest_wall_);
 }
@@ -100,7 +100,7 @@ double ViscousSystem::true_error() {
         sum[0].add(dt_ * dt_ / mass[i] * error);
         sum[1].add(mass[i] * square);
     });
-    for (ExactSum& sum : sums) on_.ranks.sum(sum);
+    on_.ranks.sum(sums);
     nodes_.add_errors(sums[0]);
     nodes_.add_squares(sums[1]);
     velocity_scale_ = std::max(velocity_scale_, std::sqrt(sums[1].value()));
@@ -157,7 +157,7 @@ Residual ViscousSystem::residual_sums() const {
         sum[0].add(weighted);
         sum[1].add(dt_ * dt_ / mass[i] * square);
     });
-    for (ExactSum& sum : sums) on_.ranks.sum(sum);
+    on_.ranks.sum(sums);
     nodes_.add_residual(sums[0]);
     nodes_.add_errors(sums[1]);
     return {sums[0].value(), std::sqrt(sums[1].value())};

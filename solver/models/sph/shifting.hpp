@@ -10,7 +10,9 @@ namespace dmp {
 
 /// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
 ///   dx_i = - s U dt R SUM_j [1 + 0.2 (W_ij / W(dx))^4] V_j grad_i W_ij,   |dx_i| <= 0.1 dx
-/// with R the support radius and U the largest speed in the fluid. The sum vanishes where particles are even.
+/// with R the support radius and U the speed of the flow: twice the root mean square of the fluid's speeds, at most the
+/// largest. (The largest alone, theirs, may be that of one particle that shifting itself stirred up, and then feeds on
+/// it.) The sum vanishes where particles are even.
 /// Near a free surface the sum points out of the fluid. There the displacement shrinks with the divergence of position,
 /// SUM_j V_j x_ji . grad_i W_ij, from all of it at D, among neighbours all around, to none at 3/4 D (Lee et al. 2008;
 /// Mokos, Rogers & Stansby 2017).
@@ -44,10 +46,10 @@ struct Shifting {
         return max(T(0.0), min(T(1.0), (4.0 / D) * divergence - T(3.0)));
     }
 
-    /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx.
-    [[nodiscard]] double step(double largest_speed, double dt) const {
-        return -strength * largest_speed * dt * support;
-    }
+    /// U from both speeds of the fluid [m/s].
+    static double speed(double root_mean_square, double largest) { return std::min(2 * root_mean_square, largest); }
+    /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx; with U [m/s].
+    [[nodiscard]] double step(double speed, double dt) const { return -strength * speed * dt * support; }
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
 

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/parallel/ranks.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -84,6 +85,15 @@ TEST(Ranks, SumExactly) {
     }
     ranks.sum(part);
     EXPECT_EQ(std::bit_cast<std::uint64_t>(part.value()), std::bit_cast<std::uint64_t>(whole.value()));
+
+    // Several in one message, each by itself.
+    std::array<ExactSum, 3> several;
+    several[0].add(ranks.rank());
+    several[2].add(-0.5);
+    ranks.sum(several);
+    EXPECT_EQ(several[0].value(), ranks.size() * (ranks.size() - 1) / 2);
+    EXPECT_EQ(several[1].value(), 0);
+    EXPECT_EQ(several[2].value(), -0.5 * ranks.size());
 
     ExactSum broken;
     if (ranks.rank() == ranks.size() - 1) broken.add(std::numeric_limits<double>::infinity());

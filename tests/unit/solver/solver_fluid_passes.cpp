@@ -235,6 +235,22 @@ TEST_P(FluidPassesOn, extremes) {
     EXPECT_LT(high, 1.02);
 }
 
+TEST_P(FluidPassesOn, squared_speeds_are_the_same_bits_in_any_order) {
+    ParticleGroup& fluid = particles.fluid();
+    double plain = 0;
+    for (std::size_t i = 0; i < fluid.owned(); ++i)
+        for (int axis = 0; axis < fluid.dimension(); ++axis) plain += std::pow(fluid.data(Field::velocity, axis)[i], 2);
+    const double largest = passes().extremes(fluid).largest_speed;
+    const double sum = passes(1).squared_speeds(fluid, largest).value();
+    EXPECT_NEAR(sum, plain, 1e-11 * plain);
+    for (int axis = 0; axis < fluid.dimension(); ++axis) {
+        double* v = fluid.data(Field::velocity, axis);
+        std::reverse(v, v + fluid.owned());
+    }
+    for (const int threads : {1, 2, 3}) EXPECT_EQ(passes(threads).squared_speeds(fluid, largest).value(), sum);
+    EXPECT_EQ(passes().squared_speeds(fluid, infinity).value(), infinity);
+}
+
 TEST_P(FluidPassesOn, velocity_that_is_no_number_is_an_infinite_largest_speed) {
     ParticleGroup& fluid = particles.fluid();
     const std::size_t last = fluid.owned() - 1;
@@ -268,6 +284,7 @@ TEST(FluidPasses, of_no_fluid_have_no_speed) {
     const FluidPasses passes({}, 2);
     EXPECT_EQ(passes.kick(particles.fluid(), 0.1, {}), 0);
     EXPECT_EQ(passes.extremes(particles.fluid()).largest_speed, 0);
+    EXPECT_EQ(passes.squared_speeds(particles.fluid(), 0).value(), 0);
 }
 
 }  // namespace

@@ -305,6 +305,9 @@ TEST(Shifting, one_pair_by_hand) {
     // dx = -s U dt R times the sum: away from the neighbour, for the slope is negative.
     EXPECT_NEAR(law.step(0.5, 0.01), -4 * 0.5 * 0.01 * 3, 1e-15);
     EXPECT_DOUBLE_EQ(law.longest(), 0.1);
+    // One particle that was stirred up does not set the speed; a flow whose speed is even does.
+    EXPECT_DOUBLE_EQ(law.speed(0.01, 5), 0.02);
+    EXPECT_DOUBLE_EQ(law.speed(0.7, 1), 1);
 }
 
 TEST(ExtrapolatedSolid, continues_a_linear_shear_exactly) {
