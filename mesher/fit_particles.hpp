@@ -37,11 +37,11 @@ struct FitBounds {
 
 /// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
 [[nodiscard]] inline int spare_layers(const Scene& scene) {
-    return *scene.particles.fill == FillKind::relaxed ? static_cast<int>(std::ceil(scene.accuracy.support)) : 0;
+    return *scene.particles.fill != FillKind::lattice ? static_cast<int>(std::ceil(scene.accuracy.support)) : 0;
 }
 
-/// particles.fill = "relaxed": takes the nearest particles to the places at corners and edges, where they stay, and
-/// moves fluid and walls off the lattice until they follow the walls' surfaces and the borders of fluids
+/// particles.fill = "relaxed" or "sampled": takes the nearest particles to the places at corners and edges, where they stay, and
+/// moves fluid and walls until they follow the walls' surfaces and the borders of fluids
 /// (fit_to_surfaces.hpp); cuts walls to the layers asked for, by where their particles are then. Spring bodies stay
 /// where they are. Without bodies the particles of each fluid share its volume equally.
 void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& scene, const FitBounds& bounds);

@@ -65,7 +65,8 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     watch.lap("walls");
     cost.candidates = builder.candidates();
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
-    if (*scene.particles.fill == FillKind::relaxed)
+    if (*scene.particles.fill == FillKind::sampled) builder.sample();
+    if (*scene.particles.fill != FillKind::lattice)
         builder.fit();
     else
         relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
@@ -104,7 +105,8 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     disturb(builder.particles(), disorder,
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
-    if (*scene.particles.fill == FillKind::relaxed)
+    if (*scene.particles.fill == FillKind::sampled) builder.sample();
+    if (*scene.particles.fill != FillKind::lattice)
         builder.fit();
     else
         relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,

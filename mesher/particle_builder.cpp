@@ -8,6 +8,9 @@
 #include <optional>
 #include <sstream>
 
+#include <omp.h>
+
+#include "mesher/sample_fluids.hpp"
 #include "mesher/spring_lattice.hpp"
 
 namespace dmp {
@@ -345,6 +348,18 @@ void ParticleBuilder::add_walls(const Part& part) {
     line.reached = static_cast<double>(count) / part.layers * spacing_;
     line.unit = "m";
     result_.report.parts.push_back(line);
+}
+
+void ParticleBuilder::sample() {
+    const auto part_at = [&](const Vec& place) {
+        const Part* fluid = fluid_at(place);
+        if (fluid == nullptr || !clear_of_bodies(place)) return -1;
+        const auto& parts = result_.particles.parts;
+        return static_cast<int>(std::ranges::find(parts, *fluid->name, &ParticleSpace::PartInfo::name) - parts.begin());
+    };
+    result_.report.notes.push_back(sample_fluids(result_.particles, lattice_.cell_area(),
+                                                 static_cast<std::uint64_t>(*scene_.particles.seed), part_at,
+                                                 omp_get_max_threads()));
 }
 
 void ParticleBuilder::fit() {

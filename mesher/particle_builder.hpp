@@ -38,7 +38,9 @@ class ParticleBuilder {
     /// True where no spring body stands: at least one spacing from their curves.
     [[nodiscard]] bool clear_of_bodies(const Vec& point) const;
 
-    /// Moves fluid and walls off the lattice until they follow the curves.
+    /// Moves the fluid from the lattice to places at random that keep their distance.
+    void sample();
+    /// Moves fluid and walls until they follow the curves.
     void fit();
     [[nodiscard]] MeshResult finish();
     /// Lattice points that were looked at.

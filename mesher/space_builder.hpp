@@ -37,7 +37,9 @@ class SpaceBuilder {
     /// Lattice points outside all fluid, at most `layers` spacings behind the surface, that do not overlap a body.
     /// Where rigid parts meet, a point belongs to the nearest of them.
     void add_walls(const Part& part);
-    /// Moves fluid and walls off the lattice until they follow the surfaces.
+    /// Moves the fluid from the lattice to places at random that keep their distance.
+    void sample();
+    /// Moves fluid and walls until they follow the surfaces.
     void fit();
     /// Whether fluid that is moved to make room for bodies may stand there.
     [[nodiscard]] bool may_stand(const Vec& point) const;

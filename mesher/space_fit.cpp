@@ -1,5 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Of the SpaceBuilder: what bounds its particles, for those who move them.
+#include <algorithm>
+
+#include <omp.h>
+
+#include "mesher/sample_fluids.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/vacancy.hpp"
 
@@ -17,6 +22,22 @@ FitBounds SpaceBuilder::bounds() const {
     };
     bounds.cell_volume = lattice_->cell_volume();
     return bounds;
+}
+
+void SpaceBuilder::sample() {
+    const Vacancy vacancy(geometry_, scene_);
+    const auto& parts = result_.particles.parts;
+    std::vector<int> part_of;  // by fluid
+    for (const Part* fluid : fluids_)
+        part_of.push_back(
+            static_cast<int>(std::ranges::find(parts, *fluid->name, &ParticleSpace::PartInfo::name) - parts.begin()));
+    const auto part_at = [&](const Vec& place) {
+        const int fluid = is_beyond_a_plane(place) || is_in_a_shell(place) ? -1 : vacancy.fluid_at(place);
+        return fluid < 0 ? -1 : part_of[static_cast<std::size_t>(fluid)];
+    };
+    result_.report.notes.push_back(sample_fluids(result_.particles, lattice_->cell_volume(),
+                                                 static_cast<std::uint64_t>(*scene_.particles.seed), part_at,
+                                                 omp_get_max_threads()));
 }
 
 void SpaceBuilder::fit() {

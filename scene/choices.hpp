@@ -22,7 +22,7 @@ enum class PushedSide { both, inside, outside };
 /// In space: cubic, hexagonal close-packed, face-centred cubic.
 enum class Arrangement { square, hexagonal, fcc };
 /// Whether particles stay on the lattice or are moved until they follow the surfaces.
-enum class FillKind { lattice, relaxed };
+enum class FillKind { lattice, relaxed, sampled };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 /// A side of the box around the fluid.
 enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };

@@ -74,7 +74,8 @@ const Words<Arrangement>& words_of() {
 
 template <>
 const Words<FillKind>& words_of() {
-    static const Words<FillKind> words = {{FillKind::lattice, "lattice"}, {FillKind::relaxed, "relaxed"}};
+    static const Words<FillKind> words = {
+        {FillKind::lattice, "lattice"}, {FillKind::relaxed, "relaxed"}, {FillKind::sampled, "sampled"}};
     return words;
 }
 

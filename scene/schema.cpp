@@ -82,10 +82,11 @@ std::vector<Key<Particles>> particles_keys() {
          "face-centred cubic, \"fcc\"."},
         {"fill", &Particles::fill, word_of<FillKind>(), "lattice",
          "\"relaxed\" moves particles off the lattice until they follow the curves or surfaces of the drawing, those of walls "
-         "too, with particles at corners and edges; arrangement is then where they start from, and \"square\" a good start."},
+         "too, with particles at corners and edges; arrangement is then where they start from, and \"square\" a good start. "
+         "\"sampled\" does the same from places at random that keep their distance, without a lattice's directions."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
          "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
-        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements, and the places of spheres."},
+        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements, the sampled places, and the places of spheres."},
     };
 }
 

@@ -96,7 +96,8 @@ void Ranks::sum(std::span<ExactSum> values) const {
     if (size_ == 1) return;
     std::vector<std::int64_t> words;
     words.reserve(values.size() * ExactSum::words);
-    for (ExactSum& value : values) words.insert(words.end(), value.carried_words().begin(), value.carried_words().end());
+    for (ExactSum& value : values)
+        words.insert(words.end(), value.carried_words().begin(), value.carried_words().end());
     sum(words);
     auto next = words.begin();
     for (ExactSum& value : values) {

@@ -170,10 +170,9 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double diffusion_limit() const override { return Kernel::viscous_limit; }
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
-    [[nodiscard]] double shift_step(double root_mean_square_speed, double largest_speed, double dt) const override {
-        return settings_.transport_velocity
-                   ? TransportVelocity::step(settings_.sound_speed, dt)
-                   : shifting_.step(shifting_.speed(root_mean_square_speed, largest_speed), dt);
+    [[nodiscard]] double shift_step(double quartic_mean_speed, double largest_speed, double dt) const override {
+        return settings_.transport_velocity ? TransportVelocity::step(settings_.sound_speed, dt)
+                                            : shifting_.step(shifting_.speed(quartic_mean_speed, largest_speed), dt);
     }
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 

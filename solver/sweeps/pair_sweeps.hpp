@@ -126,7 +126,7 @@ class PairSweeps {
     /// (1/r) dW/dr at distance r [1/m^(D+2)].
     [[nodiscard]] virtual double kernel_slope(double r) const = 0;
     /// Displacement per unit of the shift sum for one step [m^2], and the longest displacement [m].
-    [[nodiscard]] virtual double shift_step(double root_mean_square_speed, double largest_speed, double dt) const = 0;
+    [[nodiscard]] virtual double shift_step(double quartic_mean_speed, double largest_speed, double dt) const = 0;
     [[nodiscard]] virtual double longest_shift() const = 0;
 };
 

@@ -156,18 +156,21 @@ double FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<doubl
                                        : pass(std::integral_constant<int, 2>{}));
 }
 
-ExactSum FluidPasses::squared_speeds(const ParticleGroup& fluid, double largest_speed) const {
-    ExactSum broken;
-    broken.add(infinity);
-    if (!(largest_speed < infinity)) return broken;
+ExactSum FluidPasses::fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const {
+    const double largest = std::pow(largest_speed, 4);
+    if (!(largest < infinity)) {
+        ExactSum broken;
+        broken.add(infinity);
+        return broken;
+    }
     std::array<const double*, 3> v{};
     for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
-    const OrderFree rounded(at_least_something(largest_speed * largest_speed));
+    const OrderFree rounded(at_least_something(largest));
     const auto add = [&]<int D>() {
         return sums_of_multiples<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
             double square = 0;
             for (int axis = 0; axis < D; ++axis) square += v[axis][i] * v[axis][i];
-            sum[0] += rounded(square);
+            sum[0] += rounded(square * square);
         });
     };
     return (fluid.dimension() == 3 ? add.operator()<3>() : add.operator()<2>())[0];

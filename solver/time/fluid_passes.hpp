@@ -34,8 +34,8 @@ class FluidPasses {
     void drift_to_middle(ParticleStore& particles, double dt) const;
     /// v += dt (F / m + g). The largest speed; infinite when any velocity is not finite.
     [[nodiscard]] double kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const;
-    /// Sum of the squares of the speeds [m^2/s^2], whose largest speed is that of all ranks; the same bits in any order.
-    [[nodiscard]] ExactSum squared_speeds(const ParticleGroup& fluid, double largest_speed) const;
+    /// Sum of the fourth powers of the speeds [m^4/s^4], the largest of all ranks at hand; the same bits in any order.
+    [[nodiscard]] ExactSum fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const;
     /// x += dt v + shift, rho += dt drho/dt. What it finds: the longest shift and the extremes of density.
     [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
 

@@ -265,7 +265,7 @@ void FluidStep::add_up(double dt, const std::array<double, 3>& g) {
     for (std::size_t axis = 0; axis < axes; ++axis)
         sums.push_back(total_force(particles_.of(ParticleKind::rigid), static_cast<int>(axis), !viscosity_));
     if (settings_.shifting > 0) {
-        sums.push_back(passes_.squared_speeds(particles_.fluid(), largest_speed_));
+        sums.push_back(passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_));
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
     ranks_.sum(sums);
@@ -274,7 +274,7 @@ void FluidStep::add_up(double dt, const std::array<double, 3>& g) {
         impulses_.of_fixed[axis] -= dt * sums[axis].value();
     }
     if (settings_.shifting > 0)
-        root_mean_square_speed_ = std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value()));
+        quartic_mean_speed_ = std::sqrt(std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value())));
 }
 
 void FluidStep::drift_to_middle(double dt) {
@@ -284,7 +284,7 @@ void FluidStep::drift_to_middle(double dt) {
 
 ShiftStep FluidStep::shift_step(double dt) const {
     if (settings_.shifting == 0 && !settings_.transport_velocity) return {};
-    return {sweeps_->shift_step(root_mean_square_speed_, largest_speed_, dt), sweeps_->longest_shift()};
+    return {sweeps_->shift_step(quartic_mean_speed_, largest_speed_, dt), sweeps_->longest_shift()};
 }
 
 FluidExtremes FluidStep::drift_to_end(double dt) {

@@ -123,7 +123,8 @@ class FluidStep {
     double fluid_mass_;      ///< of all ranks, what turned solid included [kg]
     double bodies_ahead_ = 0;
     double largest_speed_ = 0;
-    double root_mean_square_speed_ = 0;  ///< of the fluid at the last kick; only where shifting goes by it [m/s]
+    /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].
+    double quartic_mean_speed_ = 0;
     double contact_rate_ = 0;  ///< bound of the square of the contacts' highest frequency [1/s^2]
     OutsideImpulses impulses_;
     StageTimer timer_;

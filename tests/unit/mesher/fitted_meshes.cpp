@@ -54,10 +54,13 @@ std::pair<KernelSums, KernelSums> near_and_inside(const ParticleSet& set, double
 
 class FittedPipe : public testing::TestWithParam<const char*> {};
 
-/// Twenty spacings across, in each arrangement to start from.
+/// Twenty spacings across, in each arrangement to start from, and from places at random.
 TEST_P(FittedPipe, follows_its_wall) {
-    const auto meshed =
-        mesh_case("verification/pipe", {"particles.fill=relaxed", std::string("particles.arrangement=") + GetParam()});
+    const std::string start = GetParam();
+    const auto meshed = mesh_case(
+        "verification/pipe",
+        start == "sampled" ? std::vector<std::string>{"particles.fill=sampled"}
+                           : std::vector<std::string>{"particles.fill=relaxed", "particles.arrangement=" + start});
     const ParticleSet& set = meshed.particles;
     const double spacing = set.spacing, radius = 5e-4, length = 4e-4;
     const auto distance = [&](std::size_t i) {
@@ -99,7 +102,7 @@ TEST_P(FittedPipe, follows_its_wall) {
     EXPECT_THAT(meshed.report.notes, testing::Contains(testing::HasSubstr("relaxed in ")));
 }
 
-INSTANTIATE_TEST_SUITE_P(From, FittedPipe, testing::Values("square", "fcc", "hexagonal"),
+INSTANTIATE_TEST_SUITE_P(From, FittedPipe, testing::Values("square", "fcc", "hexagonal", "sampled"),
                          [](const auto& start) { return std::string(start.param); });
 
 /// A ball in a box of fluid whose sides are all periodic.

@@ -53,10 +53,11 @@ void expect_a_good_fit(const Meshed& meshed, const std::string& fluid) {
     EXPECT_THAT(report.notes, testing::Contains(testing::HasSubstr("relaxed in ")));
 }
 
-/// As if fill = "relaxed" stood in it, on a lattice that fits neither the period nor the walls.
-Texts relaxed(const Texts& texts, const std::string& arrangement) {
-    return texts.with("spacing = \"0.125 m\"",
-                      "spacing = \"0.0437 m\"\nfill = \"relaxed\"\narrangement = \"" + arrangement + "\"");
+/// As if fill = "relaxed" stood in it, on a lattice that fits neither the period nor the walls; or "sampled".
+Texts relaxed(const Texts& texts, const std::string& start) {
+    const std::string fill =
+        start == "sampled" ? "fill = \"sampled\"" : "fill = \"relaxed\"\narrangement = \"" + start + "\"";
+    return texts.with("spacing = \"0.125 m\"", "spacing = \"0.0437 m\"\n" + fill);
 }
 
 /// The channel with a round island.
@@ -92,7 +93,7 @@ TEST_P(FittedIsland, is_followed_on_both_sides) {
     EXPECT_NEAR(line_of(meshed.report, "water").volume_error(), 0, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(From, FittedIsland, testing::Values("square", "hexagonal"),
+INSTANTIATE_TEST_SUITE_P(From, FittedIsland, testing::Values("square", "hexagonal", "sampled"),
                          [](const auto& start) { return std::string(start.param); });
 
 /// The island cut by the periodic sides, and the half of it on a plane of symmetry: as good as whole.
@@ -108,16 +109,18 @@ TEST(FittedInPlane, goes_on_across_periodic_sides) {
             .with("Line(4) = {4, 1};", "Line(4) = {11, 1};")
             .with("Curve Loop(1) = {1, 2, 3, 4};", "Curve Loop(1) = {1, 2, 5, 6, 7, 3, 8, 9, 10, 4};")
             .with("Physical Curve(\"wall\") = {1, 3}", "Physical Curve(\"wall\") = {1, 3, 5, 6, 9, 10}");
-    const Meshed meshed = mesh_texts(relaxed(halves, "hexagonal"));
-    expect_a_good_fit(meshed, "water");
-    const ParticleSet& set = meshed.particles;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        EXPECT_GE(set.position[i].x(), 0);
-        EXPECT_LT(set.position[i].x(), 4);
-        const double x = std::min(set.position[i].x(), 4 - set.position[i].x());
-        const double d = (std::hypot(x, set.position[i].y() - 1) - 0.5) / set.spacing;
-        if (set.kind(i) == ParticleKind::fluid) {
-            EXPECT_GT(d, 0.45);
+    for (const char* start : {"hexagonal", "sampled"}) {
+        const Meshed meshed = mesh_texts(relaxed(halves, start));
+        expect_a_good_fit(meshed, "water");
+        const ParticleSet& set = meshed.particles;
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            EXPECT_GE(set.position[i].x(), 0);
+            EXPECT_LT(set.position[i].x(), 4);
+            const double x = std::min(set.position[i].x(), 4 - set.position[i].x());
+            const double d = (std::hypot(x, set.position[i].y() - 1) - 0.5) / set.spacing;
+            if (set.kind(i) == ParticleKind::fluid) {
+                EXPECT_GT(d, 0.45);
+            }
         }
     }
 }
@@ -131,10 +134,12 @@ TEST(FittedInPlane, goes_on_behind_planes_of_symmetry) {
                            .with("Curve Loop(1) = {1, 2, 3, 4};", "Curve Loop(1) = {1, 5, 6, 7, 2, 3, 4};")
                            .with("Physical Curve(\"wall\") = {1, 3}", "Physical Curve(\"wall\") = {3, 5, 6}")
                            .with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"y_low\"]");
-    const Meshed meshed = mesh_texts(relaxed(half, "hexagonal"));
-    expect_a_good_fit(meshed, "water");
-    const ParticleSet& set = meshed.particles;
-    for (const Vec& place : set.position) EXPECT_GE(place.y(), 0) << "nothing beyond the plane";
+    for (const char* start : {"hexagonal", "sampled"}) {
+        const Meshed meshed = mesh_texts(relaxed(half, start));
+        expect_a_good_fit(meshed, "water");
+        const ParticleSet& set = meshed.particles;
+        for (const Vec& place : set.position) EXPECT_GE(place.y(), 0) << "nothing beyond the plane";
+    }
 }
 
 TEST(FittedInPlane, fluids_end_at_each_other) {
@@ -144,15 +149,17 @@ TEST(FittedInPlane, fluids_end_at_each_other) {
                            .with("[flow]",
                                  "[[part]]\nname = \"oil\"\nkind = \"fluid\"\ndensity = \"800 kg/m^3\"\n"
                                  "viscosity = \"1 Pa*s\"\n[flow]");
-    const Meshed meshed = mesh_texts(relaxed(drop, "square"));
-    expect_a_good_fit(meshed, "water");
-    expect_a_good_fit(meshed, "oil");
-    const ParticleSet& set = meshed.particles;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
-        const double d = ((set.position[i] - Vec(2, 1, 0)).norm() - 0.5) / set.spacing;
-        const bool oil = set.parts[static_cast<std::size_t>(set.part[i])].name == "oil";
-        EXPECT_GT(oil ? -d : d, 0.45) << set.position[i].transpose();
+    for (const char* start : {"square", "sampled"}) {
+        const Meshed meshed = mesh_texts(relaxed(drop, start));
+        expect_a_good_fit(meshed, "water");
+        expect_a_good_fit(meshed, "oil");
+        const ParticleSet& set = meshed.particles;
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            if (set.kind(i) != ParticleKind::fluid) continue;
+            const double d = ((set.position[i] - Vec(2, 1, 0)).norm() - 0.5) / set.spacing;
+            const bool oil = set.parts[static_cast<std::size_t>(set.part[i])].name == "oil";
+            EXPECT_GT(oil ? -d : d, 0.45) << set.position[i].transpose();
+        }
     }
 }
 
