@@ -63,7 +63,7 @@ function(dmp_test name)
   target_compile_definitions(test_${name} PRIVATE DMP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   DMP_BUILD_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(test_${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABEL}" ${TEST_PROPERTIES}
-                       DISCOVERY_TIMEOUT 60)
+                       DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
 endfunction()
 
 # dmp_mpi_test(NAME RANKS 1 2 ... LIBRARIES library...): one GoogleTest program from NAME.cpp and mpi_main.cpp in the

@@ -306,7 +306,7 @@ TEST(Shifting, one_pair_by_hand) {
     EXPECT_NEAR(law.step(0.5, 0.01), -4 * 0.5 * 0.01 * 3, 1e-15);
     EXPECT_DOUBLE_EQ(law.longest(), 0.1);
     // One particle that was stirred up does not set the speed; a flow whose speed is even does.
-    EXPECT_DOUBLE_EQ(law.speed(0.01, 5), 0.02);
+    EXPECT_DOUBLE_EQ(law.speed(0.01, 5), 0.025);
     EXPECT_DOUBLE_EQ(law.speed(0.7, 1), 1);
 }
 
