@@ -104,7 +104,7 @@ class Warnings {
         add("accuracy.sound_speed", accuracy.sound_speed.place,
             "is 50 times flow.largest_speed or more: shifting then stirs the fluid and slows the flow "
             "(docs/accuracy.md)",
-            "lower it to 30 times or less, or set accuracy.shifting = 0");
+            "lower it to 25 times or less, or set accuracy.shifting = 0");
     }
 
     void about_walls() {
