@@ -74,9 +74,6 @@ void need_pushable(const Scene& scene, const Place& place, const std::string& na
             place,
             "part '" + name + "' is of kind '" + word(*part->kind) + "', which moves as it is told and feels no force",
             "give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'");
-    if (*part->kind == PartKind::spheres)
-        throw InputError(place, "part '" + name + "' is of spheres, which feel body accelerations alone for now",
-                         "give [flow] an acceleration");
     if (!*part->enabled)
         throw InputError(place, "part '" + name + "' is not enabled", "enable it, or leave out what pushes it");
 }

@@ -246,6 +246,18 @@ double new_bond_limit(const Scene& scene, const Solidify& rule) {
     return 2 / std::sqrt(2 * rule.bond_stiffness / (mass / 2));
 }
 
+void add_driving_models(std::vector<ModelUse>& models, const Scene& scene) {
+    for (const ForceOnPart& force : scene.forces)
+        models.push_back({"force on '" + *force.part + "'",
+                          *force.amount == ForceAmount::total ? "total, spread evenly over its particles"
+                                                              : "on each of its particles",
+                          "force '" + *force.name + "' at " + force.name.place.text()});
+    for (const MovingShape& shape : scene.moving_shapes)
+        models.push_back({"moving " + word(*shape.kind),
+                          "f = K (1 + cos(pi d / r*)), felt by " + quoted_list(*shape.parts),
+                          "moving_shape '" + *shape.name + "' at " + shape.name.place.text()});
+}
+
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps) {
     const auto because = [&](const auto& value, const std::string& key) {
         return value.given() ? key + " at " + value.place.text() : key + " (" + default_origin(scene, key) + ")";
@@ -302,15 +314,7 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
         if (!axis.is_zero()) {
             models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
         }
-    for (const ForceOnPart& force : scene.forces)
-        models.push_back({"force on '" + *force.part + "'",
-                          *force.amount == ForceAmount::total ? "total, spread evenly over its particles"
-                                                              : "on each of its particles",
-                          "force '" + *force.name + "' at " + force.name.place.text()});
-    for (const MovingShape& shape : scene.moving_shapes)
-        models.push_back({"moving " + word(*shape.kind),
-                          "f = K (1 + cos(pi d / r*)), felt by " + quoted_list(*shape.parts),
-                          "moving_shape '" + *shape.name + "' at " + shape.name.place.text()});
+    add_driving_models(models, scene);
     if (!scene.parts_of(PartKind::rigid).empty())
         models.push_back({scene.accuracy.walls == WallModel::plain ? "plain walls" : "extrapolated no-slip walls",
                           scene.accuracy.walls == WallModel::plain ? "Monaghan 1994"

@@ -34,13 +34,6 @@ const ParticleSet& checked(const ParticleSet& set) {
     return set;
 }
 
-void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t) {
-    if (driving.empty()) return;
-    const double dt = driving.step_limit(length, t);
-    if (std::isfinite(dt))
-        limits.push_back({"driving", dt, "0.25 sqrt(R / 2a) of its forces, half of 2 / omega of shapes"});
-}
-
 /// Of the ranks' texts, the lowest rank's that is not empty.
 std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
     const std::vector<char> own(text.begin(), text.end());

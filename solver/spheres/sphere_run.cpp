@@ -57,8 +57,13 @@ SphereRun::SphereRun(const Scene& scene, const ParticleSet& set, const Resources
     count_["spheres"] = set.size();
 }
 
+std::vector<StepLimit> SphereRun::contact_limits() const {
+    return sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
+}
+
 std::vector<StepLimit> SphereRun::limits() const {
-    std::vector<StepLimit> all = sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
+    std::vector<StepLimit> all = contact_limits();
+    add_driving_limit(all, step_.driving(), setup_.smallest_radius, time_);
     if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
     return all;
 }
@@ -68,9 +73,11 @@ double SphereRun::longest_step() {
     const double speed = rounded_speed(step_.speed_for_limits());
     if (speed != limited_speed_) {
         limited_speed_ = speed;
-        longest_step_ = ruling_limit(limits()).dt;
+        const std::vector<StepLimit> limits = contact_limits();
+        longest_step_ = limits.empty() ? scene_.output.every.value : ruling_limit(limits).dt;
     }
-    return longest_step_;
+    const Driving& driving = step_.driving();
+    return driving.empty() ? longest_step_ : std::min(longest_step_, driving.step_limit(setup_.smallest_radius, time_));
 }
 
 Conserved SphereRun::conserved() const {
@@ -168,15 +175,18 @@ void SphereRun::look(FrameSink* sink) {
 }
 
 void SphereRun::advance(const RunOptions& options, double until) {
-    const double target = std::min({until, frame_times_.next(), measure_times_.next()});
     const double longest = longest_step();
+    // Times that are alike but for their last digits are one.
+    const double change = step_.driving().next_change(time_ + 1e-6 * longest);
+    const double target = std::min({until, frame_times_.next(), measure_times_.next(), change});
     // Equal steps up to the next time something has to be written.
     const double dt = (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
     step_.advance(time_, dt);
     time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
     ++step_count_;
     if (step_count_ % steps_between_looks == 0 || time_ == target) look(options.sink);
-    stillness_.look(time_, step_, ranks_);
+    // What has not been pushed yet is not still.
+    if (change == HUGE_VAL) stillness_.look(time_, step_, ranks_);
     write_what_is_due(options.sink);
 }
 

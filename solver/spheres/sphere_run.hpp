@@ -27,6 +27,7 @@ class SphereRun final : public Steps {
     [[nodiscard]] bool finished() const override { return stillness_.reached(); }
 
   private:
+    [[nodiscard]] std::vector<StepLimit> contact_limits() const;
     [[nodiscard]] std::vector<StepLimit> limits() const;
     [[nodiscard]] double longest_step();
     [[nodiscard]] Conserved conserved() const;

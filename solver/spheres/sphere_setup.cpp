@@ -9,6 +9,7 @@
 
 #include "solver/models/dem/contact_material.hpp"
 #include "solver/models/dem/contact_steps.hpp"
+#include "solver/setup.hpp"
 
 namespace dmp {
 
@@ -243,6 +244,7 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
                           "parts of kind 'plane' and 'surface'"});
     for (const Expression& axis : scene.flow.acceleration)
         if (!axis.is_zero()) models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
+    add_driving_models(models, scene);
     return models;
 }
 

@@ -46,12 +46,15 @@ SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const Particl
       any_fixed_(std::ranges::find(fixed_, true) != fixed_.end()),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::ranges::any_of(acceleration_, &Expression::depends_on_place)),
+      driving_(scene, set),
       walls_(space, setup.wall_velocity, setup.walls),
       neighbours_(ranks_, space, setup, set.size(), resources.threads),
       deferred_(static_cast<std::size_t>(resources.threads)),
       deferred_count_(static_cast<std::size_t>(resources.threads)),
       wall_skin_(skin_at_walls * setup.mean_radius) {
     neighbours_.set_fixed(fixed_);
+    for (std::size_t part = 0; part < set.parts.size(); ++part)
+        driven_.push_back(driving_.pushes(static_cast<int>(part)) ? 1 : 0);
     for (const SpherePair& pair : setup.pairs) sweeps_.push_back(contact_sweep(pair.model, resources.vector_unit));
     ExactSum mass;
     for (std::size_t i = 0; i < group.owned(); ++i)
@@ -91,6 +94,8 @@ void SphereStep::start(bool with_forces, double t) {
 }
 
 void SphereStep::advance(double t, double dt) {
+    // What drives parts is that of the middle of the step, so that a schedule's impulse is exact.
+    if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + 0.5 * dt, 0.5 * dt); });
     if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t, 0.5 * dt); });
     timer_.timed("drift", [&] { kick_and_drift(t, dt); });
     walls_.advance(t, dt);
@@ -104,6 +109,7 @@ void SphereStep::advance(double t, double dt) {
     });
     find_forces(dt);
     timer_.timed("kick", [&] { kick(t + dt, 0.5 * dt); });
+    if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + 0.5 * dt, 0.5 * dt); });
 }
 
 namespace {
@@ -153,6 +159,28 @@ void SphereStep::kick_by_place(double t, double half) {
         ranks_.sum(impulse);
         impulses_.of_body_forces[axis] += impulse.value();
     }
+}
+
+/// Velocities for `half` by the forces and shapes of time t, where the spheres are now.
+void SphereStep::drive(double t, double half) {
+    const auto motion = rows_.motion();
+    const auto tags = group_.tags();
+    std::array<ExactSum, 3> impulse;
+    double largest = 0;
+    for (std::size_t i = 0; i < rows_.owned(); ++i) {
+        SphereMotion& sphere = motion[i];
+        if (sphere.fixed() || driven_[tags[i].part] == 0) continue;
+        const Vec force = driving_.force(tags[i].part, Vec(sphere.place.c[0], sphere.place.c[1], sphere.place.c[2]), t);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double pushed = half * force[static_cast<Eigen::Index>(axis)];
+            sphere.velocity.c[axis] += pushed * sphere.inverse_mass();
+            impulse[axis].add(pushed);
+        }
+        largest = std::max(largest, force.norm() * sphere.inverse_mass());
+    }
+    ranks_.sum(impulse);
+    for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces[axis] += impulse[axis].value();
+    driving_.take_note(ranks_.largest(largest));
 }
 
 void SphereStep::add_impulses(double t, double half) {
@@ -287,6 +315,7 @@ void SphereStep::archive(Archive& file) {
     file("spheres/impulse_of_fixed", impulses_.of_fixed);
     neighbours_.archive(file, group_);
     walls_.archive(file, ranks_);
+    driving_.archive(file);
 }
 
 }  // namespace dmp

@@ -5,6 +5,7 @@
 
 #include "solver/resources.hpp"
 #include "solver/spheres/sphere_neighbours.hpp"
+#include "solver/time/driving.hpp"
 #include "solver/time/outside_impulses.hpp"
 #include "solver/time/stage_timer.hpp"
 
@@ -36,6 +37,7 @@ class SphereStep {
     [[nodiscard]] const StageTimer& timer() const { return timer_; }
     [[nodiscard]] const SphereNeighbours& neighbours() const { return neighbours_; }
     [[nodiscard]] const SphereWalls& walls() const { return walls_; }
+    [[nodiscard]] const Driving& driving() const { return driving_; }
     [[nodiscard]] const SphereRows& rows() const { return rows_; }
     [[nodiscard]] const ParticleGroup& group() const { return group_; }
     [[nodiscard]] const SphereSetup& setup() const { return setup_; }
@@ -48,6 +50,7 @@ class SphereStep {
     [[nodiscard]] Three acceleration_at(double t) const;
     void kick(double t, double dt);
     void kick_by_place(double t, double half);
+    void drive(double t, double half);
     void kick_and_drift(double t, double dt);
     void find_forces(double dt);
     void sweep_contacts(const ContactTime& time);
@@ -64,6 +67,8 @@ class SphereStep {
     bool any_fixed_ = false;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;
+    Driving driving_;
+    std::vector<std::uint8_t> driven_;  ///< by part: whether something drives it
     double free_mass_ = 0;              ///< of all ranks [kg]
     std::vector<ContactSweep> sweeps_;  ///< by kind
     SphereRows rows_;

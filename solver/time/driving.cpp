@@ -114,6 +114,10 @@ Vec Driving::by_place(int part, const Vec& place, double t) const {
 
 Vec Driving::force(int part, const Vec& x, double t) const { return uniform(part, t) + by_place(part, x, t); }
 
+bool Driving::pushes(int part) const {
+    return depends_on_place(part) || std::ranges::find(forces_, part, &OnPart::part) != forces_.end();
+}
+
 double Driving::energy(int part, const Vec& x, double t) const {
     double sum = 0;
     for (const Shape& shape : shapes_)

@@ -29,6 +29,7 @@ class Driving {
 
     /// All of it on one particle of the part at the place x [m] at time t [N].
     [[nodiscard]] Vec force(int part, const Vec& x, double t) const;
+    [[nodiscard]] bool pushes(int part) const;
     /// Of the shapes [J].
     [[nodiscard]] double energy(int part, const Vec& x, double t) const;
 

@@ -35,6 +35,13 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
     return limits;
 }
 
+void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t) {
+    if (driving.empty()) return;
+    const double dt = driving.step_limit(length, t);
+    if (std::isfinite(dt))
+        limits.push_back({"driving", dt, "0.25 sqrt(R / 2a) of its forces, half of 2 / omega of shapes"});
+}
+
 const StepLimit& ruling_limit(const std::vector<StepLimit>& limits) {
     return *std::min_element(limits.begin(), limits.end(),
                              [](const StepLimit& a, const StepLimit& b) { return a.dt < b.dt; });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/simulation.hpp"
+#include "solver/time/driving.hpp"
 
 namespace dmp {
 
@@ -29,6 +30,10 @@ StepLimit species_step_limit(const StepScales& scales);
 
 /// Largest fluid step by each model, at the given speed [m/s] and body acceleration [m/s^2] of the moment.
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration);
+
+/// Adds that of forces on parts and of moving shapes at time t, if there is one, of particles that see over `length`
+/// [m].
+void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t);
 
 /// The shortest of them.
 const StepLimit& ruling_limit(const std::vector<StepLimit>& limits);

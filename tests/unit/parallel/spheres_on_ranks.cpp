@@ -58,6 +58,8 @@ std::string resumed(const SphereScene& made, const Ranks& before, const Ranks& a
 SphereScene made_for_ranks() {
     SphereScene made = crowd(150, 4);
     made.scene.contact_pairs[0].rolling_friction = given(0.05);
+    made.force("small", {"1e-4", "0", "1e-4 * sin(8000 * t)"}, ForceAmount::per_particle).until = given(5e-4);
+    made.circle("large", {"0.002 + t", "0.01", "0"}, 0.004);
     return made;
 }
 

@@ -65,6 +65,29 @@ struct SphereScene {
         set.wall_distance.push_back(0);
         return set.size() - 1;
     }
+    ForceOnPart& force(const std::string& on_part, const std::array<std::string, 3>& formulas, ForceAmount amount) {
+        ForceOnPart made;
+        made.name = "force " + std::to_string(scene.forces.size());
+        made.part = on_part;
+        made.force = std::array{expression(formulas[0]), expression(formulas[1]), expression(formulas[2])};
+        made.amount = amount;
+        scene.forces.push_back(made);
+        return scene.forces.back();
+    }
+    /// A circle at rest that repels the part on both sides.
+    MovingShape& circle(const std::string& felt_by, const std::array<std::string, 3>& place, double radius) {
+        MovingShape made;
+        made.name = std::string("circle");
+        made.kind = ShapeKind::circle;
+        made.parts = std::vector{felt_by};
+        made.place = std::array{expression(place[0]), expression(place[1]), expression(place[2])};
+        made.radius = radius;
+        made.strength = 0.05;
+        made.range = 2e-4;
+        scene.moving_shapes.push_back(made);
+        return scene.moving_shapes.back();
+    }
+    static Expression expression(const std::string& formula) { return {formula, formula}; }
     void plane(int of_part, const Vec& point, const Vec& normal) {
         set.wall_planes.push_back({of_part, point, normal.normalized()});
     }
