@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Setting{"20 across, relaxed from a cubic lattice", {"particles.fill=relaxed"}, 0.01},
                     Setting{
                         "20 across, relaxed from fcc", {"particles.fill=relaxed", "particles.arrangement=fcc"}, 0.015},
-                    Setting{"20 across, sampled", {"particles.fill=sampled"}, 0.015},
+                    Setting{"20 across, sampled", {"particles.fill=sampled"}, 0.01},
                     Setting{"20 across, cubic lattice", {}, 0.03}));
 
 }  // namespace
