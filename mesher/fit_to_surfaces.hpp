@@ -28,7 +28,7 @@ struct Fit {
     std::size_t at_surface = 0;        ///< particles of that layer
 };
 
-/// Moves particles that stand on a lattice until they follow the surfaces that bound them: what was at most a spacing
+/// Moves particles until they follow the surfaces that bound them: what was at most a spacing
 /// from a surface goes to half a spacing from it, on both of its sides, and all spread evenly. Steepest descent on the
 /// sum that particle shifting uses, as in the relaxation of Zhu, Zhang & Hu, J. Hydrodyn. 33 (2021) 195, with the layer
 /// at the surface held in place along the surface's normal instead of pushed there. Ends when the moves are small,

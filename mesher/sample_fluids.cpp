@@ -23,7 +23,7 @@ constexpr int candidates_per_particle = 4;
 /// distances push about would else stay as a difference in density over tens of spacings.
 constexpr double particles_per_block = 200;
 
-/// Distance of neighbours in the densest packing of places that stand for so much room each.
+/// Half the distance of neighbours in the densest packing of places that stand for so much room each.
 double densest(int dimension, double cell_volume) {
     return dimension == 3 ? std::cbrt(cell_volume / (4 * std::sqrt(2.0)))
                           : std::sqrt(cell_volume / (2 * std::sqrt(3.0)));

@@ -18,8 +18,8 @@ using FluidPartAt = std::function<int(const Vec& place)>;
 /// places, evenly distributed at random in the fluid's room, those with the most neighbours are eliminated one by one,
 /// a place counting
 ///   SUM_j (1 - r_ij / R)^8,   r_ij < R = 2 r_max
-/// over what is left, with r_max the distance in the densest packing (Yuksel, Comput. Graph. Forum 34 (2015) 25). Walls
-/// and bodies count as neighbours and stay.
+/// over what is left, with r_max half the distance of neighbours in the densest packing (Yuksel, Comput. Graph. Forum
+/// 34 (2015) 25). Walls and bodies count as neighbours and stay.
 /// @param cell_volume what a particle stands for [m^2 x 1 m or m^3]
 /// @return what was done, in words
 std::string sample_fluids(ParticleSet& set, double cell_volume, std::uint64_t seed, const FluidPartAt& part_at,

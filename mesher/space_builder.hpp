@@ -123,6 +123,7 @@ class SpaceBuilder {
     [[nodiscard]] WallPoint wall_at(const Vec& point, std::int16_t owner, std::vector<Vec>& last) const;
     [[nodiscard]] FitBounds bounds() const;
     [[nodiscard]] bool is_in_a_shell(const Vec& point) const;
+    [[nodiscard]] bool is_in_a_wedge(const Vec& point) const;
     [[nodiscard]] Vec into_fluid(const Vec& place, int face, int triangle) const;
     void mark_band(const Wall& wall);
     void find_walls();

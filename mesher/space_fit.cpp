@@ -32,7 +32,8 @@ void SpaceBuilder::sample() {
         part_of.push_back(
             static_cast<int>(std::ranges::find(parts, *fluid->name, &ParticleSpace::PartInfo::name) - parts.begin()));
     const auto part_at = [&](const Vec& place) {
-        const int fluid = is_beyond_a_plane(place) || is_in_a_shell(place) ? -1 : vacancy.fluid_at(place);
+        if (is_beyond_a_plane(place) || is_in_a_shell(place) || is_in_a_wedge(place)) return -1;
+        const int fluid = vacancy.fluid_at(place);
         return fluid < 0 ? -1 : part_of[static_cast<std::size_t>(fluid)];
     };
     result_.report.notes.push_back(sample_fluids(result_.particles, lattice_->cell_volume(),

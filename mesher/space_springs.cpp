@@ -128,17 +128,21 @@ void SpaceBuilder::clear_for_shell(const TriangleSurface& sheet) {
 }
 
 /// Between a shell and the wall that it meets, fluid next to the wall cannot move away from the shell's nodes, half a
-/// spacing beside the sheet: what is too near to them is taken from the fluids, too.
+/// spacing beside the sheet.
+bool SpaceBuilder::is_in_a_wedge(const Vec& point) const {
+    const auto reaches = [&](const NearestTriangle& sheet) { return sheet.nearest(point).has_value(); };
+    if (!std::ranges::any_of(shells_, reaches)) return false;
+    const WallPoint wall = surface_at(point);
+    return wall.wall >= 0 && wall.surface.distance < spacing_;
+}
+
+/// What is too near to a shell's nodes there is taken from the fluids, too.
 void SpaceBuilder::clear_wedges() {
     std::size_t index = 0;
     for_each_point([&](std::int16_t here, const auto& at) {
-        const auto reaches = [&](const NearestTriangle& sheet) { return sheet.nearest(at()).has_value(); };
-        if (here >= 0 && std::ranges::any_of(shells_, reaches)) {
-            const WallPoint wall = surface_at(at());
-            if (wall.wall >= 0 && wall.surface.distance < spacing_) {
-                ++taken_[static_cast<std::size_t>(here)];
-                owner_[index] = in_a_shell;
-            }
+        if (here >= 0 && is_in_a_wedge(at())) {
+            ++taken_[static_cast<std::size_t>(here)];
+            owner_[index] = in_a_shell;
         }
         ++index;
     });

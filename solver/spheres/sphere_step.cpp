@@ -46,7 +46,7 @@ SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const Particl
       any_fixed_(std::ranges::find(fixed_, true) != fixed_.end()),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::ranges::any_of(acceleration_, &Expression::depends_on_place)),
-      driving_(scene, set),
+      driving_(scene, set, space),
       walls_(space, setup.wall_velocity, setup.walls),
       neighbours_(ranks_, space, setup, set.size(), resources.threads),
       deferred_(static_cast<std::size_t>(resources.threads)),

@@ -33,7 +33,7 @@ ShapeSide side_of(PushedSide side) {
 
 }  // namespace
 
-Driving::Driving(const Scene& scene, const ParticleSet& set) : space_(set) {
+Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace& space) : space_(space) {
     if (scene.forces.empty() && scene.moving_shapes.empty()) return;
     lightest_.assign(set.parts.size(), infinity);
     counts_.assign(set.parts.size(), 0);

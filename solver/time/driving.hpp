@@ -23,7 +23,9 @@ namespace dmp {
 /// is nearest counts.
 class Driving {
   public:
-    Driving(const Scene& scene, const ParticleSet& set);
+    /// @param set   for the parts' masses and numbers of particles
+    /// @param space whose box the particles are kept in: periods of whole position quanta
+    Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace& space);
 
     [[nodiscard]] bool empty() const { return forces_.empty() && shapes_.empty(); }
 
@@ -37,8 +39,7 @@ class Driving {
     /// Returns its sum over all ranks' particles [N].
     std::array<double, 3> add_forces(ParticleStore& particles, const Ranks& ranks, double t, int threads);
 
-    /// For particles that are kept elsewhere: their forces by `force`, and the largest acceleration by place among
-    /// them.
+    /// For particles that are kept elsewhere: their forces by `force`, and the largest acceleration among them [m/s^2].
     void take_note(double largest_acceleration) { largest_acceleration_ = largest_acceleration; }
 
     /// Longest step at time t, by the accelerations of then and of the last forces added, and by the shapes' softness,
@@ -80,7 +81,8 @@ class Driving {
     std::vector<Shape> shapes_;
     std::vector<double> lightest_;     ///< particle of each part that has any [kg]
     std::vector<std::size_t> counts_;  ///< particles of each part, of all ranks
-    double largest_acceleration_ = 0;  ///< of forces that depend on place, when they were last added [m/s^2]
+    /// When forces were last added, of those that depend on place; all of them for particles kept elsewhere [m/s^2].
+    double largest_acceleration_ = 0;
 };
 
 }  // namespace dmp

@@ -44,7 +44,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       passes_(std::move(state_of_part), settings.threads),
       springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
       walls_(scene, set, particles),
-      driving_(scene, set),
+      driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),

@@ -58,8 +58,9 @@ std::string resumed(const SphereScene& made, const Ranks& before, const Ranks& a
 SphereScene made_for_ranks() {
     SphereScene made = crowd(150, 4);
     made.scene.contact_pairs[0].rolling_friction = given(0.05);
-    made.force("small", {"1e-4", "0", "1e-4 * sin(8000 * t)"}, ForceAmount::per_particle).until = given(5e-4);
-    made.circle("large", {"0.002 + t", "0.01", "0"}, 0.004);
+    made.force("small", {"1e-4 * cos(300 * x)", "0", "1e-4 * sin(8000 * t)"}, ForceAmount::per_particle).until =
+        given(5e-4);
+    made.circle("large", {"0.002 + t", "0.01", "0"}, 1.7e-3);
     return made;
 }
 
@@ -70,6 +71,8 @@ TEST(SpheresOnRanks, same_bits) {
     if (!ranks.is_first()) return;
     EXPECT_EQ(shared.state_hash, alone.state_hash);
     EXPECT_EQ(shared.impulse_of_fixed, alone.impulse_of_fixed);
+    EXPECT_EQ(shared.impulse_of_body_forces, alone.impulse_of_body_forces);
+    EXPECT_NE(alone.impulse_of_body_forces[0], 0);
     EXPECT_EQ(shared.spheres->contacts, alone.spheres->contacts);
     EXPECT_EQ(shared.spheres->end.rotation, alone.spheres->end.rotation);
     EXPECT_GT(shared.steps, 100);

@@ -135,7 +135,7 @@ TEST(Driving, goes_on_from_a_checkpoint_with_the_same_bits) {
 
 TEST(Driving, is_nothing_where_nobody_asks_for_it) {
     const SceneAndParticles made = endless_water();
-    const Driving driving(made.scene, made.particles);
+    const Driving driving(made.scene, made.particles, made.particles);
     EXPECT_TRUE(driving.empty());
     EXPECT_EQ(driving.next_change(0), std::numeric_limits<double>::infinity());
     for (const StepLimit& limit : Simulation(made.scene, made.particles).plan().limits)

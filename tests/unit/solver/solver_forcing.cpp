@@ -117,7 +117,7 @@ TEST(MovingShape, carries_a_mass_that_swings_in_it_as_a_pendulum) {
     // curve, of radius 1 / (2 c) - d0 at the vertex: omega^2 = g / (1 / 2 - d0). Started at rest it is carried along:
     // x = v t - v / omega sin(omega t).
     const DrivenBead made = bead_in_a_parabola();
-    const Driving driving(made.scene, made.particles);
+    const Driving driving(made.scene, made.particles, made.particles);
     const double d0 = 0.1 / std::numbers::pi * std::acos(20.0 / 50 - 1), v = 0.3;
     Vec x(0, d0, 0), speed = Vec::Zero();
     const double omega = std::sqrt(10 / (0.5 - d0)), period = 2 * std::numbers::pi / omega;
@@ -141,7 +141,7 @@ TEST(MovingShape, carries_a_mass_that_swings_in_it_as_a_pendulum) {
 TEST(MovingShape, at_rest_keeps_the_energy_of_what_it_pushes) {
     DrivenBead made = bead_in_a_parabola();
     made.scene.moving_shapes[0].place = std::array<Expression, 3>{};
-    const Driving driving(made.scene, made.particles);
+    const Driving driving(made.scene, made.particles, made.particles);
     Vec x(0.3, 0.4, 0), speed(0.5, 0, 0.1);
     constexpr double dt = 1e-5;
     const auto energy = [&] { return speed.squaredNorm() + 20 * x[1] + driving.energy(0, x, 0); };
@@ -162,7 +162,7 @@ TEST(MovingShape, is_felt_by_its_parts_alone_and_across_a_period) {
     DrivenBead made = bead_in_a_parabola();
     made.particles.parts.push_back({"other", ParticleKind::spheres});
     made.particles.periodic = {true, false, false};  // of 2 m
-    const Driving driving(made.scene, made.particles);
+    const Driving driving(made.scene, made.particles, made.particles);
     const Vec near(0, 0.05, 0);
     EXPECT_GT(driving.force(0, near, 0)[1], 0);
     EXPECT_EQ(driving.force(1, near, 0), Vec::Zero());
