@@ -10,13 +10,12 @@ namespace dmp {
 
 /// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
 ///   dx_i = - s U dt R SUM_j [1 + 0.2 (W_ij / W(dx))^4] V_j grad_i W_ij,   |dx_i| <= 0.1 dx
-/// with R the support radius and U the speed of the flow: 2.5 times the quartic mean of the fluid's speeds, <v^4>^(1/4),
-/// at most the largest. (The largest alone, theirs, may be that of one particle that shifting itself stirred up, and then
-/// feeds on it.) The sum vanishes where particles are even.
-/// Near a free surface the sum points out of the fluid. There the displacement shrinks with the divergence of position,
-/// SUM_j V_j x_ji . grad_i W_ij, from all of it at D, among neighbours all around, to none at 3/4 D (Lee et al. 2008;
-/// Mokos, Rogers & Stansby 2017).
-/// The pair law is the term of the sum [1/m]; `step` turns the sum into a displacement [m].
+/// with R the support radius and U the speed of the flow: 2.5 times the quartic mean of the fluid's speeds,
+/// <v^4>^(1/4), at most the largest. (The largest alone, theirs, may be that of one particle that shifting itself
+/// stirred up, and then feeds on it.) The sum vanishes where particles are even. Near a free surface the sum points out
+/// of the fluid. There the displacement shrinks with the divergence of position, SUM_j V_j x_ji . grad_i W_ij, from all
+/// of it at D, among neighbours all around, to none at 3/4 D (Lee et al. 2008; Mokos, Rogers & Stansby 2017). The pair
+/// law is the term of the sum [1/m]; `step` turns the sum into a displacement [m].
 template <class Kernel>
 struct Shifting {
     double strength;  ///< s [-]
