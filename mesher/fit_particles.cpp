@@ -78,8 +78,8 @@ std::vector<std::uint8_t> held_particles(const ParticleSet& set, const FitBounds
     std::vector<std::uint8_t> held(set.size(), 0);
     std::vector<double> held_behind(set.parts.size(), 0);  // by part
     for (const FitBounds::Wall& wall : bounds.walls)
-        for (std::size_t part = 0; part < set.parts.size(); ++part)
-            if (set.parts[part].name == *wall.part->name) held_behind[part] = (wall.part->layers + 0.5) * set.spacing;
+        if (const int part = set.part_named(wall.part->name); part >= 0)
+            held_behind[static_cast<std::size_t>(part)] = (wall.part->layers + 0.5) * set.spacing;
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.kind(i) == ParticleKind::springs)
             held[i] = 1;
@@ -154,8 +154,7 @@ void update_lines(MeshResult& result, const FitBounds& bounds) {
     const bool no_bodies =
         std::ranges::none_of(bounds.walls, &FitBounds::Wall::is_body) && set.count(ParticleKind::springs) == 0;
     for (MeshReport::PartLine& line : result.report.parts) {
-        const auto part = static_cast<int>(std::ranges::find(set.parts, line.name, &ParticleSpace::PartInfo::name) -
-                                           set.parts.begin());
+        const int part = set.part_named(line.name);
         line.particles = static_cast<std::size_t>(std::ranges::count(set.part, part));
         const auto wall =
             std::ranges::find_if(bounds.walls, [&](const auto& each) { return *each.part->name == line.name; });

@@ -21,8 +21,7 @@ MeshDetail inspect(MeshResult& result, const Geometry& geometry, const Scene& sc
     const SearchableParticles search(set, surface_search * set.spacing, set.spacing);
     LayerCount layers(set, scene, search);
     for (const Part* fluid : scene.parts_of(PartKind::fluid)) {
-        const auto named = std::ranges::find(set.parts, *fluid->name, &ParticleSpace::PartInfo::name);
-        const auto number = static_cast<int>(named - set.parts.begin());
+        const int number = set.part_named(fluid->name);
         const DrawnSurface surface(geometry, scene, set, *fluid, 1.01 * set.spacing);
         report.surfaces.push_back(surface_error(set, search, surface, number, detail.surface_error));
         layers.add(surface, number);

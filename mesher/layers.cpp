@@ -33,7 +33,7 @@ int LayerCount::nearest_part(const Vec& point, double radius, const Counts& coun
 double LayerCount::asked_of(int part) const {
     const auto& info = set_.parts[static_cast<std::size_t>(part)];
     if (info.kind != ParticleKind::rigid) return layers_of_fluid;
-    return *std::ranges::find_if(scene_.parts, [&](const Part& p) { return *p.name == info.name; })->layers;
+    return scene_.part_of_particles(info.name).layers;
 }
 
 /// The part on the other side of a fluid's surface, at the walk's start; where nothing stands there, the nearest one.

@@ -18,10 +18,6 @@ namespace {
 /// Spheres that lie deeper than this in another one, or in a wall, were not meant to [smaller radius].
 constexpr double deepest_overlap = 0.05;
 
-const Part& part_of(const Scene& scene, const std::string& name) {
-    return *std::ranges::find_if(scene.parts, [&](const Part& part) { return *part.name == name; });
-}
-
 /// Looks at how spheres and walls lie to each other.
 class Checker {
   public:
@@ -36,11 +32,11 @@ class Checker {
             if (!touch(name_of(set_.part[a]), name_of(set_.part[b]))) continue;
             const double smaller = std::min(set_.radius[a], set_.radius[b]);
             if (a == b)
-                throw InputError(part_of(scene_, name_of(set_.part[a])).name.place,
+                throw InputError(scene_.part_of_particles(name_of(set_.part[a])).name.place,
                                  text(a) + " reaches around a period and touches itself", "give [box] a longer period");
             if (pair.overlap > deepest_overlap * smaller)
                 throw InputError(
-                    part_of(scene_, name_of(set_.part[b])).name.place,
+                    scene_.part_of_particles(name_of(set_.part[b])).name.place,
                     fmt::format("{} and {} lie {:.3g} m in each other at the start", text(a), text(b), pair.overlap),
                     fmt::format("move them apart: at most {} of the smaller radius, {:.3g} m, may overlap",
                                 deepest_overlap, deepest_overlap * smaller));
@@ -91,7 +87,7 @@ class Checker {
     }
     void need_clear(std::size_t i, double distance, int wall, const char* where) const {
         if (distance >= (1 - deepest_overlap) * set_.radius[i]) return;
-        throw InputError(part_of(scene_, name_of(set_.part[i])).name.place,
+        throw InputError(scene_.part_of_particles(name_of(set_.part[i])).name.place,
                          fmt::format("{} lies {} the wall '{}' at the start: its centre is {:.3g} m from it", text(i),
                                      where, name_of(wall), distance),
                          "move it away by its radius or more");

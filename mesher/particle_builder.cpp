@@ -354,8 +354,7 @@ void ParticleBuilder::sample() {
     const auto part_at = [&](const Vec& place) {
         const Part* fluid = fluid_at(place);
         if (fluid == nullptr || !clear_of_bodies(place)) return -1;
-        const auto& parts = result_.particles.parts;
-        return static_cast<int>(std::ranges::find(parts, *fluid->name, &ParticleSpace::PartInfo::name) - parts.begin());
+        return result_.particles.part_named(fluid->name);
     };
     result_.report.notes.push_back(sample_fluids(result_.particles, lattice_.cell_area(),
                                                  static_cast<std::uint64_t>(*scene_.particles.seed), part_at,

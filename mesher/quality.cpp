@@ -28,14 +28,12 @@ double smallest_distance(const ParticleSet& set, std::size_t i, std::size_t j) {
 
 [[noreturn]] void refuse_overlap(const ParticleSet& set, const Scene& scene, std::size_t i, std::size_t j) {
     const std::string& name = set.parts[set.part[i]].name;
-    const auto part =
-        std::find_if(scene.parts.begin(), scene.parts.end(), [&](const Part& p) { return *p.name == name; });
     std::ostringstream problem;
     problem << "particles of '" << name << "' and '" << set.parts[set.part[j]].name
             << "' stand on top of each other at (" << 1e3 * set.position[i][0] << ", " << 1e3 * set.position[i][1]
             << ") mm";
     throw InputError(
-        part->name.place, problem.str(),
+        scene.part_of_particles(name).name.place, problem.str(),
         "draw them further apart: the rows of a springs part stand half a particle spacing beside its curve");
 }
 

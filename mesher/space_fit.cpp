@@ -26,11 +26,8 @@ FitBounds SpaceBuilder::bounds() const {
 
 void SpaceBuilder::sample() {
     const Vacancy vacancy(geometry_, scene_);
-    const auto& parts = result_.particles.parts;
     std::vector<int> part_of;  // by fluid
-    for (const Part* fluid : fluids_)
-        part_of.push_back(
-            static_cast<int>(std::ranges::find(parts, *fluid->name, &ParticleSpace::PartInfo::name) - parts.begin()));
+    for (const Part* fluid : fluids_) part_of.push_back(result_.particles.part_named(fluid->name));
     const auto part_at = [&](const Vec& place) {
         if (is_beyond_a_plane(place) || is_in_a_shell(place) || is_in_a_wedge(place)) return -1;
         const int fluid = vacancy.fluid_at(place);

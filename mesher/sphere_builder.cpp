@@ -126,11 +126,11 @@ double SphereBuilder::rest_overlap(const Part& inner, const Part& part, double i
 
 SphereBuilder::Spheres SphereBuilder::around(const Part& part) const {
     const ParticleSet& set = result_.particles;
-    const Part& inner_part =
-        *std::ranges::find_if(scene_.parts, [&](const Part& other) { return *other.name == *part.around; });
+    const Part& inner_part = scene_.part_of_particles(part.around);
+    const int number = set.part_named(part.around);
     std::vector<std::size_t> inner;
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.parts[static_cast<std::size_t>(set.part[i])].name == *part.around) inner.push_back(i);
+        if (set.part[i] == number) inner.push_back(i);
     if (inner.size() != 1)
         throw InputError(part.around.place,
                          fmt::format("part '{}': its spheres sit around one sphere, and '{}' has {}", *part.name,

@@ -70,6 +70,8 @@ struct ParticleSpace {
     std::vector<Vec> wall_corners;  ///< of the triangles, each once, at the start [m]
     std::vector<WallTriangle> wall_triangles;
 
+    /// The number of the part of that name; -1 where there is none.
+    [[nodiscard]] int part_named(const std::string& name) const;
     [[nodiscard]] bool is_mirrored(int axis) const { return mirrored[axis][0] || mirrored[axis][1]; }
     /// Twice the place of the plane of symmetry that x lies beyond, minus x: its mirror image; else x.
     [[nodiscard]] double mirrored_back(double x, int axis) const {

@@ -297,11 +297,10 @@ void check_measure(const Scene& scene, const Measure& measure) {
     }
     if (std::find(springs.begin(), springs.end(), *measure.part) != springs.end()) return;
     const auto nearest = nearest_name(*measure.part, springs);
-    const auto other = std::find_if(scene.parts.begin(), scene.parts.end(),
-                                    [&](const Part& part) { return *part.name == *measure.part; });
-    const std::string what = other == scene.parts.end() ? "the scene has no part '" + *measure.part + "'"
-                                                        : "part '" + *measure.part + "' is of kind '" +
-                                                              word(*other->kind) + "', expected 'springs'";
+    const Part* other = scene.part_named(measure.part);
+    const std::string what =
+        other == nullptr ? "the scene has no part '" + *measure.part + "'"
+                         : "part '" + *measure.part + "' is of kind '" + word(*other->kind) + "', expected 'springs'";
     throw InputError(measure.part.place, what,
                      nearest.empty() ? "a gap is measured between the pieces of a springs part; the scene has " +
                                            quoted_list(springs)

@@ -56,12 +56,11 @@ namespace {
 
 void need_pushable(const Scene& scene, const Place& place, const std::string& name) {
     std::vector<std::string> can;
-    const Part* part = nullptr;
+    const Part* part = scene.part_named(name);
     for (const Part& each : scene.parts) {
         const bool moves =
             *each.kind == PartKind::fluid || *each.kind == PartKind::springs || *each.kind == PartKind::spheres;
         if (moves) can.push_back(*each.name);
-        if (*each.name == name) part = &each;
     }
     if (part == nullptr) {
         const std::string nearest = nearest_name(name, can);

@@ -298,6 +298,16 @@ std::size_t Scene::species_of(const Measure& measure) const {
     throw std::out_of_range("no species '" + *measure.species + "'");
 }
 
+const Part* Scene::part_named(const std::string& name) const {
+    const auto found = std::ranges::find_if(parts, [&](const Part& part) { return *part.name == name; });
+    return found == parts.end() ? nullptr : &*found;
+}
+
+const Part& Scene::part_of_particles(const std::string& name) const {
+    if (const Part* part = part_named(name)) return *part;
+    throw InputError("the particles have a part '" + name + "' that the scene does not know", "mesh the scene again");
+}
+
 std::vector<const Part*> Scene::parts_of(PartKind kind) const {
     std::vector<const Part*> found;
     for (const auto& part : parts) {

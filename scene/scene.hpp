@@ -124,6 +124,10 @@ struct Scene {
     [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
     /// Whether there may be spring bodies at some time.
     [[nodiscard]] bool may_have_springs() const { return !solidify.empty() || !parts_of(PartKind::springs).empty(); }
+    /// The part of that name, enabled or not; null where there is none.
+    [[nodiscard]] const Part* part_named(const std::string& name) const;
+    /// The part that particles name; throws InputError where there is none, as they are of another scene then.
+    [[nodiscard]] const Part& part_of_particles(const std::string& name) const;
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// What happens where these two parts touch, in either order: the pair that names both, else one that names one of

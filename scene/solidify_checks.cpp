@@ -23,9 +23,9 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
 [[noreturn]] void refuse_name(const Scene& scene, const Value<std::string>& name, const std::string& key,
                               const std::string& whose, const std::string& expected,
                               const std::vector<std::string>& names) {
-    const auto part = std::ranges::find_if(scene.parts, [&](const Part& p) { return *p.name == *name; });
+    const Part* part = scene.part_named(name);
     std::string problem = key + " of " + whose + ": ";
-    if (part == scene.parts.end())
+    if (part == nullptr)
         problem += "the scene has no '" + *name + "'";
     else if (!*part->enabled)
         problem += "part '" + *name + "' is not enabled";
@@ -44,8 +44,7 @@ void check_liquid(const Scene& scene, const Solidify& rule) {
     const auto liquids = names_of(scene.parts_of(PartKind::fluid));
     if (!is_one_of(*rule.liquid, liquids))
         refuse_name(scene, rule.liquid, "liquid", named(rule), "a fluid part", liquids);
-    const auto same = std::ranges::find_if(scene.parts, [&](const Part& part) { return *part.name == *rule.name; });
-    if (same != scene.parts.end())
+    if (const Part* same = scene.part_named(rule.name))
         throw InputError(rule.name.place,
                          "there is already a part called '" + *rule.name + "', at " + same->name.place.text(),
                          "give what turns solid a name of its own");

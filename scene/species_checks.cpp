@@ -13,14 +13,9 @@ Place place_in(const Scene& scene, const Place& place) { return place.known() ? 
 
 std::string named(const Species& species) { return "species '" + *species.name + "'"; }
 
-const Part* find_part(const Scene& scene, const std::string& name) {
-    const auto found = std::ranges::find_if(scene.parts, [&](const Part& part) { return *part.name == name; });
-    return found == scene.parts.end() ? nullptr : &*found;
-}
-
 /// The part that an entry of a table is for; parts that are left out stay known.
 const Part& known_part(const Scene& scene, const std::string& table, const std::string& name, const Place& place) {
-    if (const Part* part = find_part(scene, name)) return *part;
+    if (const Part* part = scene.part_named(name)) return *part;
     std::vector<std::string> names;
     for (const Part& part : scene.parts) names.push_back(*part.name);
     const std::string nearest = nearest_name(name, names);

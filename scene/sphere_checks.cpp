@@ -121,12 +121,6 @@ void check_radius_and_mass(const Part& part) {
                          "give density, or mass of each sphere");
 }
 
-/// The part by its name, enabled or not.
-const Part* named(const Scene& scene, const std::string& name) {
-    const auto found = std::ranges::find_if(scene.parts, [&](const Part& part) { return *part.name == name; });
-    return found == scene.parts.end() ? nullptr : &*found;
-}
-
 InputError unknown_part(const Scene& scene, const Place& place, const std::string& name, bool spheres_only) {
     std::vector<std::string> names;
     for (const Part& part : scene.parts)
@@ -138,7 +132,7 @@ InputError unknown_part(const Scene& scene, const Place& place, const std::strin
 
 void check_around(const Scene& scene, const Part& part) {
     if (!part.around.given()) return;
-    const Part* inner = named(scene, part.around);
+    const Part* inner = scene.part_named(part.around);
     if (inner == nullptr) throw unknown_part(scene, part.around.place, part.around, true);
     if (*inner->kind != PartKind::spheres || inner == &part || !*inner->enabled)
         throw InputError(
@@ -188,7 +182,7 @@ std::string of_pair(const ContactPair& pair) {
 void check_names(const Scene& scene, const ContactPair& pair) {
     int spheres = 0;
     for (const std::string& name : *pair.parts) {
-        const Part* part = named(scene, name);
+        const Part* part = scene.part_named(name);
         if (name == "any" || (part != nullptr && *part->kind == PartKind::spheres)) ++spheres;
         if (name == "any" || (part != nullptr && (*part->kind == PartKind::spheres || part->is_wall_for_spheres())))
             continue;
@@ -327,7 +321,7 @@ void check_sphere_measure(const Scene& scene, const Measure& measure) {
                                          : "a fluid and what is in it, and the scene is of spheres"),
                          "leave it out, or choose another kind");
     if (!of_spheres || kind == MeasureKind::wall_force) return;
-    const Part* part = named(scene, measure.part);
+    const Part* part = scene.part_named(measure.part);
     if (part == nullptr) throw unknown_part(scene, measure.part.place, measure.part, true);
     if (*part->kind != PartKind::spheres)
         throw InputError(measure.part.place,

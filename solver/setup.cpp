@@ -21,15 +21,6 @@ namespace dmp {
 
 namespace {
 
-const Part& part_named(const Scene& scene, const std::string& name) {
-    const auto part =
-        std::find_if(scene.parts.begin(), scene.parts.end(), [&](const Part& p) { return p.name.value == name; });
-    if (part == scene.parts.end())
-        throw InputError("the particles have a part '" + name + "' that the scene does not know",
-                         "mesh the scene again");
-    return *part;
-}
-
 /// Harmonic means are worked out only where they differ from the sum.
 bool has_unlike_viscosities(const Scene& scene) {
     const auto fluids = scene.parts_of(PartKind::fluid);
@@ -175,7 +166,8 @@ std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSp
     std::vector<LiquidState> equations;
     for (const auto& part : space.parts) {
         const bool is_fluid = part.kind == ParticleKind::fluid;
-        equations.push_back({sound_speed(scene), is_fluid ? part_named(scene, part.name).density.value : first_density,
+        equations.push_back({sound_speed(scene),
+                             is_fluid ? scene.part_of_particles(part.name).density.value : first_density,
                              scene.accuracy.background_pressure, scene.accuracy.equation_of_state});
     }
     return equations;
@@ -191,8 +183,9 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
     const std::vector<double> densities = rest_densities(scene, set);
     std::vector<double> viscosities, slips;
     for (const auto& part : set.parts) {
-        slips.push_back(part.kind == ParticleKind::rigid && part_named(scene, part.name).slip ? 1 : 0);
-        viscosities.push_back(part.kind == ParticleKind::fluid ? part_named(scene, part.name).viscosity.value : 0);
+        slips.push_back(part.kind == ParticleKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
+        viscosities.push_back(part.kind == ParticleKind::fluid ? scene.part_of_particles(part.name).viscosity.value
+                                                               : 0);
     }
     const double range = scene.contact.range * scene.particles.spacing;
     for (ParticleGroup& group : particles.groups()) {
@@ -242,7 +235,8 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
 }
 
 double new_bond_limit(const Scene& scene, const Solidify& rule) {
-    const double mass = part_named(scene, rule.liquid).density * std::pow(scene.particles.spacing, scene.dimension);
+    const double mass =
+        scene.part_of_particles(rule.liquid).density * std::pow(scene.particles.spacing, scene.dimension);
     return 2 / std::sqrt(2 * rule.bond_stiffness / (mass / 2));
 }
 

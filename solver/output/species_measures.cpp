@@ -167,10 +167,10 @@ std::vector<double> SpeciesMeasures::spread(const Measure& measure, double time,
 std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, double time, const ParticleStore& particles,
                                                const FluidStep& step, const MeasureSeries& series,
                                                std::size_t first) const {
-    const auto part = std::ranges::find(space_.parts, *measure.part, &ParticleSpace::PartInfo::name);
-    if (part == space_.parts.end()) return std::vector<double>(columns(measure).size(), nothing);
-    const auto number = static_cast<std::uint16_t>(part - space_.parts.begin());
-    const double taken = step.species()->taken_by_walls(particles, scene_.species_of(measure), number);
+    const int part = space_.part_named(measure.part);
+    if (part < 0) return std::vector<double>(columns(measure).size(), nothing);
+    const double taken =
+        step.species()->taken_by_walls(particles, scene_.species_of(measure), static_cast<std::uint16_t>(part));
     const bool begun = !series.rows.empty();
     const double before = begun ? series.rows.back()[first + 1] : 0, since = begun ? series.time.back() : 0;
     const double flux = quotient(taken - before, time - since);

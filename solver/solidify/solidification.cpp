@@ -51,10 +51,9 @@ Solidification::Solidification(const Scene& scene, int number, const ParticleSet
       space_(with_whole_periods(set, PositionQuantum(set))),
       number_(number),
       origin_(static_cast<int>(scene.parts_of(PartKind::springs).size()) + number),
+      liquid_part_(set.part_named(rule_.liquid)),
       activity_{*rule_.active, std::max<std::int64_t>(1, *rule_.one_in)},
       most_bonds_(rule_.most_bonds > 0 ? rule_.most_bonds.value : any_number) {
-    for (std::size_t part = 0; part < set.parts.size(); ++part)
-        if (set.parts[part].name == *rule_.liquid) liquid_part_ = static_cast<int>(part);
     need_short_reach(rule_, set);
     need_liquid_in_seed_region(scene, rule_, set, liquid_part_);
     if (rule_.seed_part->empty()) return;

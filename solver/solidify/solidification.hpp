@@ -50,7 +50,7 @@ class Solidification {
     const Solidify& rule_;
     const Ranks& ranks_;
     ParticleSpace space_;
-    int number_, origin_, liquid_part_ = -1;
+    int number_, origin_, liquid_part_;
     Activity activity_;
     int most_bonds_;
     struct WallSeed {

@@ -38,14 +38,6 @@ std::vector<Sizes> sizes_by_part(const ParticleSet& set) {
     return sizes;
 }
 
-const Part& part_named(const Scene& scene, const std::string& name) {
-    const auto part = std::ranges::find_if(scene.parts, [&](const Part& p) { return *p.name == name; });
-    if (part == scene.parts.end())
-        throw InputError("the particles have a part '" + name + "' that the scene does not know",
-                         "mesh the scene again");
-    return *part;
-}
-
 ContactMaterial material_of(const Part& part) {
     if (!part.youngs_modulus.given()) return {std::numeric_limits<double>::infinity(), 0};
     return {part.youngs_modulus, part.poisson_ratio};
@@ -130,7 +122,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
     double radii = 0;
     std::size_t count = 0;
     for (std::size_t a = 0; a < set.parts.size(); ++a) {
-        const Part& part = part_named(scene, set.parts[a].name);
+        const Part& part = scene.part_of_particles(set.parts[a].name);
         setup.wall_velocity.push_back(part.velocity);
         setup.smallest_by_part.push_back(sizes[a].count > 0 ? sizes[a].smallest : 0);
         setup.lightest_by_part.push_back(sizes[a].count > 0 ? sizes[a].lightest : 0);
@@ -138,7 +130,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
         setup.smallest_radius = std::min(setup.smallest_radius, sizes[a].smallest);
         setup.largest_radius = std::max(setup.largest_radius, sizes[a].largest);
         for (std::size_t b = 0; b < set.parts.size(); ++b) {
-            const Part& other = part_named(scene, set.parts[b].name);
+            const Part& other = scene.part_of_particles(set.parts[b].name);
             const ContactPair* asked = law_between(scene, part, other);
             if (asked == nullptr) continue;
             if (other.is_wall_for_spheres()) {
@@ -200,7 +192,7 @@ std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup&
     for (std::size_t k = 0; k < space.parts.size(); ++k) {
         const double radius = setup.smallest_by_part[k];
         if (radius == 0) continue;
-        const Part& part = part_named(scene, space.parts[k].name);
+        const Part& part = scene.part_of_particles(space.parts[k].name);
         const double density = setup.lightest_by_part[k] / (4 * std::numbers::pi / 3 * radius * radius * radius);
         limits.push_back(
             {"Rayleigh wave in '" + *part.name + "'",

@@ -14,10 +14,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 int number_of(const ParticleSpace& space, const std::string& name) {
-    const auto part = std::ranges::find(space.parts, name, [](const auto& info) { return info.name; });
-    if (part == space.parts.end())
+    const int part = space.part_named(name);
+    if (part < 0)
         throw InputError("the particles have no part '" + name + "', which the scene pushes", "mesh the scene again");
-    return static_cast<int>(part - space.parts.begin());
+    return part;
 }
 
 template <class Driver>

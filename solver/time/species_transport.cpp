@@ -17,13 +17,7 @@ namespace {
 
 std::vector<const Part*> parts_by_number(const Scene& scene, const ParticleSet& set) {
     std::vector<const Part*> parts;
-    for (const auto& info : set.parts) {
-        const auto found = std::ranges::find_if(scene.parts, [&](const Part& p) { return *p.name == info.name; });
-        if (found == scene.parts.end())
-            throw InputError("the particles have a part '" + info.name + "' that the scene does not know",
-                             "mesh the scene again");
-        parts.push_back(&*found);
-    }
+    for (const auto& info : set.parts) parts.push_back(&scene.part_of_particles(info.name));
     return parts;
 }
 
