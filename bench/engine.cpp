@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fstream>
 
+#include "base/allocation.hpp"
 #include "base/errors.hpp"
 #include "bench/measure.hpp"
 #include "bench/options.hpp"
@@ -32,6 +33,7 @@ int execute(const dmp::bench::Options& options) {
 
 /// dmp_bench: the engine's speed on one start, beside the yardstick's.
 int main(int argc, char** argv) {
+    dmp::return_large_arrays();
     return dmp::cli::exit_code_of([&] {
         return execute(dmp::bench::read_options(std::span<const char* const>(argv, static_cast<std::size_t>(argc))));
     });
