@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "solver/parallel/largest_square.hpp"
 #include "solver/parallel/sums_over.hpp"
 #include "solver/sweeps/order_free.hpp"
 
@@ -16,11 +18,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Calls visit(i) for the owned particles of a group.
+/// Calls visit(i) for the owned particles of a group, several at a time: none may need what another one brings about.
 template <class Visit>
 void for_each_owned(const ParticleGroup& group, int threads, const Visit& visit) {
     const auto count = static_cast<std::ptrdiff_t>(group.owned());
-#pragma omp parallel for num_threads(threads) schedule(static)
+#pragma omp parallel for simd num_threads(threads) schedule(static)
     for (std::ptrdiff_t i = 0; i < count; ++i) visit(i);
 }
 
@@ -57,6 +59,21 @@ std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const 
     return {low, high};
 }
 
+/// Whether fourth powers of speeds up to this one have a quantum.
+bool can_round(double largest_speed) { return largest_speed > 0 && std::pow(largest_speed, 4) < infinity; }
+
+OrderFree rounding_of_powers(double largest_speed) { return OrderFree(at_least_something(std::pow(largest_speed, 4))); }
+
+/// Of so few the sum is exact (OrderFree).
+double sum_of_fourth_powers(const LargestSquare::Squares& squares, const OrderFree& rounded) {
+    constexpr std::ptrdiff_t lanes = LargestSquare::lanes;
+    std::array<double, lanes> sums{};
+    for (std::ptrdiff_t k = 0; k < LargestSquare::at_a_time; k += lanes)
+        for (std::ptrdiff_t lane = 0; lane < lanes; ++lane)
+            sums[lane] += rounded(squares[k + lane] * squares[k + lane]);
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 /// Of a largest square that is infinite where a number was none.
 double root(double square) { return std::sqrt(square); }
 
@@ -81,8 +98,9 @@ void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
     }
     for (ParticleGroup& group : particles.groups())
         if (group.has(Field::density_rate)) {
-            update_density(group, dt);
-            update_pressure(group);
+            double* density = group.data(Field::density);
+            const double* rate = group.data(Field::density_rate);
+            update_pressure(group, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; });
         }
 }
 
@@ -104,76 +122,97 @@ void FluidPasses::update_density(ParticleGroup& group, double dt) const {
     for_each_owned(group, threads_, [=](std::ptrdiff_t i) { density[i] += dt * rate[i]; });
 }
 
-void FluidPasses::update_pressure(ParticleGroup& group) const {
-    const double* density = group.data(Field::density);
+/// Pressure and volume from density_of(i), which may bring the density up to date.
+template <class DensityOf>
+void FluidPasses::update_pressure(ParticleGroup& group, const DensityOf& density_of) const {
     const double* mass = group.data(Field::mass);
     double* pressure = group.data(Field::pressure);
     double* volume = group.data(Field::volume);
-    if (one_state_) {
-        const LiquidState state = state_of_part_.front();
+    const auto update = [&](const auto& state_of) {
         for_each_owned(group, threads_, [=](std::ptrdiff_t i) {
-            pressure[i] = state.pressure(density[i]);
-            volume[i] = mass[i] / density[i];
+            const double density = density_of(i);
+            pressure[i] = state_of(i).pressure(density);
+            volume[i] = mass[i] / density;
         });
-    } else {
-        const auto tags = group.tags();
-        for_each_owned(group, threads_, [=, this](std::ptrdiff_t i) {
-            pressure[i] = state_of_part_[tags[i].part].pressure(density[i]);
-            volume[i] = mass[i] / density[i];
-        });
-    }
+    };
+    if (one_state_)
+        update([state = state_of_part_.front()](std::ptrdiff_t) { return state; });
+    else
+        update([tags = group.tags(), this](std::ptrdiff_t i) { return state_of_part_[tags[i].part]; });
 }
 
 void FluidPasses::update_pressure(ParticleStore& particles) const {
     for (ParticleGroup& group : particles.groups())
-        if (group.has(Field::pressure)) update_pressure(group);
+        if (group.has(Field::pressure))
+            update_pressure(group, [density = group.data(Field::density)](std::ptrdiff_t i) { return density[i]; });
 }
 
-double FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g) const {
+SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
+                            double expected_speed) const {
+    return can_round(expected_speed) ? kick_and_sum<true>(fluid, dt, g, expected_speed)
+                                     : kick_and_sum<false>(fluid, dt, g, 0);
+}
+
+template <bool sums_powers>
+SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
+                                    double expected_speed) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
     const double* mass = fluid.data(Field::mass);
-    std::array<double*, 3> v{};
-    std::array<const double*, 3> force{};
-    for (int axis = 0; axis < fluid.dimension(); ++axis) {
-        v[axis] = fluid.data(Field::velocity, axis);
-        force[axis] = fluid.data(Field::force, axis);
-    }
-    const auto pass = [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        double fastest = 0;
-#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest)
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            double square = 0;
-            for (int axis = 0; axis < D; ++axis) {
-                v[axis][i] += dt * (force[axis][i] / mass[i] + g[axis]);
-                square += v[axis][i] * v[axis][i];
+    const OrderFree rounded = rounding_of_powers(expected_speed);
+    SpeedSums sums;
+    const auto pass = [&]<int D>() {
+        const auto v = axes<D>(fluid, Field::velocity), force = axes<D>(fluid, Field::force);
+#pragma omp parallel num_threads(threads_)
+        {
+            LargestSquare largest;
+            ExactSum powers;
+#pragma omp for schedule(static) nowait
+            for (std::ptrdiff_t begin = 0; begin < count; begin += LargestSquare::at_a_time) {
+                const std::ptrdiff_t some = std::min(LargestSquare::at_a_time, count - begin);
+                LargestSquare::Squares square{};
+                for (int axis = 0; axis < D; ++axis) {
+                    double* speed = v[axis] + begin;
+                    const double *pushed = force[axis] + begin, *inertia = mass + begin, driven = g[axis];
+#pragma omp simd
+                    for (std::ptrdiff_t k = 0; k < some; ++k) {
+                        speed[k] += dt * (pushed[k] / inertia[k] + driven);
+                        square[k] += speed[k] * speed[k];
+                    }
+                }
+                largest.look_at(square);
+                if constexpr (sums_powers) powers.add(sum_of_fourth_powers(square, rounded));
             }
-            fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
+#pragma omp critical(dmp_kick)
+            {
+                sums.largest = std::max(sums.largest, largest.value());
+                sums.fourth_powers.add(powers);
+            }
         }
-        return fastest;
     };
-    return root(fluid.dimension() == 3 ? pass(std::integral_constant<int, 3>{})
-                                       : pass(std::integral_constant<int, 2>{}));
+    fluid.dimension() == 3 ? pass.template operator()<3>() : pass.template operator()<2>();
+    sums.largest = root(sums.largest);
+    return sums;
+}
+
+bool FluidPasses::sum_alike(double expected_speed, double largest_speed) {
+    return can_round(expected_speed) && can_round(largest_speed) &&
+           rounding_of_powers(expected_speed).quantum() == rounding_of_powers(largest_speed).quantum();
 }
 
 ExactSum FluidPasses::fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const {
-    const double largest = std::pow(largest_speed, 4);
-    if (!(largest < infinity)) {
-        ExactSum broken;
-        broken.add(infinity);
-        return broken;
+    if (!can_round(largest_speed)) {
+        ExactSum none_or_broken;
+        none_or_broken.add(largest_speed == 0 ? 0 : infinity);
+        return none_or_broken;
     }
     std::array<const double*, 3> v{};
     for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
-    const OrderFree rounded(at_least_something(largest));
-    const auto add = [&]<int D>() {
-        return sums_of_multiples<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
-            double square = 0;
-            for (int axis = 0; axis < D; ++axis) square += v[axis][i] * v[axis][i];
-            sum[0] += rounded(square * square);
-        });
-    };
-    return (fluid.dimension() == 3 ? add.operator()<3>() : add.operator()<2>())[0];
+    const OrderFree rounded = rounding_of_powers(largest_speed);
+    return sums_of_multiples<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
+        sum[0] += rounded(square * square);
+    })[0];
 }
 
 template <int D>

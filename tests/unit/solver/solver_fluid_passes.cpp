@@ -135,7 +135,7 @@ TEST_P(FluidPassesOn, update_pressure) {
 
 TEST_P(FluidPassesOn, kick) {
     const std::array<double, 3> g{0.4, -9.81, 3};
-    const double fastest = passes().kick(particles.fluid(), dt, g);
+    const double fastest = passes().kick(particles.fluid(), dt, g).largest;
     double expected_fastest = 0;
     for_each([&](const ParticleGroup& now, const ParticleGroup& then, std::size_t i) {
         const bool is_fluid = now.kind() == ParticleKind::fluid;
@@ -256,6 +256,28 @@ TEST_P(FluidPassesOn, fourth_powers_of_speeds_are_the_same_bits_in_any_order) {
         EXPECT_EQ(passes().fourth_powers_of_speeds(fluid, broken).value(), infinity);
 }
 
+TEST_P(FluidPassesOn, kick_sums_the_fourth_powers_of_speeds_on_the_way) {
+    const double none = passes().kick(particles.fluid(), dt, {}).fourth_powers.value();
+    EXPECT_EQ(none, 0);
+    for (const int threads : {1, 2, 3}) {
+        particles = before;
+        SpeedSums speeds = passes().kick(particles.fluid(), dt, {}, 1);
+        const double expected = passes().fourth_powers_of_speeds(particles.fluid(), speeds.largest).value();
+        EXPECT_NEAR(speeds.fourth_powers.value(), expected, 1e-9 * expected);
+        particles = before;
+        speeds = passes(threads).kick(particles.fluid(), dt, {}, speeds.largest);
+        EXPECT_EQ(speeds.fourth_powers.value(), expected);
+    }
+}
+
+TEST(FluidPasses, sums_of_fourth_powers_are_alike_within_a_binade) {
+    EXPECT_TRUE(FluidPasses::sum_alike(1, 1.15));  // fourth powers from 1 to 2
+    EXPECT_FALSE(FluidPasses::sum_alike(1, 1.2));
+    EXPECT_FALSE(FluidPasses::sum_alike(1, 0.99));
+    EXPECT_FALSE(FluidPasses::sum_alike(0, 0));
+    for (const double broken : {infinity, 1e100}) EXPECT_FALSE(FluidPasses::sum_alike(broken, broken));
+}
+
 TEST_P(FluidPassesOn, velocity_that_is_no_number_is_an_infinite_largest_speed) {
     ParticleGroup& fluid = particles.fluid();
     const std::size_t last = fluid.owned() - 1;
@@ -265,13 +287,13 @@ TEST_P(FluidPassesOn, velocity_that_is_no_number_is_an_infinite_largest_speed) {
                 particles = before;
                 fluid.data(Field::velocity, 1)[i] = bad;
                 EXPECT_EQ(passes(threads).extremes(fluid).largest_speed, infinity);
-                EXPECT_EQ(passes(threads).kick(fluid, dt, {}), infinity);
+                EXPECT_EQ(passes(threads).kick(fluid, dt, {}).largest, infinity);
                 particles = before;
                 fluid.data(Field::force, 0)[i] = bad;
-                EXPECT_EQ(passes(threads).kick(fluid, dt, {}), infinity);
+                EXPECT_EQ(passes(threads).kick(fluid, dt, {}).largest, infinity);
             }
     particles = before;
-    EXPECT_LT(passes().kick(fluid, dt, {}), infinity);
+    EXPECT_LT(passes().kick(fluid, dt, {}).largest, infinity);
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, FluidPassesOn,
@@ -287,7 +309,7 @@ TEST(FluidPasses, of_no_fluid_have_no_speed) {
     ParticleStore particles(set, {});
     make_pair_sweeps({.spacing = 0.1, .support = 0.3, .sound_speed = 20, .density = 1000}, particles);
     const FluidPasses passes({}, 2);
-    EXPECT_EQ(passes.kick(particles.fluid(), 0.1, {}), 0);
+    EXPECT_EQ(passes.kick(particles.fluid(), 0.1, {}, 1).largest, 0);
     EXPECT_EQ(passes.extremes(particles.fluid()).largest_speed, 0);
     EXPECT_EQ(passes.fourth_powers_of_speeds(particles.fluid(), 0).value(), 0);
 }
