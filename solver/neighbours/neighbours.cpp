@@ -17,6 +17,12 @@ constexpr double least_near_skin = 0.02;
 /// space.
 constexpr double cost_of_a_list = 15, cost_of_a_look = 0.3;
 
+Places places_of(const ParticleGroup& group) {
+    Places places{group.owned(), group.dimension()};
+    for (int axis = 0; axis < group.dimension(); ++axis) places.first[axis] = group.data(Field::position, axis);
+    return places;
+}
+
 }  // namespace
 
 Neighbours::Neighbours(const Ranks& ranks, const ParticleSpace& space, double support, int threads)
@@ -32,7 +38,7 @@ Neighbours::Neighbours(const Ranks& ranks, const ParticleSpace& space, double su
 /// spacings.
 double Neighbours::skin_for(double cost, double least, double most, double otherwise) const {
     if (half_steps_ == 0) return otherwise * spacing_;
-    const double step = moved_ / (0.5 * static_cast<double>(half_steps_)) / spacing_;
+    const double step = since_list_.farthest() / (0.5 * static_cast<double>(half_steps_)) / spacing_;
     return std::clamp(std::sqrt(2 * step * cost), least, most) * spacing_;
 }
 
@@ -40,7 +46,21 @@ double Neighbours::best_skin() const { return skin_for(cost_of_a_list, least_ski
 
 /// No wider than what the list still covers.
 double Neighbours::best_near_skin() const {
-    return std::min(skin_for(cost_of_a_look, least_near_skin, most_skin, least_near_skin), skin_ - 2 * moved_);
+    return std::min(skin_for(cost_of_a_look, least_near_skin, most_skin, least_near_skin),
+                    skin_ - 2 * since_list_.farthest());
+}
+
+void Neighbours::note_places(const ParticleStore& particles, PlacesByKind& then) const {
+    for (std::size_t kind = 0; kind < then.size(); ++kind)
+        then[kind].take(places_of(particles.groups()[kind]), threads_);
+}
+
+/// On all ranks.
+double Neighbours::farthest_gone(const ParticleStore& particles, const PlacesByKind& then) const {
+    double farthest = 0;
+    for (std::size_t kind = 0; kind < then.size(); ++kind)
+        farthest = std::max(farthest, then[kind].farthest_gone(places_of(particles.groups()[kind]), threads_));
+    return ranks_->largest(farthest);
 }
 
 void Neighbours::renew(ParticleStore& particles) {
@@ -62,7 +82,8 @@ void Neighbours::renew(ParticleStore& particles) {
         weights_ = measured_weights(particles);
         imbalance_ = domain_.imbalance(groups, weights_);
     }
-    moved_ = 0;
+    note_places(particles, listed_at_);
+    since_list_.start();
     half_steps_ = 0;
     // All that is listed is near at first; the next look narrows it.
     near_skin_ = 0;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "solver/neighbours/cluster_list.hpp"
+#include "solver/neighbours/wandering.hpp"
 #include "solver/parallel/domain.hpp"
 #include "solver/parallel/halo.hpp"
 
@@ -20,24 +21,30 @@ class Neighbours {
 
     /// Particles have moved by at most this much more [m] in half a step; the same on all ranks.
     void moved(double distance) {
-        moved_ += distance;
-        moved_since_look_ += distance;
+        since_list_.add(distance);
+        since_look_.add(distance);
         ++half_steps_;
     }
-    /// Whether the list may miss pairs.
-    [[nodiscard]] bool outdated() const { return list_.empty() || moved_ >= skin_ / 2; }
+    /// Whether the list may miss pairs. All ranks take part.
+    [[nodiscard]] bool outdated(const ParticleStore& particles) {
+        return list_.empty() || since_list_.beyond(skin_ / 2, [&] { return farthest_gone(particles, listed_at_); });
+    }
     /// Brings the near ones among those that are listed up to date when they may miss pairs, through
     /// `keep_near(list, reach)`. Copies must have their present positions. Returns whether it did.
     template <class KeepNear>
-    bool look_through(const KeepNear& keep_near) {
-        if (!near_outdated()) return false;
+    bool look_through(const ParticleStore& particles, const KeepNear& keep_near) {
+        if (!near_outdated(particles)) return false;
         near_skin_ = best_near_skin();
         keep_near(list_, support_ + near_skin_);
-        moved_since_look_ = 0;
+        note_places(particles, looked_at_);
+        since_look_.start();
         return true;
     }
-    /// Whether look_through would look.
-    [[nodiscard]] bool near_outdated() const { return moved_since_look_ >= near_skin_ / 2; }
+    /// Whether look_through would look. All ranks take part.
+    [[nodiscard]] bool near_outdated(const ParticleStore& particles) {
+        return near_skin_ == 0 ||
+               since_look_.beyond(near_skin_ / 2, [&] { return farthest_gone(particles, looked_at_); });
+    }
     /// Particles are no longer those that were listed.
     void forget() { list_ = {}; }
     /// From the next list on, pairs within solids are listed as well.
@@ -69,6 +76,9 @@ class Neighbours {
     [[nodiscard]] long renewals() const { return renewals_; }
 
   private:
+    using PlacesByKind = std::array<PlacesThen, 3>;
+    void note_places(const ParticleStore& particles, PlacesByKind& then) const;
+    [[nodiscard]] double farthest_gone(const ParticleStore& particles, const PlacesByKind& then) const;
     [[nodiscard]] double best_skin() const;
     [[nodiscard]] double best_near_skin() const;
     [[nodiscard]] double skin_for(double cost, double least, double most, double otherwise) const;
@@ -82,10 +92,10 @@ class Neighbours {
     std::array<Halo, 3> halos_;
     ClusterList list_;
     std::optional<ClusterList> within_solids_;
-    double moved_ = 0;             ///< since the list was made [m]
-    double moved_since_look_ = 0;  ///< since it was looked through [m]
-    double near_skin_ = 0;         ///< with which it was looked through [m]
-    long half_steps_ = 0;          ///< since the list was made
+    PlacesByKind listed_at_, looked_at_;
+    Wandering since_list_, since_look_;
+    double near_skin_ = 0;  ///< with which the list was looked through [m]; 0: it was not
+    long half_steps_ = 0;   ///< since the list was made
     long renewals_ = 0;
 
     using Clock = std::chrono::steady_clock;

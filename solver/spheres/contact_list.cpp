@@ -15,8 +15,9 @@ constexpr std::size_t fetched_ahead = 24;
 }  // namespace
 
 /// Pairs by thread and kind.
-void ContactList::find_pairs(const SphereRows& rows, std::span<const ParticleTag> tags, double gap) {
-    const SphereSearch search(rows, gap);
+void ContactList::find_pairs(const SphereRows& rows, std::span<const ParticleTag> tags, double gap,
+                             std::span<const float> skins) {
+    const SphereSearch search(rows, gap, skins);
     const auto total = static_cast<std::int32_t>(rows.total());
     bounds_.clear();
     for (int t = 0; t <= threads_; ++t)
@@ -78,14 +79,16 @@ void ContactList::find_pairs(const SphereRows& rows, std::span<const ParticleTag
     }
 }
 
-void ContactList::build(const SphereRows& rows, std::span<const ParticleTag> tags, double gap) {
-    find_pairs(rows, tags, gap);
+void ContactList::build(const SphereRows& rows, std::span<const ParticleTag> tags, double gap,
+                        std::span<const float> skins) {
+    find_pairs(rows, tags, gap, skins);
     nobody_ = rows.nobody();
     built_ = true;
 }
 
 std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows& rows, double gap,
-                                      std::span<const ParticleTag> tags, const ContactMemory* memory) {
+                                      std::span<const float> skins, std::span<const ParticleTag> tags,
+                                      const ContactMemory* memory) {
     const auto motion = rows.motion();
     std::size_t next = segment.first;
     for (std::size_t pair = segment.listed_first; pair < segment.listed_end; ++pair) {
@@ -95,7 +98,8 @@ std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows&
             __builtin_prefetch(&motion[listed_high_[pair + fetched_ahead]]);
         }
         const double *a = motion[i].place.c, *b = motion[j].place.c;
-        const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2], touch = a[3] + b[3] + gap;
+        const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2],
+                     touch = a[3] + b[3] + skins[i] + skins[j] + gap;
         const std::int32_t before = contact_of_[pair];
         contact_of_[pair] = -1;
         if (dx * dx + dy * dy + dz * dz >= touch * touch) continue;
@@ -118,13 +122,13 @@ std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows&
     return count;
 }
 
-void ContactList::look_through(const SphereRows& rows, double gap, std::span<const ParticleTag> tags,
-                               const ContactMemory* memory) {
+void ContactList::look_through(const SphereRows& rows, double gap, std::span<const float> skins,
+                               std::span<const ParticleTag> tags, const ContactMemory* memory) {
     std::size_t count = 0;
 #pragma omp parallel for num_threads(threads_) schedule(static, 1) reduction(+ : count)
     for (int t = 0; t < threads_; ++t)
         for (ContactSegment& segment : segments_)
-            if (segment.thread == t) count += look_through(segment, rows, gap, tags, memory);
+            if (segment.thread == t) count += look_through(segment, rows, gap, skins, tags, memory);
     count_ = count;
     std::swap(history_, next_history_);
 }

@@ -41,13 +41,14 @@ class ContactList {
     ContactList(const PairKinds& kinds, std::int16_t kind_count, std::size_t history_width, int threads)
         : kinds_(kinds), kind_count_(kind_count), history_width_(history_width), threads_(threads) {}
 
-    /// Lists all pairs whose surfaces are less than `gap` apart [m]. Contacts have yet to be looked for.
-    void build(const SphereRows& rows, std::span<const ParticleTag> tags, double gap);
+    /// Lists all pairs whose surfaces are less than `gap` and both skins apart [m]; skins by row. Contacts have yet to
+    /// be looked for.
+    void build(const SphereRows& rows, std::span<const ParticleTag> tags, double gap, std::span<const float> skins);
 
-    /// Makes contacts of those that are less than `gap` apart. Histories are those the contacts had before or, after
-    /// build(), those in the memory.
-    void look_through(const SphereRows& rows, double gap, std::span<const ParticleTag> tags,
-                      const ContactMemory* memory);
+    /// Makes contacts of those that are less than `gap` and both skins apart. Histories are those the contacts had
+    /// before or, after build(), those in the memory.
+    void look_through(const SphereRows& rows, double gap, std::span<const float> skins,
+                      std::span<const ParticleTag> tags, const ContactMemory* memory);
 
     /// Calls visit(contact index) for all contacts, without the lanes that nobody fills.
     template <class Visit>
@@ -76,8 +77,9 @@ class ContactList {
     void forget() { built_ = false; }
 
   private:
-    void find_pairs(const SphereRows& rows, std::span<const ParticleTag> tags, double gap);
-    std::size_t look_through(ContactSegment& segment, const SphereRows& rows, double gap,
+    void find_pairs(const SphereRows& rows, std::span<const ParticleTag> tags, double gap,
+                    std::span<const float> skins);
+    std::size_t look_through(ContactSegment& segment, const SphereRows& rows, double gap, std::span<const float> skins,
                              std::span<const ParticleTag> tags, const ContactMemory* memory);
 
     const PairKinds& kinds_;

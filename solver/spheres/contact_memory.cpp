@@ -17,10 +17,9 @@ void ContactMemory::sort() {
     for (const RememberedContact& contact : contacts_) ++first_[static_cast<std::size_t>(contact.low) + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
-    std::vector<RememberedContact> sorted(contacts_.size());
-    for (const RememberedContact& contact : contacts_)
-        sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(contact.low)]++)] = contact;
-    contacts_ = std::move(sorted);
+    sorted_.resize(contacts_.size());
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+        sorted_[static_cast<std::size_t>(next[static_cast<std::size_t>(contacts_[k].low)]++)] = {contacts_[k].high, k};
 }
 
 void ContactMemory::archive(Archive& file, const std::string& name, const Ranks& ranks,

@@ -35,8 +35,9 @@ class ContactMemory {
     void sort();
     /// Null: these two do not touch.
     [[nodiscard]] const RememberedContact* find(std::int64_t low, std::int64_t high) const {
-        for (std::int32_t k = first_[static_cast<std::size_t>(low)]; k < first_[static_cast<std::size_t>(low) + 1]; ++k)
-            if (contacts_[k].high == high) return &contacts_[k];
+        const auto id = static_cast<std::size_t>(low);
+        for (std::int32_t k = first_[id]; k < first_[id + 1]; ++k)
+            if (sorted_[k].high == high) return &contacts_[sorted_[k].contact];
         return nullptr;
     }
 
@@ -45,7 +46,12 @@ class ContactMemory {
                         std::vector<RememberedContact>& own);
 
   private:
+    struct ByLow {
+        std::int64_t high = 0;  ///< id
+        std::size_t contact = 0;
+    };
     std::vector<RememberedContact> contacts_;
+    std::vector<ByLow> sorted_;
     std::vector<std::int32_t> first_;  ///< of each low id
 };
 

@@ -10,13 +10,29 @@ namespace dmp {
 
 namespace {
 
-/// Skins [mean radii]: with which a run starts, and their limits.
+/// Skins of a pair on average [mean radii]: with which a run starts, and their limits. And what a sphere may have.
 constexpr double first_skin = 0.2, least_skin = 0.04, most_skin = 0.5;
-constexpr double first_near_skin = 0.004, least_near_skin = 1e-4;
+constexpr double least_near_skin = 1e-4;
+constexpr double most_of_a_sphere = 2;
+/// What spheres are taken to move in a step before one was made [mean radii].
+constexpr double first_step = 1.6e-4;
+/// Share of the wide skins after which spheres are listed anew, as what is left of them is too narrow for contacts.
+constexpr double most_worn = 0.98;
 
 /// Weights that the two skins are balanced with: what a look costs against contacts that a narrow skin adds, and what a
-/// list costs against pairs that a wide one adds, in steps and mean radii. Measured on a dense bed.
-constexpr double cost_of_a_look = 0.05, cost_of_a_list = 3.3;
+/// list costs against pairs that a wide one adds, in steps and mean radii. Measured on a dense bed, whose lists have
+/// six pairs a sphere. With fewer, what looks and lists cost for each sphere weighs more beside what they cost for a
+/// pair: there an eighth of the look, and more than half of the list.
+constexpr double cost_of_a_look = 0.05, cost_of_a_list = 3.3, dense_pairs = 6;
+double cost_of_a_look_at(double pairs) { return cost_of_a_look * (0.85 + 0.15 * dense_pairs / pairs); }
+double cost_of_a_list_at(double pairs) {
+    return cost_of_a_list * (0.57 + 0.43 * pairs / dense_pairs) / (0.15 + 0.85 * pairs / dense_pairs);
+}
+
+Places places_of(const SphereRows& rows) {
+    const double* first = rows.motion().data()->place.c;
+    return {rows.owned(), 3, {first, first + 1, first + 2}, motion_width};
+}
 
 }  // namespace
 
@@ -30,7 +46,9 @@ SphereNeighbours::SphereNeighbours(const Ranks& ranks, const ParticleSpace& spac
       domain_(ranks, space, threads),
       halo_(ranks, space, threads),
       memory_(ids),
-      list_(setup.kinds, static_cast<std::int16_t>(setup.pairs.size()), setup.history_width, threads) {}
+      list_(setup.kinds, static_cast<std::int16_t>(setup.pairs.size()), setup.history_width, threads),
+      step_(first_step),
+      pairs_(dense_pairs) {}
 
 /// The mean velocity of all spheres. Its last bits do not matter: where lists are made changes no result.
 void SphereNeighbours::measure_drift(const SphereRows& rows) {
@@ -52,48 +70,85 @@ void SphereNeighbours::start(ParticleGroup& group, SphereRows& rows, SphereWalls
 }
 
 bool SphereNeighbours::refresh(ParticleGroup& group, SphereRows& rows, SphereWalls& walls) {
-    const double least_near = least_near_skin * mean_radius_;
-    if (2 * moved_since_look_ > near_skin_ && 2 * moved_ + least_near > skin_) {
+    const bool looks = beyond(since_look_, 1, rows);
+    if (looks && beyond(since_list_, most_worn, rows)) {
         renew(group, rows, walls);
         return true;
     }
     halo_.exchange_rows(rows.motion().data()->place.c, motion_width);
-    if (2 * moved_since_look_ > near_skin_) look(group, rows, nullptr);
+    if (looks) look(group, rows, nullptr);
     return false;
+}
+
+void SphereNeighbours::start(Since& since, const SphereRows& rows) const {
+    since.places.take(places_of(rows), threads_);
+    since.wandering.start();
+    since.time = 0;
+}
+
+/// Whether some sphere has gone that share of its skin.
+bool SphereNeighbours::beyond(Since& since, double share, const SphereRows& rows) const {
+    return since.wandering.beyond(share, [&] {
+        Places now = places_of(rows);
+        for (std::size_t axis = 0; axis < 3; ++axis) now.common[axis] = since.time * drift_[axis];
+        const SphereSkins& skins = since.skins;
+        return ranks_->largest(since.places.farthest_gone(now, threads_, skins.inverse_squares(), skins.least()));
+    });
+}
+
+/// Never none, as some may come.
+void SphereNeighbours::measure_pairs(const SphereRows& rows) {
+    const auto pairs = ranks_->sum(static_cast<std::int64_t>(list_.pairs())),
+               spheres = ranks_->sum(static_cast<std::int64_t>(rows.owned()));
+    pairs_ = std::max(0.02, static_cast<double>(pairs) / static_cast<double>(std::max<std::int64_t>(1, spheres)));
+}
+
+/// How far spheres move in a step, as fast ones and slow ones wear out their skins alike.
+void SphereNeighbours::measure_step() {
+    if (steps_ == 0) return;
+    step_ = since_list_.wandering.farthest() * since_list_.skins.mean() / static_cast<double>(steps_) / mean_radius_;
 }
 
 /// With near skin n (mean radii), looks cost c 2v/n a step and needless contacts n: least at sqrt(2 v c).
 void SphereNeighbours::look(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory) {
-    double best = first_near_skin;
-    if (steps_ > 0) {
-        const double step = moved_ / static_cast<double>(steps_) / mean_radius_;
-        best = std::clamp(std::sqrt(2 * step * cost_of_a_look), least_near_skin, 0.5 * most_skin);
-    }
-    near_skin_ = std::min(best * mean_radius_, skin_ - 2 * moved_);
-    list_.look_through(rows, reach_ + near_skin_, group.tags(), memory);
-    moved_since_look_ = 0;
+    measure_step();
+    near_skin_ = std::clamp(std::sqrt(2 * step_ * cost_of_a_look_at(pairs_)), least_near_skin, 0.5 * most_skin);
+    since_look_.skins.make(rows, drift_, 0.5 * near_skin_ * mean_radius_, most_of_a_sphere * mean_radius_, *ranks_,
+                           threads_);
+    since_look_.skins.keep_within(1 - since_list_.wandering.farthest(), since_list_.skins);
+    list_.look_through(rows, reach_, since_look_.skins.by_row(), group.tags(), memory);
+    start(since_look_, rows);
     ++looks_;
 }
 
 void SphereNeighbours::renew(ParticleGroup& group, SphereRows& rows, SphereWalls& walls) {
-    const double near = steps_ > 0 ? near_skin_ / mean_radius_ : first_near_skin;
-    skin_ = mean_radius_ *
-            (steps_ > 0 ? std::clamp(std::sqrt(cost_of_a_list * near), std::max(least_skin, 2 * near), most_skin)
-                        : first_skin);
+    measure_step();
+    double skin = first_skin;
+    if (renewals_ > 0)
+        skin = std::clamp(std::sqrt(cost_of_a_list_at(pairs_) * near_skin_), std::max(least_skin, 2 * near_skin_),
+                          most_skin);
+    measure_drift(rows);
+    const auto make_skins = [&] {
+        since_list_.skins.make(rows, drift_, 0.5 * skin * mean_radius_, most_of_a_sphere * mean_radius_, *ranks_,
+                               threads_);
+    };
+    make_skins();
     rows.give(group);
     if (ranks_->size() > 1) balance(group);
     if (list_.built()) send_contacts(group, walls);
     domain_.migrate({&group});
     sort_in_space(group, 2 * mean_radius_, threads_);
-    halo_.build(group, domain_, 2 * largest_radius_ + reach_ + skin_);
+    // Of other ranks' sums the last bits may differ.
+    halo_.build(group, domain_, 2 * largest_radius_ + reach_ + 2.001 * since_list_.skins.most());
     rows.take(group, fixed_by_id_);
-    list_.build(rows, group.tags(), reach_ + skin_);
-    moved_ = 0;
+    make_skins();
+    list_.build(rows, group.tags(), reach_, since_list_.skins.by_row());
+    start(since_list_, rows);
+    measure_pairs(rows);
     memory_.sort();
+    steps_ = 0;
     look(group, rows, &memory_);
     memory_.clear();
-    measure_drift(rows);
-    steps_ = 0;
     if (ranks_->size() > 1) imbalance_ = domain_.imbalance({&group}, {});
     last_renewal_ = Clock::now();
     ++renewals_;
@@ -114,25 +169,29 @@ void SphereNeighbours::balance(ParticleGroup& group) {
 
 /// Tells every rank what the contacts of spheres that it will own remember.
 void SphereNeighbours::send_contacts(const ParticleGroup& group, SphereWalls& walls) {
-    std::vector<int> rank_of(group.owned(), ranks_->rank());
-    if (ranks_->size() > 1)
-        for (std::size_t i = 0; i < group.owned(); ++i)
-            rank_of[i] = domain_.owner({group.data(Field::position, 0)[i], group.data(Field::position, 1)[i],
-                                        group.data(Field::position, 2)[i]});
+    const auto contact = [&](std::size_t k) {
+        return RememberedContact{group.tags()[list_.low()[k]].id, group.tags()[list_.high()[k]].id,
+                                 list_.history_of(k)};
+    };
+    if (ranks_->size() == 1) {
+        list_.for_each([&](std::size_t k, std::int16_t) {
+            if (list_.has_history(k)) memory_.add(contact(k));
+        });
+        return;
+    }
+    std::vector<int> rank_of(group.owned());
+    for (std::size_t i = 0; i < group.owned(); ++i)
+        rank_of[i] = domain_.owner(
+            {group.data(Field::position, 0)[i], group.data(Field::position, 1)[i], group.data(Field::position, 2)[i]});
     const auto owned = static_cast<std::int32_t>(group.owned());
     const auto rank = [&](std::int32_t row) { return row < owned ? rank_of[static_cast<std::size_t>(row)] : -1; };
     std::vector<std::vector<RememberedContact>> to_each(static_cast<std::size_t>(ranks_->size()));
     list_.for_each([&](std::size_t k, std::int16_t) {
         if (!list_.has_history(k)) return;
-        const std::int32_t i = list_.low()[k], j = list_.high()[k];
-        const RememberedContact contact{group.tags()[i].id, group.tags()[j].id, list_.history_of(k)};
-        if (const int to = rank(i); to >= 0) to_each[static_cast<std::size_t>(to)].push_back(contact);
-        if (const int to = rank(j); to >= 0 && to != rank(i)) to_each[static_cast<std::size_t>(to)].push_back(contact);
+        const int low = rank(list_.low()[k]), high = rank(list_.high()[k]);
+        if (low >= 0) to_each[static_cast<std::size_t>(low)].push_back(contact(k));
+        if (high >= 0 && high != low) to_each[static_cast<std::size_t>(high)].push_back(contact(k));
     });
-    if (ranks_->size() == 1) {
-        for (const RememberedContact& contact : to_each[0]) memory_.add(contact);
-        return;
-    }
     memory_.exchange(*ranks_, to_each);
     walls.exchange(*ranks_, rank_of);
 }

@@ -3,10 +3,12 @@
 
 #include <chrono>
 
+#include "solver/neighbours/wandering.hpp"
 #include "solver/parallel/domain.hpp"
 #include "solver/parallel/halo.hpp"
 #include "solver/spheres/contact_list.hpp"
 #include "solver/spheres/sphere_setup.hpp"
+#include "solver/spheres/sphere_skins.hpp"
 #include "solver/store/position_quantum.hpp"
 
 namespace dmp {
@@ -22,10 +24,15 @@ class SphereNeighbours {
 
     /// In whose frame distances moved are measured [m/s]: the spheres' mean velocity when they were listed.
     [[nodiscard]] const std::array<double, 3>& drift() const { return drift_; }
-    /// Spheres have moved by at most this much more in that frame [m]; the same on all ranks.
-    void moved(double distance) {
-        moved_ += distance;
-        moved_since_look_ += distance;
+    /// The skins that wear out as spheres move in that frame: of the list, and of the contacts.
+    [[nodiscard]] const SphereSkins& wide() const { return since_list_.skins; }
+    [[nodiscard]] const SphereSkins& narrow() const { return since_look_.skins; }
+    /// Spheres have moved for dt [s] more, none faster than this in that frame [its skins/s]; the same on all ranks.
+    void moved(double dt, double fastest_of_wide, double fastest_of_narrow) {
+        since_list_.wandering.add(dt * fastest_of_wide);
+        since_look_.wandering.add(dt * fastest_of_narrow);
+        since_list_.time += dt;
+        since_look_.time += dt;
         ++steps_;
     }
     /// Gives copies present values and makes list and contacts fit present places. Returns whether rows have changed.
@@ -40,7 +47,7 @@ class SphereNeighbours {
     [[nodiscard]] double imbalance() const { return imbalance_; }
     [[nodiscard]] long renewals() const { return renewals_; }
     [[nodiscard]] long looks() const { return looks_; }
-    [[nodiscard]] std::size_t bytes() const { return list_.bytes(); }
+    [[nodiscard]] std::size_t bytes() const { return list_.bytes() + bytes(since_list_) + bytes(since_look_); }
 
     /// Contacts of this rank's own spheres with history, each once over all ranks.
     [[nodiscard]] std::vector<RememberedContact> own_contacts(const ParticleGroup& group) const;
@@ -52,6 +59,19 @@ class SphereNeighbours {
     void send_contacts(const ParticleGroup& group, SphereWalls& walls);
     void look(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory);
     void measure_drift(const SphereRows& rows);
+    void measure_step();
+    void measure_pairs(const SphereRows& rows);
+
+    /// How far spheres have gone in the frame since a moment.
+    struct Since {
+        SphereSkins skins;
+        PlacesThen places;
+        Wandering wandering;  ///< [skins]
+        double time = 0;      ///< since then [s]
+    };
+    static std::size_t bytes(const Since& since) { return since.skins.bytes() + since.places.bytes(); }
+    void start(Since& since, const SphereRows& rows) const;
+    [[nodiscard]] bool beyond(Since& since, double share, const SphereRows& rows) const;
 
     const Ranks* ranks_;
     double reach_, largest_radius_, mean_radius_;
@@ -61,8 +81,10 @@ class SphereNeighbours {
     ContactMemory memory_;
     ContactList list_;
     std::array<double, 3> drift_{};
-    double skin_ = 0, near_skin_ = 0;  ///< [m]
-    double moved_ = 0, moved_since_look_ = 0;
+    Since since_list_, since_look_;
+    double near_skin_ = 0;  ///< of a pair on average [mean radii]
+    double step_;           ///< of typical spheres [mean radii]
+    double pairs_;          ///< listed for each sphere
     long steps_ = 0, renewals_ = 0, looks_ = 0;
     std::vector<bool> fixed_by_id_;
 

@@ -205,8 +205,11 @@ void SphereStep::kick_and_drift(double t, double dt) {
     const auto motion = rows_.motion();
     const auto loads = rows_.loads();
     std::fill(loads.begin() + count, loads.end(), SphereLoad{});
-    double fastest = 0, fastest_in_frame = 0;
-#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest, fastest_in_frame)
+    const auto wide = neighbours_.wide().inverse_squares(), narrow = neighbours_.narrow().inverse_squares();
+    double fastest = 0, fastest_of_wide = 0, fastest_of_narrow = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static) \
+    reduction(max                                               \
+              : fastest, fastest_of_wide, fastest_of_narrow)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         SphereMotion& sphere = motion[static_cast<std::size_t>(i)];
         push(sphere, loads[static_cast<std::size_t>(i)], half, gained);
@@ -216,13 +219,16 @@ void SphereStep::kick_and_drift(double t, double dt) {
         loads[static_cast<std::size_t>(i)] = {};
         const Quad v2 = v * v, frame2 = in_frame * in_frame;
         fastest = std::max(fastest, v2[0] + v2[1] + v2[2]);
-        fastest_in_frame = std::max(fastest_in_frame, frame2[0] + frame2[1] + frame2[2]);
+        const double square_in_frame = frame2[0] + frame2[1] + frame2[2];
+        fastest_of_wide = std::max(fastest_of_wide, square_in_frame * wide[static_cast<std::size_t>(i)]);
+        fastest_of_narrow = std::max(fastest_of_narrow, square_in_frame * narrow[static_cast<std::size_t>(i)]);
     }
-    Three largest{std::sqrt(fastest), std::sqrt(fastest_in_frame), largest_force_};
+    std::array<double, 4> largest{std::sqrt(fastest), largest_force_, std::sqrt(fastest_of_wide),
+                                  std::sqrt(fastest_of_narrow)};
     ranks_.largest(largest);
     largest_speed_ = largest[0];
-    largest_force_ = largest[2];
-    neighbours_.moved(dt * largest[1]);
+    largest_force_ = largest[1];
+    neighbours_.moved(dt, largest[2], largest[3]);
 }
 
 /// Of one contact, at most about 30 times this: the largest of the last step, or that of an overlap that is new in this

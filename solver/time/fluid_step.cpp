@@ -104,7 +104,7 @@ FluidExtremes FluidStep::advance(double t, double dt) {
 /// their way.
 void FluidStep::sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over) {
     timer_.timed("halo", [&] { neighbours_.start_exchange(particles_, fields); });
-    const bool at_once = ranks_.size() == 1 || neighbours_.near_outdated();
+    const bool at_once = ranks_.size() == 1 || neighbours_.near_outdated(particles_);
     if (!at_once) timer_.timed(stage, [&] { over(ClusterChoice::inner); });
     timer_.timed("halo", [&] { neighbours_.finish_exchange(particles_); });
     timer_.timed("near", [&] { look_through_list(); });
@@ -155,7 +155,7 @@ void FluidStep::exchange(const FieldList& fields) { neighbours_.exchange(particl
 
 void FluidStep::refresh_neighbours() {
     renew_list();
-    if (!neighbours_.near_outdated()) return;
+    if (!neighbours_.near_outdated(particles_)) return;
     exchange({Field::position});
     look_through_list();
 }
@@ -165,11 +165,12 @@ void FluidStep::look_at_contacts() {
 }
 
 void FluidStep::look_through_list() {
-    neighbours_.look_through([this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
+    neighbours_.look_through(particles_,
+                             [this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
 }
 
 void FluidStep::renew_list() {
-    if (!neighbours_.outdated()) return;
+    if (!neighbours_.outdated(particles_)) return;
     neighbours_.renew(particles_);
     springs_.find_nodes(particles_);
     passes_.update_pressure(particles_);
@@ -202,8 +203,12 @@ std::array<double, 3> FluidStep::hydrostatic_acceleration(double t) const {
 
 void FluidStep::kick(double t, double dt) {
     const auto g = body_acceleration(t);
-    largest_speed_ = ranks_.largest(passes_.kick(particles_.fluid(), dt, g));
-    add_up(dt, g);
+    const double expected_speed = settings_.shifting > 0 ? largest_speed_ : 0;
+    SpeedSums speeds = passes_.kick(particles_.fluid(), dt, g, expected_speed);
+    largest_speed_ = ranks_.largest(speeds.largest);
+    if (settings_.shifting > 0 && !FluidPasses::sum_alike(expected_speed, largest_speed_))
+        speeds.fourth_powers = passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_);
+    add_up(dt, g, speeds.fourth_powers);
 }
 
 double FluidStep::place_in_box(double x, int axis) const {
@@ -259,13 +264,13 @@ void FluidStep::drive_what_turned_solid(double t, double dt) {
     }
 }
 
-void FluidStep::add_up(double dt, const std::array<double, 3>& g) {
+void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds) {
     const auto axes = static_cast<std::size_t>(particles_.dimension());
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
         sums.push_back(total_force(particles_.of(ParticleKind::rigid), static_cast<int>(axis), !viscosity_));
     if (settings_.shifting > 0) {
-        sums.push_back(passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_));
+        sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
     ranks_.sum(sums);

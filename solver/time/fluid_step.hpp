@@ -101,7 +101,7 @@ class FluidStep {
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
     /// What all ranks' particles add up to after the kick, in one message: impulses, and the mean speed.
-    void add_up(double dt, const std::array<double, 3>& g);
+    void add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds);
 
     ParticleStore& particles_;
     PairSettings settings_;

@@ -73,7 +73,7 @@ class ArrangedCrowd {
         neighbours_.exchange(particles_, all);
         if (arrangement.near_only)
             neighbours_.look_through(
-                [this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
+                particles_, [this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
     }
 
     [[nodiscard]] Sums sweep() {

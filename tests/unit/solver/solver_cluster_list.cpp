@@ -291,19 +291,28 @@ TEST(Neighbours, look_through_their_list_before_pairs_can_be_missed) {
     Neighbours neighbours(ranks, particles.space(), 0.3, 1);
     neighbours.renew(particles);
     double reach = 0;
-    const auto look = [&] { return neighbours.look_through([&](ClusterList&, double r) { reach = r; }); };
+    const auto look = [&] { return neighbours.look_through(particles, [&](ClusterList&, double r) { reach = r; }); };
+    const auto all_go = [&](double distance) {
+        for (ParticleGroup& group : particles.groups())
+            for (std::size_t i = 0; i < group.owned(); ++i) group.data(Field::position, 1)[i] += distance;
+        neighbours.moved(distance);
+    };
     EXPECT_TRUE(look()) << "a new list holds what is not near";
     EXPECT_GT(reach, 0.3);
     EXPECT_FALSE(look());
     const double margin = reach - 0.3;
-    neighbours.moved(0.49 * margin);
+    all_go(0.3 * margin);
     EXPECT_FALSE(look());
-    neighbours.moved(0.02 * margin);
+    neighbours.moved(0.3 * margin);
+    EXPECT_FALSE(look()) << "what may have gone too far and did not is no reason";
+    all_go(0.15 * margin);
+    EXPECT_FALSE(look());
+    all_go(0.06 * margin);
     EXPECT_TRUE(look()) << "two that came to meet each other may be within the support";
     // However far the list reaches, what is near by it can be no farther.
-    while (!neighbours.outdated()) {
-        neighbours.moved(0.1 * neighbours.skin());
-        if (neighbours.outdated() || !look()) continue;
+    while (!neighbours.outdated(particles)) {
+        all_go(0.1 * neighbours.skin());
+        if (neighbours.outdated(particles) || !look()) continue;
         EXPECT_LE(reach, 0.3 + neighbours.skin());
     }
 }
