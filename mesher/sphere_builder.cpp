@@ -126,7 +126,7 @@ double SphereBuilder::rest_overlap(const Part& inner, const Part& part, double i
 
 SphereBuilder::Spheres SphereBuilder::around(const Part& part) const {
     const ParticleSet& set = result_.particles;
-    const Part& inner_part = scene_.part_of_particles(part.around);
+    const Part& inner_part = *scene_.part_named(part.around);
     const int number = set.part_named(part.around);
     std::vector<std::size_t> inner;
     for (std::size_t i = 0; i < set.size(); ++i)

@@ -167,9 +167,8 @@ class Warnings {
     void about_measures() {
         for (const Measure& measure : scene_.measures) {
             if (*measure.kind != MeasureKind::gap) continue;
-            const auto part = std::ranges::find_if(
-                scene_.parts, [&](const Part& candidate) { return *candidate.name == *measure.part; });
-            if (part != scene_.parts.end() && !*part->enabled)
+            const Part* part = scene_.part_named(measure.part);
+            if (part != nullptr && !*part->enabled)
                 add("measure." + *measure.name + ".part", measure.part.place,
                     "'" + *measure.part + "' is left out (enabled = false), so the measure has no column",
                     "leave the measure out, or enable the part");

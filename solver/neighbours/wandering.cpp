@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <type_traits>
 
 #include "solver/parallel/largest_square.hpp"
 
@@ -43,6 +45,9 @@ double largest_square(const Places& now, int threads, const std::array<std::vect
 template <class Weight>
 double farthest(const Places& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
                 const std::array<double, 3>& origin, const Weight& weight) {
+    if (now.count != from_origin[0].size())
+        throw std::logic_error("places of " + std::to_string(now.count) + " particles, of which " +
+                               std::to_string(from_origin[0].size()) + " were noted");
     const auto of = [&]<int D>() {
         return now.stride == 1 ? largest_square<D>(now, threads, from_origin, origin,
                                                    std::integral_constant<std::ptrdiff_t, 1>{}, weight)
@@ -70,7 +75,8 @@ void PlacesThen::take(const Places& places, int threads) {
         }
         largest_of_all = std::max(largest_of_all, static_cast<double>(largest));
     }
-    inexact_ = dimension_ * largest_of_all * std::numeric_limits<float>::epsilon();
+    // Half a last digit along each axis, and what doubles lose.
+    inexact_ = 0.51 * std::sqrt(dimension_) * largest_of_all * std::numeric_limits<float>::epsilon();
 }
 
 double PlacesThen::farthest_gone(const Places& now, int threads) const {

@@ -24,7 +24,8 @@ class PlacesThen {
     void take(const Places& places, int threads);
     /// How far the farthest has gone [m], or a little more; infinite where a place is no number.
     [[nodiscard]] double farthest_gone(const Places& now, int threads) const;
-    /// The same in lengths of each particle's own, as 1 / length^2 [1/m^2] and the shortest of them [m].
+    /// The same in lengths of each particle's own, as 1 / length^2 [1/m^2] and the shortest of them [m]: exact to their
+    /// last digits.
     [[nodiscard]] double farthest_gone(const Places& now, int threads, std::span<const float> inverse_squares,
                                        double shortest) const;
     [[nodiscard]] std::size_t bytes() const;

@@ -53,8 +53,7 @@ SphereMeasures::SphereMeasures(const Scene& scene, const ParticleSet& set, const
     };
     const std::vector<std::string> axes{"_x", "_y", "_z"};
     for (const Measure& measure : scene.measures) {
-        const auto is_meant = [&](const ParticleSpace::PartInfo& part) { return part.name == *measure.part; };
-        if (measure.part.given() && std::ranges::none_of(set.parts, is_meant)) continue;  // not enabled
+        if (measure.part.given() && set.part_named(measure.part) < 0) continue;  // not enabled
         measures_.push_back(measure);
         switch (*measure.kind) {
             case MeasureKind::largest_speed:

@@ -13,11 +13,13 @@ namespace {
 /// Skins of a pair on average [mean radii]: with which a run starts, and their limits. And what a sphere may have.
 constexpr double first_skin = 0.2, least_skin = 0.04, most_skin = 0.5;
 constexpr double least_near_skin = 1e-4;
-constexpr double most_of_a_sphere = 2;
+constexpr double most_of_a_sphere = 1;
 /// What spheres are taken to move in a step before one was made [mean radii].
 constexpr double first_step = 1.6e-4;
 /// Share of the wide skins after which spheres are listed anew, as what is left of them is too narrow for contacts.
 constexpr double most_worn = 0.98;
+/// Skins are kept in floats: all of one, less what their last digits are unsure of.
+constexpr double all_worn = 0.999;
 
 /// Weights that the two skins are balanced with: what a look costs against contacts that a narrow skin adds, and what a
 /// list costs against pairs that a wide one adds, in steps and mean radii. Measured on a dense bed, whose lists have
@@ -70,7 +72,7 @@ void SphereNeighbours::start(ParticleGroup& group, SphereRows& rows, SphereWalls
 }
 
 bool SphereNeighbours::refresh(ParticleGroup& group, SphereRows& rows, SphereWalls& walls) {
-    const bool looks = beyond(since_look_, 1, rows);
+    const bool looks = beyond(since_look_, all_worn, rows);
     if (looks && beyond(since_list_, most_worn, rows)) {
         renew(group, rows, walls);
         return true;
@@ -113,9 +115,8 @@ void SphereNeighbours::measure_step() {
 void SphereNeighbours::look(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory) {
     measure_step();
     near_skin_ = std::clamp(std::sqrt(2 * step_ * cost_of_a_look_at(pairs_)), least_near_skin, 0.5 * most_skin);
-    since_look_.skins.make(rows, drift_, 0.5 * near_skin_ * mean_radius_, most_of_a_sphere * mean_radius_, *ranks_,
-                           threads_);
-    since_look_.skins.keep_within(1 - since_list_.wandering.farthest(), since_list_.skins);
+    since_look_.skins.make_within(all_worn - since_list_.wandering.farthest(), since_list_.skins, rows, drift_,
+                                  0.5 * near_skin_ * mean_radius_, *ranks_, threads_);
     list_.look_through(rows, reach_, since_look_.skins.by_row(), group.tags(), memory);
     start(since_look_, rows);
     ++looks_;
@@ -138,8 +139,8 @@ void SphereNeighbours::renew(ParticleGroup& group, SphereRows& rows, SphereWalls
     if (list_.built()) send_contacts(group, walls);
     domain_.migrate({&group});
     sort_in_space(group, 2 * mean_radius_, threads_);
-    // Of other ranks' sums the last bits may differ.
-    halo_.build(group, domain_, 2 * largest_radius_ + reach_ + 2.001 * since_list_.skins.most());
+    // The same skins as below, but for the last bits of a sum that adds up spheres in another order.
+    halo_.build(group, domain_, 2 * largest_radius_ + reach_ + 2.001 * ranks_->largest(since_list_.skins.largest()));
     rows.take(group, fixed_by_id_);
     make_skins();
     list_.build(rows, group.tags(), reach_, since_list_.skins.by_row());

@@ -22,12 +22,24 @@ double speed_in(const std::array<double, 3>& frame, const SphereMotion& sphere) 
 
 }  // namespace
 
-/// Ranks agree on the mean speed, and so on the skins of spheres that they share.
 void SphereSkins::make(const SphereRows& rows, const std::array<double, 3>& frame, double mean, double most,
                        const Ranks& ranks, int threads) {
+    make(rows, frame, mean, ranks, threads, [most](std::ptrdiff_t) { return most; });
+}
+
+void SphereSkins::make_within(double share, const SphereSkins& other, const SphereRows& rows,
+                              const std::array<double, 3>& frame, double mean, const Ranks& ranks, int threads) {
+    make(rows, frame, mean, ranks, threads, [&](std::ptrdiff_t i) { return share * other.skin_[i]; });
+}
+
+/// Ranks agree on the mean speed, and so on skins.
+template <class Limit>
+void SphereSkins::make(const SphereRows& rows, const std::array<double, 3>& frame, double mean, const Ranks& ranks,
+                       int threads, const Limit& limit) {
     const auto total = static_cast<std::ptrdiff_t>(rows.total()), owned = static_cast<std::ptrdiff_t>(rows.owned());
     const auto motion = rows.motion();
     skin_.resize(rows.total());
+    inverse_square_.resize(rows.total());
     double speeds = 0;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(+ : speeds)
     for (std::ptrdiff_t i = 0; i < total; ++i) {
@@ -41,27 +53,19 @@ void SphereSkins::make(const SphereRows& rows, const std::array<double, 3>& fram
     ranks.sum(sums);
     const double mean_speed = sums[0].value() / std::max(1.0, sums[1].value());
     const double at_rest = speed_at_rest * mean_speed, scale = mean / ((1 + speed_at_rest) * mean_speed);
-#pragma omp parallel for num_threads(threads) schedule(static)
+    double least = mean, largest = 0;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(min : least) reduction(max : largest)
     for (std::ptrdiff_t i = 0; i < total; ++i) {
-        const double skin = mean_speed > 0 ? scale * (skin_[i] + at_rest) : mean;
-        skin_[i] = static_cast<float>(skin < most ? skin : most);
+        const double asked = mean_speed > 0 ? scale * (skin_[i] + at_rest) : mean, most = limit(i);
+        const double skin = asked < most ? asked : most;
+        skin_[i] = static_cast<float>(skin);
+        inverse_square_[i] = 1 / (skin_[i] * skin_[i]);
+        least = std::min(least, skin);
+        largest = std::max(largest, skin);
     }
     mean_ = mean;
-    most_ = ranks.largest(skin_.empty() ? 0.0 : static_cast<double>(*std::ranges::max_element(skin_)));
-    find_inverse_squares();
+    least_ = least;
+    largest_ = largest;
 }
-
-void SphereSkins::keep_within(double share, const SphereSkins& other) {
-    for (std::size_t i = 0; i < skin_.size(); ++i)
-        skin_[i] = std::min(skin_[i], static_cast<float>(share) * other.skin_[i]);
-    find_inverse_squares();
-}
-
-void SphereSkins::find_inverse_squares() {
-    inverse_square_.resize(skin_.size());
-    for (std::size_t i = 0; i < skin_.size(); ++i) inverse_square_[i] = 1 / (skin_[i] * skin_[i]);
-}
-
-double SphereSkins::least() const { return skin_.empty() ? mean_ : *std::ranges::min_element(skin_); }
 
 }  // namespace dmp

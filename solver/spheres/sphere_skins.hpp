@@ -14,16 +14,19 @@ namespace dmp {
 /// others. One skin for all would be worn out by the one that flies off.
 class SphereSkins {
   public:
-    /// Skins of `mean` on average [m] in the frame [m/s]; none wider than `most`. All ranks take part.
+    /// Skins that would be `mean` on average [m], in a frame [m/s], if none were cut short at `most` [m]. All ranks
+    /// take part, and agree on the skins of spheres that they share.
     void make(const SphereRows& rows, const std::array<double, 3>& frame, double mean, double most, const Ranks& ranks,
               int threads);
-    /// Narrows each to that share of another list's.
-    void keep_within(double share, const SphereSkins& other);
+    /// The same, cut short at that share of another list's skins.
+    void make_within(double share, const SphereSkins& other, const SphereRows& rows, const std::array<double, 3>& frame,
+                     double mean, const Ranks& ranks, int threads);
 
+    /// As asked for [m].
     [[nodiscard]] double mean() const { return mean_; }
-    [[nodiscard]] double least() const;
-    /// Of all ranks.
-    [[nodiscard]] double most() const { return most_; }
+    /// Of this rank's spheres and copies [m].
+    [[nodiscard]] double least() const { return least_; }
+    [[nodiscard]] double largest() const { return largest_; }
     /// By row, copies included [m].
     [[nodiscard]] std::span<const float> by_row() const { return skin_; }
     /// 1 / skin^2 by row [1/m^2]: how much of a skin a way takes.
@@ -31,9 +34,11 @@ class SphereSkins {
     [[nodiscard]] std::size_t bytes() const { return (skin_.capacity() + inverse_square_.capacity()) * sizeof(float); }
 
   private:
-    void find_inverse_squares();
+    template <class Limit>
+    void make(const SphereRows& rows, const std::array<double, 3>& frame, double mean, const Ranks& ranks, int threads,
+              const Limit& limit);
 
-    double mean_ = 0, most_ = 0;
+    double mean_ = 0, least_ = 0, largest_ = 0;
     std::vector<float> skin_, inverse_square_;
 };
 

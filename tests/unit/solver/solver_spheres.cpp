@@ -121,12 +121,11 @@ TEST(SphereSkins, are_wide_for_the_fast_and_the_mean_on_average) {
         EXPECT_NEAR(std::accumulate(skin.begin(), skin.end(), 0.0), 100 * 1e-3, 1e-7);
         EXPECT_NEAR(*std::ranges::max_element(skin) / skins.least(), (1 + 0.015) / 0.015, 0.01);
         EXPECT_NEAR(skins.inverse_squares()[7] * skin[7] * skin[7], 1, 1e-6);
-        SphereSkins kept = skins;
-        kept.make(rows, {3, 0, 0}, 1e-2, 1, Ranks::alone(), threads);
-        kept.keep_within(0.25, skins);
+        SphereSkins kept;
+        kept.make_within(0.25, skins, rows, {3, 0, 0}, 1e-2, Ranks::alone(), threads);
         for (std::size_t i = 0; i < 100; ++i) EXPECT_FLOAT_EQ(kept.by_row()[i], 0.25F * skin[i]);
         skins.make(rows, {3, 0, 0}, 1e-3, 2e-3, Ranks::alone(), threads);
-        EXPECT_FLOAT_EQ(static_cast<float>(skins.most()), 2e-3F);
+        EXPECT_FLOAT_EQ(static_cast<float>(skins.largest()), 2e-3F);
     }
     SphereSkins same;
     for (SphereMotion& sphere : rows.motion()) sphere.velocity.c[1] = 0;

@@ -97,6 +97,7 @@ TEST(PlacesThen, of_what_is_no_number_are_infinitely_far) {
     }
     then.take({}, 1);
     EXPECT_EQ(then.farthest_gone({}, 2), 0);
+    EXPECT_THROW((void)then.farthest_gone(places_of(x, 2), 1), std::logic_error);
 }
 
 TEST(Wandering, is_measured_only_where_its_bound_says_too_far) {
