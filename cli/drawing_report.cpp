@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/length_text.hpp"
 #include "cli/mesh_drawing.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
@@ -45,9 +46,8 @@ struct Scale {
 
 Scale scale_for(const Box& box, bool unit_known) {
     if (!unit_known) return {1, "units"};
-    const double size = box.extent().maxCoeff();
-    if (size < 1e-4) return {1e-6, "um"};
-    return size < 1 ? Scale{1e-3, "mm"} : Scale{};
+    const LengthUnit unit = length_unit(box.extent().maxCoeff());
+    return {unit.metres, unit.name};
 }
 
 std::string unit_text(const Geometry& geometry, bool unit_known) {

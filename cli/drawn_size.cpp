@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/length_text.hpp"
 #include "cli/text.hpp"
 #include "geometry/surface_box.hpp"
 
@@ -44,12 +45,6 @@ std::optional<Box> box_of(const Geometry& geometry, const std::string& name) {
     return points.empty() ? std::nullopt : std::optional(box_of(points));
 }
 
-std::string size_text(const Box& box, int dimension) {
-    const Vec size = 1e3 * box.extent();
-    return dimension == 3 ? fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size[0], size[1], size[2])
-                          : fmt::format("{:.4g} x {:.4g} mm", size[0], size[1]);
-}
-
 std::string unit_advice(const Geometry& geometry) {
     return geometry.unit_source == UnitSource::file
                ? "check the unit that the drawing states, and particles.spacing"
@@ -61,12 +56,11 @@ std::string unit_advice(const Geometry& geometry) {
 void check_part(const Geometry& geometry, const Part& part, const Box& box, double spacing) {
     const bool has_room = geometry.solid(part.name) != nullptr || geometry.region(part.name) != nullptr;
     if (!has_room || box.extent().norm() >= spacing) return;
-    const Vec middle = 1e3 * 0.5 * (box.low + box.high);
     throw InputError(part.name.place,
-                     fmt::format("'{}' is smaller than a particle: it is {} large, around ({:.4g}, {:.4g}, {:.4g}) mm, "
+                     fmt::format("'{}' is smaller than a particle: it is {} large, around {}, "
                                  "and particles are {} apart",
-                                 part.name.value, size_text(box, geometry.dimension), middle[0], middle[1], middle[2],
-                                 length_text(spacing)),
+                                 part.name.value, extent_text(box, geometry.dimension),
+                                 place_text(0.5 * (box.low + box.high), geometry.dimension), length_text(spacing)),
                      unit_advice(geometry) + ", or leave the part out (enabled = false)");
 }
 
@@ -77,7 +71,7 @@ void check_lattice(const Geometry& geometry, const Scene& scene, const Box& box)
     const std::string problem = fmt::format(
         "the drawing is {} large and particles are {} apart: that is a lattice of "
         "{:.2g} points ({})",
-        size_text(box, geometry.dimension), length_text(spacing), points, geometry.file);
+        extent_text(box, geometry.dimension), length_text(spacing), points, geometry.file);
     if (points > most_points) throw InputError(scene.particles.spacing.place, problem, unit_advice(geometry));
     const double bytes = points * (geometry.dimension == 3 ? bytes_in_space : bytes_in_plane);
     const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));

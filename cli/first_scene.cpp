@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/length_text.hpp"
 #include "cli/first_guess.hpp"
 #include "cli/text.hpp"
 #include "geometry/nearest_triangle.hpp"

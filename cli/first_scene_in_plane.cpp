@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/length_text.hpp"
 #include "base/nearest_name.hpp"
 #include "cli/first_guess.hpp"
 #include "cli/first_scene.hpp"

@@ -23,11 +23,11 @@ namespace dmp::cli {
 namespace {
 
 std::string springs_text(const MeshReport::SpringLine& line) {
-    if (line.cubes) {
-        const CubeConstants& cubes = line.cubes->constants;
-        return fmt::format("a solid of E {}, nu {:.3g}; k_b {} and {}", quantity_text(cubes.youngs_modulus(), "Pa"),
-                           cubes.poisson_ratio(), quantity_text(line.cubes->stiffened * cubes.edge_stiffness, "N/m"),
-                           quantity_text(line.cubes->stiffened * cubes.diagonal_stiffness, "N/m"));
+    if (line.cells) {
+        const CellConstants& cells = line.cells->constants;
+        return fmt::format("a solid of E {}, nu {:.3g}; k_b {} and {}", quantity_text(cells.youngs_modulus(), "Pa"),
+                           cells.poisson_ratio(), quantity_text(line.cells->stiffened * cells.edge_stiffness, "N/m"),
+                           quantity_text(line.cells->stiffened * cells.diagonal_stiffness, "N/m"));
     }
     if (line.shell) {
         const ShellConstants& shell = line.shell->constants;
@@ -64,12 +64,30 @@ std::vector<std::string> names_of(const std::vector<const Part*>& parts) {
     return names;
 }
 
+RepairRung rung_of(RepairKind repair) {
+    switch (repair) {
+        case RepairKind::none:
+            return RepairRung::none;
+        case RepairKind::weld:
+            return RepairRung::weld;
+        case RepairKind::fill:
+            return RepairRung::fill;
+        case RepairKind::vote:
+            return RepairRung::vote;
+        case RepairKind::wrap:
+            break;
+    }
+    return RepairRung::wrap;
+}
+
 /// Closes fluids of which the drawing has an open surface, as far as that can be done.
 void repair_fluids(Repaired& drawing, const Scene& scene) {
     const auto fluids = names_of(scene.parts_of(PartKind::fluid));
     try {
         RepairLimits limits;
         limits.spacing = scene.particles.spacing;
+        limits.highest = rung_of(scene.geometry.repair);
+        limits.largest_hole = scene.geometry.largest_hole;
         const auto lines = repair_solids(drawing.geometry, fluids, limits);
         drawing.changes.insert(drawing.changes.end(), lines.begin(), lines.end());
     } catch (const UnusableSurface& error) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/length_text.hpp"
 #include "cli/particle_input.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"

@@ -43,12 +43,6 @@ std::string bytes_text(double bytes) {
 
 std::string quantity_text(double value, std::string_view unit) { return fmt::format("{:.4g} {}", value, unit); }
 
-std::string length_text(double length) {
-    if (length < 1e-5) return quantity_text(length * 1e6, "um");
-    if (length < 0.1) return quantity_text(length * 1e3, "mm");
-    return quantity_text(length, "m");
-}
-
 std::string percent_text(double fraction) { return fmt::format("{:+.2g} %", fraction * 100); }
 
 std::string Listing::text() const {

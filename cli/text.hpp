@@ -20,8 +20,6 @@ std::string duration_text(double seconds);
 std::string bytes_text(double bytes);
 /// Four digits and the unit: "2.2 m/s".
 std::string quantity_text(double value, std::string_view unit);
-/// A length [m] in mm or um where that reads better: "0.2 mm".
-std::string length_text(double length);
 /// A relative difference: "+1.3 %", "-0.02 %".
 std::string percent_text(double fraction);
 

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "base/length_text.hpp"
 #include "geometry/geo_text.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/triangle_file.hpp"
@@ -122,10 +123,9 @@ void check_place(const Vec& place, const std::string& file) {
         throw InputError({.file = file}, "the drawing has a point without finite coordinates",
                          "Check the drawing, or the parameters it was given.");
     if (place.cwiseAbs().maxCoeff() > furthest)
-        throw InputError(
-            {.file = file},
-            "the drawing has a point at " + text_in_space(place) + ", further out than any drawing can mean",
-            "Check the drawing and its unit (geometry.unit; on the command line --unit).");
+        throw InputError({.file = file},
+                         "the drawing has a point at " + place_text(place) + ", further out than any drawing can mean",
+                         "Check the drawing and its unit (geometry.unit; on the command line --unit).");
 }
 
 }  // namespace dmp

@@ -5,14 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "base/length_text.hpp"
 #include "geometry/chains.hpp"
 #include "geometry/number_text.hpp"
 
 namespace dmp {
 
 namespace {
-
-std::string text_of(const Vec& point) { return "(" + number_text(point.x()) + " m, " + number_text(point.y()) + " m)"; }
 
 template <class Visit>
 void for_each_point(Geometry& geometry, Visit&& visit) {
@@ -34,13 +33,14 @@ Region drawn_area(const std::string& name, const std::vector<int>& surfaces, Dra
     };
     auto search = closed_loops(curves.boundary(surfaces));
     if (search.loose_end) {
-        throw wrong("is not closed: its boundary ends at " + text_of(*search.loose_end),
+        throw wrong("is not closed: its boundary ends at " + place_text(*search.loose_end, 2),
                     "Curves that meet must share the point, or have the same coordinates to the last digit.");
     }
     Region region{.name = name, .loops = std::move(search.loops)};
     if (region.loops.empty()) throw wrong("is empty", "Give its Physical Surface a surface with a boundary.");
     if (const auto crossing = self_crossing(region)) {
-        throw wrong("crosses itself near " + text_of(*crossing), "Check the drawing, or the parameters it was given.");
+        throw wrong("crosses itself near " + place_text(*crossing, 2),
+                    "Check the drawing, or the parameters it was given.");
     }
     double around = 0;
     for (const auto& loop : region.loops) around += loop.length();
@@ -66,7 +66,7 @@ void lay_flat(Geometry& geometry) {
     if (height > 1e-9 * width) {
         throw InputError({.file = geometry.file},
                          "the drawing leaves the plane z = 0: it reaches z = " +
-                             number_text(box.high.z() == height ? height : -height) + " m",
+                             length_text(box.high.z() == height ? height : -height),
                          "Draw it in the x-y plane, or give it volumes.");
     }
     for_each_point(geometry, [](Vec& point) { point.z() = 0; });

@@ -9,6 +9,7 @@
 
 #include <gmsh.h>
 
+#include "base/length_text.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/segments.hpp"
 
@@ -180,7 +181,7 @@ void DrawnCurves::refine(int tag, double t, double step, const Vec& start, const
         inner, [&](const Vec& point) { return nearest_on_segment(point, start, end).distance <= tolerance; });
     if (close) return;
     if (depth == deepest) {
-        throw problem(tag, "cannot be followed to within " + number_text(options_.chord_error) + " m",
+        throw problem(tag, "cannot be followed to within " + length_text(options_.chord_error),
                       "Ask for a larger chord error, or simplify the curve.");
     }
     refine(tag, t, 0.5 * step, start, inner[1], depth + 1, points);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/length_text.hpp"
 #include "geometry/crossing_pieces.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/orient_surface.hpp"
@@ -115,9 +116,10 @@ class Ladder {
         const std::optional<Vec> somewhere =
             surface_.triangles.empty() ? std::nullopt : std::optional<Vec>(middle_of(0));
         drop();
-        if (surface_.triangles.empty() && report_.inner_walls > 0) refuse_flat(" at " + text_in_space(*somewhere));
+        if (surface_.triangles.empty() && report_.inner_walls > 0) refuse_flat(" at " + place_text(*somewhere));
         if (surface_.triangles.empty()) refuse("has no triangle with an area", "export the surface again", {});
         if (const EdgeCounts edges = count_edges(surface_); edges.open == 0 && edges.many_fold == 0) return;
+        if (limits_.highest < RepairRung::weld) return;
         report_.weld_distance = limits_.weld_distance * limits_.spacing;
         report_.welded_corners = weld_corners(surface_, report_.weld_distance);
         if (report_.welded_corners > 0) drop();
@@ -139,9 +141,8 @@ class Ladder {
             if (is_small(piece) && !piece.closed) small_open_area += piece.area;
         }
         if (box.extent().norm() < least)
-            refuse("is smaller than a particle: it is " + number_text(box.extent().norm()) + " m across, at " +
-                       text_in_space(0.5 * (box.low + box.high)) + ", and the spacing " + number_text(limits_.spacing) +
-                       " m",
+            refuse("is smaller than a particle: it is " + length_text(box.extent().norm()) + " across, at " +
+                       place_text(0.5 * (box.low + box.high)) + ", and the spacing " + length_text(limits_.spacing),
                    "check its unit, or choose a smaller spacing", all_triangles());
         std::vector<char> kept(surface_.triangles.size(), 1);
         for (const SurfacePiece& piece : pieces.all()) {
@@ -154,7 +155,7 @@ class Ladder {
         }
         if (report_.thrown.empty()) return;
         if (report_.thrown.size() == pieces.all().size()) {
-            const std::string at = " at " + text_in_space(report_.thrown.front().place);
+            const std::string at = " at " + place_text(report_.thrown.front().place);
             if (std::ranges::all_of(report_.thrown, &ThrownPiece::is_small))
                 refuse("falls into " + std::to_string(report_.thrown.size()) +
                            " bodies smaller than a particle, the first" + at,
@@ -171,7 +172,8 @@ class Ladder {
     }
 
     void fill() {
-        report_.holes = fill_holes(surface_, limits_.largest_hole * limits_.spacing);
+        const double largest = limits_.highest < RepairRung::fill ? 0 : limits_.largest_hole;
+        report_.holes = fill_holes(surface_, largest * limits_.spacing);
         if (std::ranges::any_of(report_.holes, [](const SurfaceHole& hole) { return hole.triangles > 0; }))
             orient_outward(surface_);
     }
@@ -205,13 +207,13 @@ class Ladder {
         const std::vector<int> sheets = turn_open_pieces(surface_);
         const WindingVote vote = turn_sheets(sheets);
         count_turned();
-        if (sheets.empty() && vote.doubt <= limits_.largest_doubt) {
+        if (limits_.highest >= RepairRung::vote && sheets.empty() && vote.doubt <= limits_.largest_doubt) {
             report_.by = RepairedBy::vote;
             report_.doubt = vote.doubt;
             surface_.has_holes = true;
             return;
         }
-        if (limits_.may_wrap && vote.volume > 0) {
+        if (limits_.highest >= RepairRung::wrap && vote.volume > 0) {
             report_.wrap_alpha = limits_.wrap_alpha * limits_.spacing;
             report_.wrap_offset = limits_.wrap_offset * limits_.spacing;
             TriangleSurface wrapped = wrap_surface(surface_, report_.wrap_alpha, report_.wrap_offset);
@@ -233,24 +235,28 @@ class Ladder {
             if (sides.size() == 2 && sides[0].forward != sides[1].forward) return;
             for (const SurfaceEdge& side : sides) bad.push_back(side.triangle);
             if (first.empty())
-                first = text_in_space(surface_.corners[static_cast<std::size_t>(sides[0].low)]) + " to " +
-                        text_in_space(surface_.corners[static_cast<std::size_t>(sides[0].high)]);
+                first = place_text(surface_.corners[static_cast<std::size_t>(sides[0].low)]) + " to " +
+                        place_text(surface_.corners[static_cast<std::size_t>(sides[0].high)]);
         });
         std::ranges::sort(bad);
         bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
         const EdgeCounts counts = count_edges(surface_);
-        std::string problem = "is not closed and cannot be repaired: " + std::to_string(counts.open) +
-                              " edges with one triangle, " + std::to_string(counts.many_fold) +
-                              " with more than two, " + std::to_string(counts.unlike) +
-                              " whose triangles face different sides, the first from " + first;
+        const bool tried_all = limits_.highest == RepairRung::wrap;
+        std::string problem = "is not closed and " +
+                              std::string(tried_all ? "cannot be repaired: " : "not to be repaired any further: ") +
+                              std::to_string(counts.open) + " edges with one triangle, " +
+                              std::to_string(counts.many_fold) + " with more than two, " +
+                              std::to_string(counts.unlike) + " whose triangles face different sides, the first from " +
+                              first;
         if (!sheets.empty()) problem += "; triangles of sheets, which have no inside: " + std::to_string(sheets.size());
         const auto largest = std::ranges::max_element(report_.holes, {}, &SurfaceHole::perimeter);
         if (largest != report_.holes.end())
             problem += "; the largest hole is " + number_text(largest->perimeter / limits_.spacing) +
-                       " spacings around, at " + text_in_space(largest->place);
+                       " spacings around, at " + place_text(largest->place);
         refuse(problem,
-               "close it in the program that drew it; holes that are filled have at most " +
-                   number_text(limits_.largest_hole) + " spacings around",
+               tried_all ? "close it in the program that drew it; holes that are filled have at most " +
+                               number_text(limits_.largest_hole) + " spacings around (geometry.largest_hole)"
+                         : "close it in the program that drew it, or let geometry.repair go further",
                bad);
     }
 

@@ -11,6 +11,15 @@
 
 namespace dmp {
 
+/// What may be done for a surface that is not closed, each with all before it.
+enum class RepairRung {
+    none,
+    weld,  ///< corners nearby become one, T-junctions are divided
+    fill,  ///< small holes are filled
+    vote,  ///< holes are left, and the winding number says what is inside
+    wrap   ///< another surface stands around it
+};
+
 /// What repair_surface may do. Lengths are relative to the particles: what is far smaller than a spacing changes no
 /// particle.
 struct RepairLimits {
@@ -19,10 +28,10 @@ struct RepairLimits {
     double largest_hole = 8;      ///< perimeter of holes that are filled [spacings]
     double smallest_piece = 1;    ///< pieces whose box has a shorter diagonal are thrown away [spacings]
     double largest_doubt = 0.02;  ///< share of places of which the winding number may not be sure
-    bool may_wrap = true;         ///< whether another surface may take its place
-    double wrap_alpha = 1;        ///< the wrap closes what is narrower than that [spacings]
-    double wrap_offset = 0.1;     ///< and lies that far outside [spacings]
-    bool meets_itself = true;     ///< whether to look for triangles that meet: a second for 10^6 triangles or so
+    RepairRung highest = RepairRung::wrap;
+    double wrap_alpha = 1;     ///< the wrap closes what is narrower than that [spacings]
+    double wrap_offset = 0.1;  ///< and lies that far outside [spacings]
+    bool meets_itself = true;  ///< whether to look for triangles that meet: a second for 10^6 triangles or so
 };
 
 struct RepairedSurface {

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/length_text.hpp"
 #include "base/nearest_name.hpp"
 #include "geometry/chains.hpp"
 #include "geometry/number_text.hpp"
@@ -83,10 +84,11 @@ bool fits(const FaceSelection& asked, const Corners<N>& corners, double toleranc
 }
 
 [[noreturn]] void refuse_empty(const Geometry& geometry, const FaceSelection& asked, const Box& box) {
+    const double size = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
     std::string span;
     for (int axis = 0; axis < geometry.dimension; ++axis)
-        span += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " from " + number_text(box.low[axis]) + " m to " +
-                number_text(box.high[axis]) + " m";
+        span += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " from " + length_text(box.low[axis], size) + " to " +
+                length_text(box.high[axis], size);
     throw InputError(asked.place,
                      "selection '" + asked.name + "': no " + (geometry.dimension == 3 ? "face" : "curve") + " of '" +
                          asked.of + "' is like that",

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/length_text.hpp"
 #include "geometry/crossing_pieces.hpp"
 #include "geometry/drawing_file.hpp"
 #include "geometry/number_text.hpp"
@@ -111,15 +112,15 @@ std::string why_open(const std::string& name, TriangleSurface& surface, const st
     if (surface.triangles.empty()) return "it has no triangles";
     if (found.open_edges > 0)
         return std::to_string(found.open_edges) + " edges of its surface have one side only, the first from " +
-               text_in_space((*found.first_open)[0]) + " to " + text_in_space((*found.first_open)[1]);
+               place_text((*found.first_open)[0]) + " to " + place_text((*found.first_open)[1]);
     if (!found.closed())
         return std::to_string(found.many_fold + found.contradicted) +
                " edges of its surface have more than two sides, or two that cannot both face outward, the first near " +
-               text_in_space(*found.first_unclear);
+               place_text(*found.first_unclear);
     if (!(std::abs(surface.enclosed_volume()) > 1e-12 * std::pow(surface.area(), 1.5)))
         throw InputError(
             {.file = file},
-            "solid '" + name + "' is closed, but encloses no volume, near " + text_in_space(surface.corners.front()),
+            "solid '" + name + "' is closed, but encloses no volume, near " + place_text(surface.corners.front()),
             "Give it a thickness, or take it out of the drawing.");
     return {};
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "base/length_text.hpp"
 #include "mesher/bond_report.hpp"
 #include "mesher/disorder.hpp"
 #include "mesher/names.hpp"
@@ -26,8 +27,8 @@ void check_periods(const Scene& scene, const Box& box) {
         if (!scene.flow.periodic[axis] || box.extent()[axis] >= needed) continue;
         std::ostringstream problem;
         problem << "the period along "
-                << "xyz"[axis] << " is " << box.extent()[axis]
-                << " m, shorter than the kernel's support plus a spacing, " << needed << " m";
+                << "xyz"[axis] << " is " << length_text(box.extent()[axis])
+                << ", shorter than the kernel's support plus a spacing, " << length_text(needed);
         throw InputError(scene.flow.periodic[axis].place, problem.str(),
                          "draw a longer period or refine particles.spacing");
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
-#include "mesher/cube_lattice.hpp"
+#include "mesher/cell_lattice.hpp"
 #include "mesher/shell_lattice.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
@@ -42,9 +42,9 @@ struct MeshReport {
         std::string part;
         int bodies = 0;
         std::size_t bonds = 0, hinges = 0, dihedrals = 0, anchored = 0;
-        /// Of a solid in space.
-        struct Cubes {
-            CubeConstants constants;
+        /// Of a solid, in space or in the plane.
+        struct Cells {
+            CellConstants constants;
             double stiffened = 1;  ///< see SolidBody
         };
         /// Of a shell in space.
@@ -52,7 +52,7 @@ struct MeshReport {
             ShellConstants constants;
             double membrane_stiffness_asked = 0;  ///< E h [N/m]
         };
-        std::optional<Cubes> cubes;
+        std::optional<Cells> cells;
         std::optional<Shell> shell;
         // of a strip in the plane
         double bond_stiffness = 0;         ///< k_b [N/m]

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/length_text.hpp"
 #include "base/nearest_name.hpp"
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
@@ -14,12 +15,6 @@
 namespace dmp {
 
 namespace {
-
-std::string point_text(const Vec& p) {
-    std::ostringstream text;
-    text << "(" << 1e3 * p[0] << ", " << 1e3 * p[1] << ") mm";
-    return text.str();
-}
 
 /// What the drawing has under this name, in words; empty when nothing.
 std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
@@ -70,15 +65,34 @@ void check_sides_match(const Region& region, const Part& part, int axis, const B
         const bool low_is_in = inside.side_of(low) == Side::inside;
         throw InputError(part.name.place,
                          "the periodic sides of '" + part.name.value +
-                             "' do not match: " + point_text(low_is_in ? low : high) + " is fluid, " +
-                             point_text(low_is_in ? high : low) + " is not",
+                             "' do not match: " + place_text(low_is_in ? low : high, 2) + " is fluid, " +
+                             place_text(low_is_in ? high : low, 2) + " is not",
                          "draw both ends of the period alike, or take the axis out of flow.periodic");
     }
+}
+
+/// An area of springs is of a material, a curve of them a strip.
+void need_springs_in_plane(const Geometry& geometry, const Part& part) {
+    const bool is_area = geometry.region(part.name) != nullptr, is_curve = geometry.curve_set(part.name) != nullptr;
+    if (!is_area && !is_curve) missing(geometry, part.name, "a curve or a surface");
+    if (is_area && !part.density.given())
+        throw InputError(part.mass_per_length.place,
+                         "part '" + part.name.value +
+                             "' is a surface in the drawing, a solid of springs, which has no "
+                             "mass_per_length",
+                         "give its density, youngs_modulus and poisson_ratio, or draw its middle line as a curve");
+    if (!is_area && part.density.given())
+        throw InputError(
+            part.density.place,
+            "part '" + part.name.value + "' is a curve in the drawing, a strip of springs, which has no density",
+            "give its mass_per_length: density times thickness times 1 m");
 }
 
 void need_in_plane(const Geometry& geometry, const Part& part) {
     if (part.kind.value == PartKind::fluid) {
         if (geometry.region(part.name) == nullptr) missing(geometry, part.name, "a surface for a fluid");
+    } else if (part.kind.value == PartKind::springs) {
+        need_springs_in_plane(geometry, part);
     } else if (geometry.curve_set(part.name) == nullptr) {
         missing(geometry, part.name, "a curve");
     }
@@ -146,15 +160,17 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
     for (const Part* part : scene.parts_of(PartKind::rigid))
         walls.emplace_back(*geometry.curve_set(part->name), 2 * tolerance);
     std::vector<const Region*> regions;
-    for (const Part* part : scene.parts_of(PartKind::fluid)) regions.push_back(geometry.region(part->name));
+    for (const PartKind kind : {PartKind::fluid, PartKind::springs})
+        for (const Part* part : scene.parts_of(kind))
+            if (const Region* region = geometry.region(part->name)) regions.push_back(region);
 
     const auto at_wall = [&](const Vec& p) {
         return std::any_of(walls.begin(), walls.end(),
                            [&](const NearestCurve& wall) { return wall.nearest(p).has_value(); });
     };
-    // Looked for on both sides of the border: the middle of a chord that two fluids share need not be on it to the last
+    // Looked for on both sides of the border: the middle of a chord that two areas share need not be on it to the last
     // bit.
-    const auto at_another_fluid = [&](const Vec& p, const Vec& along, const Region* own) {
+    const auto at_another_area = [&](const Vec& p, const Vec& along, const Region* own) {
         const Vec aside = tolerance * Vec(-along[1], along[0], 0).normalized();
         return std::any_of(regions.begin(), regions.end(), [&](const Region* region) {
             return region != own &&
@@ -169,11 +185,11 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                 const Vec& b = loop.points[(k + 1) % loop.points.size()];
                 const Vec middle = 0.5 * (a + b);
                 if (on_side_that_goes_on(a, b, scene, box, tolerance) || at_wall(middle) ||
-                    at_another_fluid(middle, b - a, &region))
+                    at_another_area(middle, b - a, &region))
                     continue;
                 throw InputError(part->name.place,
-                                 "the boundary of '" + part->name.value + "' is open between " + point_text(a) +
-                                     " and " + point_text(b) + ": no rigid part and no periodic side closes it",
+                                 "the boundary of '" + part->name.value + "' is open between " + place_text(a, 2) +
+                                     " and " + place_text(b, 2) + ": no rigid part and no periodic side closes it",
                                  "name this curve in the drawing as part of a rigid part, or make the axis periodic "
                                  "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");
             }

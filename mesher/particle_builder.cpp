@@ -10,8 +10,8 @@
 
 #include <omp.h>
 
+#include "mesher/relax.hpp"
 #include "mesher/sample_fluids.hpp"
-#include "mesher/spring_lattice.hpp"
 
 namespace dmp {
 
@@ -19,17 +19,12 @@ namespace {
 
 /// A wall particle nearer than this to a body's node would stand in its place [spacings].
 constexpr double wall_clearance = 0.75;
-/// The end of a curve so near to another lies on it [spacings].
-constexpr double touching = 0.1;
 
 bool is_beyond_a_plane(const ParticleSet& set, const Vec& point) {
     for (int axis = 0; axis < set.dimension; ++axis)
         if (set.mirrored_back(point[axis], axis) != point[axis]) return true;
     return false;
 }
-
-/// Signed angle from arm a to arm b.
-double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
 
 }  // namespace
 
@@ -43,6 +38,13 @@ Box fluid_box(const Geometry& geometry, const Scene& scene) {
                 box.low = box.low.cwiseMin(point);
                 box.high = box.high.cwiseMax(point);
             }
+    for (const Part* part : scene.parts_of(PartKind::springs))
+        if (const Region* region = geometry.region(part->name))
+            for (const Polyline& loop : region->loops)
+                for (const Vec& point : loop.points) {
+                    box.low = box.low.cwiseMin(point);
+                    box.high = box.high.cwiseMax(point);
+                }
     if (scene.parts_of(PartKind::fluid).empty()) box = geometry.box;
     return box;
 }
@@ -70,6 +72,7 @@ ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
     set.mirrored = mirrored_sides(scene);
     for (const Part* part : scene.parts_of(PartKind::fluid))
         fluids_.push_back({part, InsideTest(*geometry.region(part->name))});
+    claim_solids();
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         const double thickness = (part->layers + spare_layers(scene)) * spacing_;
         walls_.push_back({part, thickness, NearestCurve(*geometry.curve_set(part->name), 1.001 * thickness)});
@@ -93,123 +96,6 @@ int ParticleBuilder::add_particle(int part, const NewParticle& particle) {
     set.wall_normal.push_back(particle.wall_normal);
     set.wall_distance.push_back(particle.wall_distance);
     return static_cast<int>(set.size()) - 1;
-}
-
-void ParticleBuilder::add_springs(const Part& part) {
-    const int number = add_part(part, ParticleKind::springs);
-    MeshReport::SpringLine line;
-    line.part = part.name;
-    line.axial_stiffness_asked = strip_stiffness(part).axial;
-    for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
-    if (!part.anchor->empty() && line.anchored == 0) {
-        const bool to_points = geometry_.points.contains(part.anchor);
-        throw InputError(part.anchor.place,
-                         to_points ? "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'"
-                                   : "no end of '" + part.name.value + "' lies on '" + part.anchor.value + "'",
-                         to_points ? "put the anchor points on the curve in the drawing"
-                                   : "let the curve begin or end on it in the drawing");
-    }
-    if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
-        std::ostringstream note;
-        const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
-        note << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
-             << " to " << line.axial_stiffness << " N, so that two rows " << spacing_ << " m apart can "
-             << (lowered ? "bend as softly as EI asks" : "resist shear by cross bonds") << "; EI is held";
-        result_.report.notes.push_back(note.str());
-    }
-    result_.report.springs.push_back(line);
-}
-
-void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyline& curve,
-                                 MeshReport::SpringLine& line) {
-    constexpr int fewest_columns = 5;
-    if (curve.closed)
-        throw InputError(part.name.place,
-                         "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
-                         "leave a gap in the curve in the drawing");
-    const Ladder ladder = ladder_along(curve, spacing_);
-    if (ladder.columns() < fewest_columns) {
-        std::ostringstream problem;
-        problem << "a curve of '" << part.name.value << "' is " << curve.length() << " m long, " << ladder.columns()
-                << " columns of particles; at least " << fewest_columns << " are needed to bend";
-        throw InputError(part.name.place, problem.str(), "refine particles.spacing or draw a longer curve");
-    }
-    const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
-    const int body = bodies_++;
-    body_curves_.pieces.push_back(curve);
-    ParticleSet& set = result_.particles;
-
-    std::vector<Vec> middles;
-    middles.reserve(ladder.nodes.size() / 2);
-    for (std::size_t n = 0; n < ladder.nodes.size(); n += 2)
-        middles.emplace_back(0.5 * (ladder.nodes[n] + ladder.nodes[n + 1]));
-    const std::vector<bool> anchored = anchored_columns(part, curve, middles, ladder.along);
-
-    const int first = static_cast<int>(set.size());
-    const double mass = part.mass_per_length * ladder.along / 2;
-    for (std::size_t n = 0; n < ladder.nodes.size(); ++n)
-        add_particle(part_number,
-                     {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
-
-    const auto bond = [&](int a, int b, double stiffness) {
-        set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), stiffness});
-        ++line.bonds;
-    };
-    const auto hinge = [&](int a, int centre, int b) {
-        const double rest =
-            angle_between(set.position[a] - set.position[centre], set.position[b] - set.position[centre]);
-        set.hinges.push_back({a, centre, b, rest, constants.hinge_stiffness});
-        ++line.hinges;
-    };
-    for (int c = 0; c < ladder.columns(); ++c) {
-        const int left = first + 2 * c, right = left + 1;
-        bond(left, right, constants.rung_stiffness());
-        if (c + 1 == ladder.columns()) break;
-        const int next_left = left + 2, next_right = right + 2;
-        bond(left, next_left, constants.bond_stiffness);
-        bond(right, next_right, constants.bond_stiffness);
-        if (constants.cross_stiffness > 0) {
-            bond(left, next_right, constants.cross_stiffness);
-            bond(right, next_left, constants.cross_stiffness);
-            continue;
-        }
-        hinge(next_left, left, right);
-        hinge(left, right, next_right);
-        hinge(right, next_right, next_left);
-        hinge(next_right, next_left, left);
-    }
-    ++line.bodies;
-    line.anchored += 2 * static_cast<std::size_t>(std::count(anchored.begin(), anchored.end(), true));
-    line.bond_stiffness = constants.bond_stiffness;
-    line.hinge_stiffness = constants.hinge_stiffness;
-    line.cross_stiffness = constants.cross_stiffness;
-    line.bending_stiffness = constants.bending_stiffness();
-    line.axial_stiffness = constants.axial_stiffness();
-    line.shear_stiffness = constants.shear_stiffness();
-    line.particle_mass = mass;
-}
-
-std::vector<Vec> ParticleBuilder::anchors_of(const Part& part, const Polyline& curve) const {
-    if (part.anchor->empty()) return {};
-    const auto points = geometry_.points.find(part.anchor);
-    if (points != geometry_.points.end()) return points->second;
-    const NearestCurve held_by(*geometry_.curve_set(part.anchor), touching * spacing_);
-    std::vector<Vec> ends;
-    for (const Vec& end : {curve.points.front(), curve.points.back()})
-        if (held_by.nearest(end)) ends.push_back(end);
-    return ends;
-}
-
-std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const Polyline& curve,
-                                                    const std::vector<Vec>& middles, double along) const {
-    std::vector<bool> anchored(middles.size(), false);
-    for (const Vec& anchor : anchors_of(part, curve)) {
-        const auto distance = [&](const Vec& middle) { return (middle - anchor).norm(); };
-        const auto nearest = std::min_element(middles.begin(), middles.end(),
-                                              [&](const Vec& a, const Vec& b) { return distance(a) < distance(b); });
-        if (distance(*nearest) < 0.51 * along) anchored[static_cast<std::size_t>(nearest - middles.begin())] = true;
-    }
-    return anchored;
 }
 
 const Part* ParticleBuilder::fluid_at(const Vec& point) const {
@@ -277,14 +163,6 @@ Vec ParticleBuilder::normal_on_surface(const Vec& point) const {
     return sum.norm() > 0 ? Vec(sum.normalized()) : Vec(Vec::Zero());
 }
 
-double ParticleBuilder::distance_to_spring_nodes(const Vec& point) const {
-    const ParticleSet& set = result_.particles;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::springs) nearest = std::min(nearest, (set.position[i] - point).norm());
-    return nearest;
-}
-
 void ParticleBuilder::add_fluid(const Part& part) {
     const Region& region = *geometry_.region(part.name);
     const int number = add_part(part, ParticleKind::fluid);
@@ -329,7 +207,7 @@ void ParticleBuilder::add_walls(const Part& part) {
         ++candidates_;
         if (fluid_at(point) != nullptr || is_beyond_a_plane(result_.particles, point)) continue;
         const auto [owner, surface] = wall_at(point);
-        if (owner != own || distance_to_spring_nodes(point) < wall_clearance * spacing_) continue;
+        if (owner != own || nodes_.any_near(point, wall_clearance * spacing_)) continue;
         const Vec to_surface = surface.point - point;
         const Vec normal = surface.distance > 1e-6 * spacing_ ? Vec(to_surface.normalized()) : normal_on_surface(point);
         add_particle(number, {point, volume, volume * density, -1, true, normal, surface.distance});
@@ -383,7 +261,8 @@ bool ParticleBuilder::holds(std::size_t i, const Vec& point) const {
 }
 
 bool ParticleBuilder::clear_of_bodies(const Vec& point) const {
-    return body_curves_.nearest(point).distance >= spacing_;
+    if (body_curves_.nearest(point).distance < spacing_) return false;
+    return !nodes_.any_near(point, keep_from_nodes * spacing_, true);
 }
 
 MeshResult ParticleBuilder::finish() {

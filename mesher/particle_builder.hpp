@@ -9,6 +9,7 @@
 #include "mesher/fit_particles.hpp"
 #include "mesher/lattice.hpp"
 #include "mesher/mesh.hpp"
+#include "mesher/nodes_of_bodies.hpp"
 
 namespace dmp {
 
@@ -23,8 +24,8 @@ class ParticleBuilder {
   public:
     ParticleBuilder(const Geometry& geometry, const Scene& scene);
 
-    /// Two rows of nodes along each curve, with bonds along and across and four hinges or two diagonals a cell,
-    /// clamped at the anchors.
+    /// Two rows of nodes along each curve, with bonds along and across and four hinges or two diagonals a cell; of a
+    /// region the lattice points in it, with the springs of each cell. Clamped at the anchors.
     void add_springs(const Part& part);
     /// Lattice points inside the region, outside the bodies: a body takes up one spacing on both sides of its curve.
     /// Points on the border of two fluids belong to the first of them.
@@ -35,7 +36,7 @@ class ParticleBuilder {
     /// True where the point belongs to the region of fluid particle i.
     [[nodiscard]] bool holds(std::size_t i, const Vec& point) const;
 
-    /// True where no spring body stands: at least one spacing from their curves.
+    /// True where no spring body stands: at least one spacing from their curves, and not next to a solid's nodes.
     [[nodiscard]] bool clear_of_bodies(const Vec& point) const;
 
     /// Moves the fluid from the lattice to places at random that keep their distance.
@@ -72,8 +73,18 @@ class ParticleBuilder {
         Projection surface;
     };
 
+    /// A region of springs.
+    struct SpringSolid {
+        const Part* part;
+        std::vector<Vec> points;  ///< of the lattice that belong to whole cells
+    };
+
     int add_part(const Part& part, ParticleKind kind);
     int add_particle(int part, const NewParticle& particle);
+    void claim_solids();
+    void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
+    [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
+    [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
     /// Where a piece of a springs part is clamped: at named points, or at its ends that lie on a curve.
     [[nodiscard]] std::vector<Vec> anchors_of(const Part& part, const Polyline& curve) const;
@@ -86,7 +97,6 @@ class ParticleBuilder {
     void look_from_images(const Vec& point, WallPoint& best) const;
     /// From a point on the surface into the fluid: the mean direction in which fluid lies.
     [[nodiscard]] Vec normal_on_surface(const Vec& point) const;
-    [[nodiscard]] double distance_to_spring_nodes(const Vec& point) const;
 
     const Geometry& geometry_;
     const Scene& scene_;
@@ -95,6 +105,8 @@ class ParticleBuilder {
     std::vector<Fluid> fluids_;
     std::vector<Wall> walls_;
     CurveSet body_curves_;
+    std::vector<SpringSolid> solids_;
+    NodesOfBodies nodes_;
     int bodies_ = 0;
     std::size_t candidates_ = 0;
     MeshResult result_;

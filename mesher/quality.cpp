@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "base/length_text.hpp"
 #include "mesher/searchable_particles.hpp"
 #include "particles/kernels.hpp"
 
@@ -30,8 +31,7 @@ double smallest_distance(const ParticleSet& set, std::size_t i, std::size_t j) {
     const std::string& name = set.parts[set.part[i]].name;
     std::ostringstream problem;
     problem << "particles of '" << name << "' and '" << set.parts[set.part[j]].name
-            << "' stand on top of each other at (" << 1e3 * set.position[i][0] << ", " << 1e3 * set.position[i][1]
-            << ") mm";
+            << "' stand on top of each other at " << place_text(set.position[i], set.dimension);
     throw InputError(
         scene.part_of_particles(name).name.place, problem.str(),
         "draw them further apart: the rows of a springs part stand half a particle spacing beside its curve");

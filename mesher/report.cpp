@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "base/length_text.hpp"
 #include "mesher/mesh.hpp"
 
 namespace dmp {
@@ -20,11 +21,6 @@ std::string line_of(const MeshReport::SpheresLine& line) {
 std::string line_of(const MeshReport::WallLine& line) {
     if (line.triangles == 0) return fmt::format("wall {}: a plane\n", line.part);
     return fmt::format("wall {}: {} triangles of {:.4g} mm^2\n", line.part, line.triangles, 1e6 * line.area);
-}
-
-std::string place_text(const Vec& p, int dimension) {
-    return dimension == 3 ? fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2])
-                          : fmt::format("({:.4g}, {:.4g}) mm", 1e3 * p[0], 1e3 * p[1]);
 }
 
 std::string sums_text(const MeshReport::KernelSums& sums) {
@@ -108,16 +104,17 @@ std::string springs_text(const MeshReport::SpringLine& line) {
     const std::string head = fmt::format("springs of {}: {} {}, {} bonds", line.part, line.bodies,
                                          line.bodies == 1 ? "body" : "bodies", line.bonds);
     const std::string clamped = fmt::format(", {} nodes clamped\n", line.anchored);
-    if (line.cubes) {
-        const auto& [constants, stiffened] = *line.cubes;
+    if (line.cells) {
+        const auto& [constants, stiffened] = *line.cells;
         return head +
                fmt::format(
                    " of k_b = {:.4g} N/m along edges and {:.4g} N/m along diagonals, {} hinges of k_a = {:.4g} J{}"
-                   "  give E = {:.4g} Pa, nu = {:.3g}; {:.4g} kg a node. They span 1/{:.3g} of the volume, and "
+                   "  give E = {:.4g} Pa, nu = {:.3g}; {:.4g} kg a node. They span 1/{:.3g} of the {}, and "
                    "are {:.3g} times as stiff for it\n",
                    stiffened * constants.edge_stiffness, stiffened * constants.diagonal_stiffness, line.hinges,
                    stiffened * constants.hinge_stiffness, clamped, constants.youngs_modulus(),
-                   constants.poisson_ratio(), line.particle_mass, stiffened, stiffened);
+                   constants.poisson_ratio(), line.particle_mass, stiffened,
+                   constants.dimension == 3 ? "volume" : "area", stiffened);
     }
     if (line.shell) {
         const ShellConstants& shell = line.shell->constants;

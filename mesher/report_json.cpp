@@ -72,8 +72,8 @@ Json json_of(const MeshReport::SpringLine& line) {
               {"nodes_by_number_of_bonds", line.valence},
               {"pieces", line.pieces},
               {"particle_mass_kg", line.particle_mass}};
-    if (line.cubes) {
-        const auto& [constants, stiffened] = *line.cubes;
+    if (line.cells) {
+        const auto& [constants, stiffened] = *line.cells;
         json.update({{"form", "solid"},
                      {"edge_stiffness_N_per_m", stiffened * constants.edge_stiffness},
                      {"diagonal_stiffness_N_per_m", stiffened * constants.diagonal_stiffness},

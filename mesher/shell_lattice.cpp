@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/length_text.hpp"
 #include "particles/dihedral_angle.hpp"
 
 namespace dmp {
@@ -91,10 +92,10 @@ ShellConstants shell_constants(double membrane_stiffness, double bending_stiffne
     const double by_layers = bond * unit.bending_stiffness();
     if (by_layers > bending_stiffness * (1 + 1e-12)) {
         std::ostringstream problem, what_to_do;
-        problem << "two layers " << distance << " m apart of a membrane stiffness of " << membrane_stiffness
+        problem << "two layers " << length_text(distance) << " apart of a membrane stiffness of " << membrane_stiffness
                 << " N/m bend with " << by_layers << " N*m, more than the " << bending_stiffness << " N*m asked for";
-        what_to_do << "bring the layers together to about " << distance * std::sqrt(bending_stiffness / by_layers)
-                   << " m";
+        what_to_do << "bring the layers together to about "
+                   << length_text(distance * std::sqrt(bending_stiffness / by_layers));
         throw InputError(problem.str(), what_to_do.str());
     }
     return {edge, distance, bond, bond, bond, std::max(0.0, (bending_stiffness - by_layers) / (2 * root3))};

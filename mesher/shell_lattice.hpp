@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "mesher/cube_lattice.hpp"
+#include "mesher/cell_lattice.hpp"
 
 namespace dmp {
 

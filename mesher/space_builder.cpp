@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/length_text.hpp"
 #include "geometry/surface_crossings.hpp"
 #include "geometry/winding_number.hpp"
 #include "mesher/particle_builder.hpp"
@@ -15,12 +16,6 @@
 namespace dmp {
 
 namespace {
-
-std::string point_text(const Vec& p) {
-    std::ostringstream text;
-    text << "(" << 1e3 * p[0] << ", " << 1e3 * p[1] << ", " << 1e3 * p[2] << ") mm";
-    return text.str();
-}
 
 SpaceLattice lattice_around(const ParticleSet& set, const Scene& scene) {
     int layers = 0;
@@ -89,6 +84,8 @@ Vec SpaceBuilder::normal_of(const TriangleSurface& surface, int triangle) {
 void SpaceBuilder::sort_triangles() {
     for (Wall& wall : walls_) wall.nearest = NearestTriangle(*wall.surface, 1.001 * wall.thickness);
     if (!shells_.empty()) clear_wedges();
+    for (const Part* part : scene_.parts_of(PartKind::springs))
+        if (const Solid* solid = geometry_.solid(part->name)) spring_faces_.emplace_back(solid->surface, spacing_);
     if (fluids_.size() < 2) return;
     for (const Part* fluid : fluids_) fluid_edges_.emplace_back(geometry_.solid(fluid->name)->surface, spacing_);
 }
@@ -231,16 +228,15 @@ bool SpaceBuilder::closes(const Vec& point, const Part& fluid) const {
             if (!set.periodic.at(at) && !set.mirrored.at(at).at(high ? 1 : 0)) continue;
             if (std::abs(point[axis] - (high ? set.box.high : set.box.low)[axis]) < tolerance) return true;
         }
-    for (const Wall& wall : walls_) {
-        const auto found = wall.nearest.nearest(point);
-        if (found && found->distance < tolerance) return true;
-    }
+    const auto is_at = [&](const NearestTriangle& surface) {
+        const auto found = surface.nearest(point);
+        return found && found->distance < tolerance;
+    };
+    for (const Wall& wall : walls_)
+        if (is_at(wall.nearest)) return true;
     for (std::size_t other = 0; other < fluids_.size(); ++other)
-        if (fluids_[other] != &fluid) {
-            const auto found = fluid_edges_[other].nearest(point);
-            if (found && found->distance < tolerance) return true;
-        }
-    return false;
+        if (fluids_[other] != &fluid && is_at(fluid_edges_[other])) return true;
+    return std::ranges::any_of(spring_faces_, is_at);
 }
 
 void SpaceBuilder::check_boundary() const {
@@ -260,7 +256,7 @@ void SpaceBuilder::check_boundary() const {
         if (open == 0) continue;
         std::ostringstream problem;
         problem << "the boundary of '" << fluid->name.value << "' is open over " << 1e6 * open << " mm^2, near "
-                << point_text(where) << ": no rigid part and no periodic side closes it";
+                << place_text(where) << ": no rigid part and no periodic side closes it";
         throw InputError(fluid->name.place, problem.str(),
                          "name this surface in the drawing as part of a rigid part, or make the axis periodic "
                          "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");

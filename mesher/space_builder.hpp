@@ -25,8 +25,8 @@ class SpaceBuilder {
 
     /// Makes ready for the nearest points of surfaces, which all that follows asks for.
     void sort_triangles();
-    /// Every piece of a fluid's surface must be closed off: by a wall, another fluid, a periodic side or a plane of
-    /// symmetry. Throws InputError with the area and place of one that is not.
+    /// Every piece of a fluid's surface must be closed off: by a wall, another fluid, a solid of springs, a periodic
+    /// side or a plane of symmetry. Throws InputError with the area and place of one that is not.
     void check_boundary() const;
     /// From here on, faces of rigid parts that touch each other, or lie outside of the fluid, count as their inside:
     /// where a body stands flush on a wall, particles look for the nearest face that fluid sees.
@@ -103,7 +103,6 @@ class SpaceBuilder {
     void clear_wedges();
     void add_body(const SpringBody& body, int part, MeshReport::SpringLine& line);
     void clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line);
-    void note_open_ends(const Part& part, std::size_t first);
     [[nodiscard]] Vec lattice_step() const { return {lattice_->step()[0], lattice_->step()[1], lattice_->step()[2]}; }
     static Vec normal_of(const TriangleSurface& surface, int triangle);
     /// Whether the lattice point nearest to a place is a rigid body's.
@@ -147,6 +146,7 @@ class SpaceBuilder {
     bool has_hidden_faces_ = false;                          ///< of some wall
     int bodies_ = 0;                                         ///< connected pieces of springs so far
     std::vector<NearestTriangle> fluid_edges_;               ///< by fluid: what lies on its surface
+    std::vector<NearestTriangle> spring_faces_;              ///< by solid of springs, the same
     std::vector<std::vector<WallParticle>> wall_particles_;  ///< by wall; empty before find_walls()
     std::vector<std::size_t> taken_;                         ///< by fluid: points of its solid that others have
     MeshResult result_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "base/disjoint_sets.hpp"
+#include "base/length_text.hpp"
 #include "geometry/local_thickness.hpp"
 #include "geometry/mid_surface.hpp"
 #include "geometry/surface_pieces.hpp"
@@ -31,19 +31,6 @@ bool is_within(const NearestTriangle& sheet, const Vec& point, double distance) 
     return found && found->distance < distance;
 }
 
-/// By node: the number of the connected piece that it belongs to, from 0 by ascending first node.
-std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
-    DisjointSets sets(lattice.nodes.size());
-    for (const Bond& bond : lattice.bonds)
-        sets.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
-    std::vector<int> piece(lattice.nodes.size());
-    for (std::size_t node = 0; node < piece.size(); ++node) {
-        const std::size_t first = sets.find(node);
-        piece[node] = first == node ? pieces++ : piece[first];
-    }
-    return piece;
-}
-
 }  // namespace
 
 bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
@@ -54,18 +41,17 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
     std::ostringstream text;
     text.precision(3);
     if (!found.sheet) {
-        text << "'" << part.name.value << "' is thinner than two spacings, " << 1e3 * found.thickness << " mm near ("
-             << 1e3 * found.where.x() << ", " << 1e3 * found.where.y() << ", " << 1e3 * found.where.z()
-             << ") mm, and no sheet that could become a shell: " << found.problem;
+        text << "'" << part.name.value << "' is thinner than two spacings, " << length_text(found.thickness) << " near "
+             << place_text(found.where) << ", and no sheet that could become a shell: " << found.problem;
         throw InputError(part.name.place, text.str(),
                          "draw the surface in its middle, with `thickness`, or refine particles.spacing to less than "
                          "half of its thickness");
     }
     ThinSolid thin{&part, part, std::move(found.sheet->surface)};
     thin.shell.thickness.value = found.sheet->thickness;
-    text << part.name.value << ": a sheet of " << 1e3 * found.sheet->thickness << " mm, from "
-         << 1e3 * found.sheet->least << " to " << 1e3 * found.sheet->most
-         << " mm thick, less than two spacings: it becomes a shell on the surface in "
+    text << part.name.value << ": a sheet of " << length_text(found.sheet->thickness) << ", from "
+         << length_text(found.sheet->least) << " to " << length_text(found.sheet->most)
+         << " thick, less than two spacings: it becomes a shell on the surface in "
          << "its middle";
     result_.report.notes.push_back(text.str());
     thin_solids_.push_back(std::move(thin));
@@ -157,8 +143,8 @@ void SpaceBuilder::add_springs(const Part& part) {
     const std::size_t first = set.size();
     const auto solid = std::ranges::find(spring_solids_, &part, &SpringSolid::part);
     if (solid != spring_solids_.end()) {
-        const SolidBody body = solid_body(part, solid->points, lattice_step());
-        line.cubes = {body.constants, body.stiffened};
+        const SolidBody body = solid_body(part, solid->points, lattice_step(), 3);
+        line.cells = {body.constants, body.stiffened};
         line.particle_mass = body.mass.front();
         add_body(body, number, line);
     } else {
@@ -175,44 +161,23 @@ void SpaceBuilder::add_springs(const Part& part) {
         }
     }
     clamp(part, first, line);
-    note_open_ends(part, first);
+    note_open_ends(set, first, part.name, result_.report.notes);
     result_.report.springs.push_back(line);
 }
 
 void SpaceBuilder::add_body(const SpringBody& body, int part, MeshReport::SpringLine& line) {
     ParticleSet& set = result_.particles;
-    const auto first = static_cast<int>(set.size());
-    int pieces = 0;
-    const std::vector<int> piece = pieces_of(body.lattice, pieces);
+    const std::size_t first = set.size();
+    const int bodies_before = bodies_;
+    const std::vector<int> piece = pieces_of(body.lattice, bodies_);
     for (std::size_t node = 0; node < body.lattice.nodes.size(); ++node) {
         add_particle(body.lattice.nodes[node], part, 0);
         set.volume.back() = body.volume[node];
         set.mass.back() = body.mass[node];
-        set.body.back() = bodies_ + piece[node];
+        set.body.back() = piece[node];
     }
-    bodies_ += pieces;
-    line.bodies += pieces;
-    for (Bond bond : body.lattice.bonds) {
-        bond.a += first;
-        bond.b += first;
-        set.bonds.push_back(bond);
-    }
-    for (Hinge hinge : body.lattice.hinges) {
-        hinge.a += first;
-        hinge.centre += first;
-        hinge.b += first;
-        set.hinges.push_back(hinge);
-    }
-    for (Dihedral dihedral : body.lattice.dihedrals) {
-        dihedral.a += first;
-        dihedral.b += first;
-        dihedral.c += first;
-        dihedral.d += first;
-        set.dihedrals.push_back(dihedral);
-    }
-    line.bonds += body.lattice.bonds.size();
-    line.hinges += body.lattice.hinges.size();
-    line.dihedrals += body.lattice.dihedrals.size();
+    line.bodies += bodies_ - bodies_before;
+    add_springs_of(body.lattice, first, set, line);
 }
 
 void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line) {
@@ -235,22 +200,6 @@ void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::Spring
         problem << "no node of '" << part.name.value << "' is within " << clamped_within << " spacings of '"
                 << part.anchor.value << "'";
         throw InputError(part.anchor.place, problem.str(), "draw the part so that it touches what it is anchored to");
-    }
-}
-
-/// Springs do not go on across the sides of the box.
-void SpaceBuilder::note_open_ends(const Part& part, std::size_t first) {
-    const ParticleSet& set = result_.particles;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<std::size_t>(axis);
-        const auto goes_on = [&](const Vec& p) {
-            const bool low = p[axis]<set.box.low[axis] + spacing_, high = p[axis]> set.box.high[axis] - spacing_;
-            return (low && (set.periodic.at(at) || set.mirrored.at(at)[0])) ||
-                   (high && (set.periodic.at(at) || set.mirrored.at(at)[1]));
-        };
-        if (std::any_of(set.position.begin() + static_cast<std::ptrdiff_t>(first), set.position.end(), goes_on))
-            result_.report.notes.push_back(part.name.value + ": its springs end at the side of the box across " +
-                                           "xyz"[axis] + ", where it is free as if it were cut there");
     }
 }
 

@@ -2,11 +2,13 @@
 #include "mesher/spring_bodies.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <sstream>
 
+#include "base/disjoint_sets.hpp"
 #include "geometry/remesh_surface.hpp"
 
 namespace dmp {
@@ -50,16 +52,17 @@ std::vector<double> turns_over_angles(const TriangleSurface& sheet) {
 
 }  // namespace
 
-SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step) {
+SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, int dimension) {
     if (part.poisson_ratio > 0.25)
         throw InputError(part.poisson_ratio.place,
                          "a solid of springs cannot have a Poisson ratio of more than 0.25: bonds alone give that, and "
                          "hinges lower it",
                          "write poisson_ratio = 0.25, which needs no hinges and is the fastest");
-    const double cell = step.prod();
+    const double cell = step.head(dimension).prod();
     SolidBody body;
-    body.constants = cube_constants(part.youngs_modulus, part.poisson_ratio, std::cbrt(cell));
-    body.lattice = cube_lattice(points, body.constants, step);
+    body.constants = cell_constants(part.youngs_modulus, part.poisson_ratio,
+                                    dimension == 3 ? std::cbrt(cell) : std::sqrt(cell), dimension);
+    body.lattice = cell_lattice(points, body.constants, step);
     const double filled = std::accumulate(body.lattice.share.begin(), body.lattice.share.end(), 0.0);
     body.stiffened = static_cast<double>(points.size()) * cell / filled;
     for (Bond& bond : body.lattice.bonds) bond.stiffness *= body.stiffened;
@@ -92,6 +95,58 @@ ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spac
         body.mass.push_back(area * h * part.density);
     }
     return body;
+}
+
+std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
+    DisjointSets sets(lattice.nodes.size());
+    for (const Bond& bond : lattice.bonds)
+        sets.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
+    std::vector<int> piece(lattice.nodes.size());
+    for (std::size_t node = 0; node < piece.size(); ++node) {
+        const std::size_t first = sets.find(node);
+        piece[node] = first == node ? pieces++ : piece[first];
+    }
+    return piece;
+}
+
+void add_springs_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line) {
+    const auto shift = static_cast<int>(first);
+    for (Bond bond : lattice.bonds) {
+        bond.a += shift;
+        bond.b += shift;
+        set.bonds.push_back(bond);
+    }
+    for (Hinge hinge : lattice.hinges) {
+        hinge.a += shift;
+        hinge.centre += shift;
+        hinge.b += shift;
+        set.hinges.push_back(hinge);
+    }
+    for (Dihedral dihedral : lattice.dihedrals) {
+        dihedral.a += shift;
+        dihedral.b += shift;
+        dihedral.c += shift;
+        dihedral.d += shift;
+        set.dihedrals.push_back(dihedral);
+    }
+    line.bonds += lattice.bonds.size();
+    line.hinges += lattice.hinges.size();
+    line.dihedrals += lattice.dihedrals.size();
+}
+
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
+                    std::vector<std::string>& notes) {
+    for (int axis = 0; axis < set.dimension; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        const double low = set.box.low[axis] + set.spacing, high = set.box.high[axis] - set.spacing;
+        const auto goes_on = [&](const Vec& p) {
+            return (p[axis] < low && (set.periodic.at(at) || set.mirrored.at(at)[0])) ||
+                   (p[axis] > high && (set.periodic.at(at) || set.mirrored.at(at)[1]));
+        };
+        if (std::any_of(set.position.begin() + static_cast<std::ptrdiff_t>(first), set.position.end(), goes_on))
+            notes.push_back(part + ": its springs end at the side of the box across " + "xyz"[axis] +
+                            ", where it is free as if it were cut there");
+    }
 }
 
 }  // namespace dmp

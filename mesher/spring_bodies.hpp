@@ -1,31 +1,34 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/triangle_surface.hpp"
-#include "mesher/cube_lattice.hpp"
+#include "mesher/cell_lattice.hpp"
+#include "mesher/mesh.hpp"
 #include "mesher/shell_lattice.hpp"
 #include "scene/scene.hpp"
 
 namespace dmp {
 
-/// A body of springs in space, and what each of its nodes stands for.
+/// A body of springs on cells or in layers, and what each of its nodes stands for.
 struct SpringBody {
     SpringLattice lattice;
-    std::vector<double> volume;  ///< in the SPH sums [m^3]
+    std::vector<double> volume;  ///< in the SPH sums [m^3], in the plane [m^2]
     std::vector<double> mass;    ///< [kg]
 };
 
-/// A solid of springs on those points of a cubic grid that belong to whole cells. Each node stands for a cell of the
-/// grid. The cells between the nodes fill less than the nodes stand for, by half a spacing at the surface: their
-/// springs are that much stiffer, so that the body stretches as one that fills all of it; bending stays softer.
+/// A solid of springs on those points of a cubic grid, or in the plane of a square one, that belong to whole cells.
+/// Each node stands for a cell of the grid. The cells between the nodes fill less than the nodes stand for, by half a
+/// spacing at the surface: their springs are that much stiffer, so that the body stretches as one that fills all of it;
+/// bending stays softer.
 struct SolidBody : SpringBody {
-    CubeConstants constants;
+    CellConstants constants;
     double stiffened = 1;  ///< what the cells between the nodes fill, into what the nodes stand for [-]
 };
 /// `points` as in_whole_cells() leaves them; `step` of the grid [m]. Throws InputError for a Poisson ratio beyond 1/4.
-SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step);
+SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, int dimension);
 
 /// A shell half a spacing to both sides of a sheet, which is meshed anew so that each pair of nodes has about spacing^2
 /// of it. In the SPH sums nodes at its border stand for as much as those inside: the shell reaches half a spacing on.
@@ -38,5 +41,16 @@ struct ShellBody : SpringBody {
 /// `sheet`: one connected piece. Throws InputError for a sheet too small to bend, one that branches, or one whose
 /// membrane stiffness may not be lowered though it must.
 ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spacing);
+
+/// By node: the number of the connected piece that it belongs to, from `pieces` on by ascending first node; `pieces`
+/// counts on.
+std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces);
+
+/// Adds the lattice's springs to a set whose particles from `first` on are its nodes, and counts them.
+void add_springs_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line);
+
+/// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on: springs do not.
+void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
+                    std::vector<std::string>& notes);
 
 }  // namespace dmp

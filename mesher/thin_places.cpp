@@ -8,10 +8,14 @@
 #include <sstream>
 #include <utility>
 
+#include "base/length_text.hpp"
 #include "geometry/inside_test.hpp"
 #include "geometry/local_thickness.hpp"
+#include "geometry/nearest_triangle.hpp"
 #include "geometry/segments.hpp"
 #include "geometry/standing_strips.hpp"
+#include "geometry/surface_pieces.hpp"
+#include "geometry/thickened_sheet.hpp"
 #include "geometry/winding_number.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/space_builder.hpp"
@@ -21,6 +25,10 @@ namespace dmp {
 namespace {
 
 constexpr double least_gap = 3, least_thickness = 2;  // [spacings]
+/// What is nearer touches: there is no gap [spacings].
+constexpr double touching = 1e-3;
+/// A sheet is held by what its edge is this near to [spacings].
+constexpr double held_within = 0.25;
 
 /// Adds the surface of a body in the fluid, as the fluid has it: facing into the body.
 void add_turned(TriangleSurface& to, const TriangleSurface& body) {
@@ -53,15 +61,6 @@ class OpenSides {
     Box box_;
     std::array<std::array<bool, 2>, 3> open_{};  ///< by axis, low and high
 };
-
-std::string place_text(const Vec& place, int dimension) {
-    std::ostringstream text;
-    text.precision(3);
-    text << "(" << 1e3 * place.x() << ", " << 1e3 * place.y();
-    if (dimension == 3) text << ", " << 1e3 * place.z();
-    text << ") mm";
-    return text.str();
-}
 
 /// The line about one part; empty if nothing that counts is thinner than the limit [spacings].
 std::string thinnest_text(const LocalThickness& found, double spacing, double limit, const std::string& what,
@@ -103,18 +102,22 @@ std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& flui
 /// and a whole one from a flexible curve.
 std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part& part,
                        const std::vector<PlaneSegment>& edges) {
+    const CurveSet* curve = geometry.curve_set(part.name);
+    if (curve == nullptr) return {};  // an area, whose gaps are the fluid's
     const double spacing = scene.particles.spacing;
     double fewest = least_gap * (1 - 1e-9);
     Vec where = Vec::Zero();
-    for (const Polyline& piece : geometry.curve_set(part.name)->pieces)
+    for (const Polyline& piece : curve->pieces)
         for (const Vec& end : {piece.points.front(), piece.points.back()}) {
             Projection wall{.distance = std::numeric_limits<double>::infinity()}, body = wall;
             for (const auto& [a, b] : edges) keep_nearest(wall, end, a, b);
             if (wall.distance < spacing) continue;  // it is held there
             for (const Part* other : scene.parts_of(PartKind::springs))
-                for (const Polyline& others : geometry.curve_set(other->name)->pieces)
-                    if (&others != &piece)
-                        for_each_segment(others, [&](const Vec& a, const Vec& b) { keep_nearest(body, end, a, b); });
+                if (const CurveSet* curves = geometry.curve_set(other->name))
+                    for (const Polyline& others : curves->pieces)
+                        if (&others != &piece)
+                            for_each_segment(others,
+                                             [&](const Vec& a, const Vec& b) { keep_nearest(body, end, a, b); });
             if (body.distance < spacing) continue;  // it is joined to it
             const double particles = std::min(wall.distance / spacing - 0.5, body.distance / spacing - 1);
             if (particles >= fewest) continue;
@@ -136,6 +139,13 @@ std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Sc
     for (const Part* part : scene.parts_of(PartKind::fluid)) fluids.push_back(geometry.region(part->name));
     const OpenSides open(geometry, scene);
     std::vector<PlaneSegment> edges = edges_of_fluids(fluids, spacing);
+    std::vector<InsideTest> in_body;
+    for (const Part* part : scene.parts_of(PartKind::springs)) {
+        const Region* body = geometry.region(part->name);
+        if (body == nullptr) continue;
+        in_body.emplace_back(*body);
+        for_each_segment(*body, [&](const Vec& a, const Vec& b) { edges.push_back({b, a}); });
+    }
     std::erase_if(edges, [&](const PlaneSegment& edge) {
         return open.holds(0.5 * (edge[0] + edge[1])) && open.holds(edge[0]) && open.holds(edge[1]);
     });
@@ -146,48 +156,82 @@ std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Sc
             thinnest_text(found, spacing, least_gap, fluid->name + ": a gap", 2, [&](const ThicknessSample& sample) {
                 Vec middle = 0.5 * (sample.place + sample.opposite);
                 middle.z() = 0;
-                return inside.side_of(middle) == Side::inside;
+                return sample.thickness > touching * spacing && inside.side_of(middle) == Side::inside &&
+                       std::ranges::none_of(
+                           in_body, [&](const InsideTest& body) { return body.side_of(middle) == Side::inside; });
             }));
     }
     for (const Part* part : scene.parts_of(PartKind::springs))
         said.push_back(narrow_tip(geometry, scene, *part, edges));
-    std::erase(said, std::string());
     return said;
 }
 
-}  // namespace
+/// The sheets of springs, each connected piece for itself, as bodies a spacing thick: what their two layers of nodes
+/// take from the fluid. No fluid passes the edges that touch a solid or another sheet.
+std::vector<TriangleSurface> shells_as_bodies(const Geometry& geometry, const Scene& scene) {
+    const double spacing = scene.particles.spacing;
+    const double reach = held_within * spacing;
+    std::vector<NearestTriangle> solids, near_sheet;
+    for (const Solid& solid : geometry.solids) solids.emplace_back(solid.surface, reach);
+    std::vector<TriangleSurface> sheets;
+    for (const Part* part : scene.parts_of(PartKind::springs)) {
+        const SurfaceSet* set = geometry.surface_set(part->name);
+        if (set == nullptr) continue;
+        const SurfacePieces pieces(set->surface);
+        for (const SurfacePiece& piece : pieces.all())
+            near_sheet.emplace_back(sheets.emplace_back(part_of(set->surface, piece.triangles)), reach);
+    }
+    for (std::size_t k = 0; k < sheets.size(); ++k)
+        sheets[k] = thickened_sheet(std::move(sheets[k]), spacing, [&](const Vec& place) {
+            const auto touches = [&](const NearestTriangle& other) { return other.nearest(place).has_value(); };
+            return std::ranges::any_of(solids, touches) ||
+                   std::ranges::any_of(near_sheet, [&](const NearestTriangle& other) {
+                       return &other != &near_sheet[k] && touches(other);
+                   });
+        });
+    return sheets;
+}
 
-std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene) {
-    if (geometry.dimension == 2) return thin_places_in_plane(geometry, scene);
+std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Scene& scene) {
     std::vector<std::string> said;
     const double spacing = scene.particles.spacing;
     const OpenSides open(geometry, scene);
     const auto ends_on_walls = [&](const ThicknessSample& sample) {
         return !open.holds(sample.place) && !open.holds(sample.opposite);
     };
-    std::vector<const TriangleSurface*> bodies;
-    for (const Part* part : scene.parts_of(PartKind::rigid)) {
-        const Solid* solid = geometry.solid(part->name);
-        if (solid == nullptr) continue;
-        bodies.push_back(&solid->surface);
-        said.push_back(thinnest_text(local_thickness(solid->surface, spacing), spacing, least_thickness,
-                                     part->name.value + ": a thickness", 3, ends_on_walls));
-    }
+    std::vector<TriangleSurface> bodies = shells_as_bodies(geometry, scene);
+    for (const PartKind kind : {PartKind::rigid, PartKind::springs})
+        for (const Part* part : scene.parts_of(kind)) {
+            const Solid* solid = geometry.solid(part->name);
+            if (solid == nullptr) continue;
+            bodies.push_back(solid->surface);
+            if (kind == PartKind::rigid)
+                said.push_back(thinnest_text(local_thickness(solid->surface, spacing), spacing, least_thickness,
+                                             part->name.value + ": a thickness", 3, ends_on_walls));
+        }
     std::vector<WindingNumber> in_body;
     in_body.reserve(bodies.size());
-    for (const TriangleSurface* body : bodies) in_body.emplace_back(*body);
+    for (const TriangleSurface& body : bodies) in_body.emplace_back(body);
     for (const Part* part : scene.parts_of(PartKind::fluid)) {
         TriangleSurface around = geometry.solid(part->name)->surface;
         const WindingNumber in_fluid(around);
-        for (const TriangleSurface* body : bodies) add_turned(around, *body);
+        for (const TriangleSurface& body : bodies) add_turned(around, body);
         const auto is_fluid = [&](const ThicknessSample& sample) {
             const Vec middle = 0.5 * (sample.place + sample.opposite);
-            return ends_on_walls(sample) && in_fluid.inside(middle) &&
+            return sample.thickness > touching * spacing && ends_on_walls(sample) && in_fluid.inside(middle) &&
                    std::ranges::none_of(in_body, [&](const WindingNumber& body) { return body.inside(middle); });
         };
         said.push_back(thinnest_text(local_thickness(around, spacing), spacing, least_gap, part->name.value + ": a gap",
                                      3, is_fluid));
     }
+    return said;
+}
+
+}  // namespace
+
+std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene) {
+    std::vector<std::string> said =
+        geometry.dimension == 3 ? thin_places_in_space(geometry, scene) : thin_places_in_plane(geometry, scene);
     std::erase(said, std::string());
     return said;
 }

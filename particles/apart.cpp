@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "base/length_text.hpp"
 #include "particles/cell_grid.hpp"
 
 namespace dmp {
@@ -15,13 +16,7 @@ std::string called(const ParticleSet& set, std::size_t i) {
     return std::to_string(i) + " of '" + set.parts[static_cast<std::size_t>(set.part[i])].name + "'";
 }
 
-std::string place(const ParticleSet& set, std::size_t i) {
-    std::ostringstream text;
-    text << "(";
-    for (int axis = 0; axis < set.dimension; ++axis) text << (axis > 0 ? ", " : "") << set.position[i][axis] << " m";
-    text << ")";
-    return text.str();
-}
+std::string place(const ParticleSet& set, std::size_t i) { return place_text(set.position[i], set.dimension); }
 
 /// Positions in the box along periodic axes, the unused axis left at 0.
 Coordinates coordinates(const ParticleSet& set) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/length_text.hpp"
+
 namespace dmp {
 
 namespace {
@@ -58,19 +60,10 @@ Ticks round_ticks(double low, double high, int about) {
     return ticks;
 }
 
-std::string length_text(double metres) { return length_text(metres, metres); }
-
-std::string length_text(double metres, double scale) {
-    struct Prefix {
-        double size;
-        const char* unit;
-    };
-    constexpr std::array prefixes{Prefix{1e3, "km"}, Prefix{1, "m"}, Prefix{1e-3, "mm"}, Prefix{1e-6, "µm"}};
-    // what is left of a sum that should be 0
-    if (std::abs(metres) < 1e-6 * scale) metres = 0;
-    for (const Prefix& prefix : prefixes)
-        if (scale >= prefix.size * (1 - 1e-9)) return format("%.4g ", metres / prefix.size) + prefix.unit;
-    return format("%.4g nm", metres / 1e-9);
+std::string printed_length(double length, double size) {
+    std::string text = length_text(length, size);
+    replace_all(text, "um", "µm");
+    return text;
 }
 
 std::string printed_unit(const std::string& unit) {

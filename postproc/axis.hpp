@@ -17,10 +17,8 @@ Ticks round_ticks(double low, double high, int about);
 /// The largest of 1, 2, 5 times a power of ten that is not above `length`; 0 unless length > 0 and finite.
 double round_below(double length);
 
-/// A length with the prefix that keeps it short: 0.005 -> "5 mm".
-std::string length_text(double metres);
-/// A place among lengths of about `scale`, with their prefix: -0.0025 among 0.01 -> "-2.5 mm".
-std::string length_text(double metres, double scale);
+/// A length [m] among others of about `size` [m], in their unit: -0.0025 among 0.01 -> "-2.5 mm".
+std::string printed_length(double length, double size);
 
 /// "m^2/s" -> "m²/s"; "1" and "" -> "".
 std::string printed_unit(const std::string& unit);

@@ -125,7 +125,7 @@ void Sheet::draw_length(double top) {
     canvas_.fill(x, y, pixels, thick, colours::ink);
     canvas_.fill(x, y - tick, thick / 2, 2 * tick + thick, colours::ink);
     canvas_.fill(x + pixels - thick / 2, y - tick, thick / 2, 2 * tick + thick, colours::ink);
-    canvas_.text(x + pixels / 2, y - 22 * unit_, length_text(length), {22 * unit_, Align::centre});
+    canvas_.text(x + pixels / 2, y - 22 * unit_, printed_length(length, length), {22 * unit_, Align::centre});
 }
 
 void Sheet::draw_colours(const ColourScale& scale, double top) {

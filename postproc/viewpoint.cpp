@@ -37,7 +37,7 @@ std::string slice_text(int right, int up, const Vec& origin, double scale) {
     constexpr std::string_view names = "xyz";
     const auto across = static_cast<std::size_t>(3 - right - up);
     return std::string{names[static_cast<std::size_t>(right)]} + " right, " + names[static_cast<std::size_t>(up)] +
-           " up, at " + names[across] + " = " + length_text(origin[static_cast<Eigen::Index>(across)], scale);
+           " up, at " + names[across] + " = " + printed_length(origin[static_cast<Eigen::Index>(across)], scale);
 }
 
 }  // namespace dmp

@@ -21,6 +21,8 @@ enum class ShapeKind { parabola, circle };
 enum class PushedSide { both, inside, outside };
 /// In space: cubic, hexagonal close-packed, face-centred cubic.
 enum class Arrangement { square, hexagonal, fcc };
+/// How far up the ladder of repairs a surface that is not closed may be taken (docs/repair.md).
+enum class RepairKind { none, weld, fill, vote, wrap };
 /// Whether particles stay on the lattice or are moved until they follow the surfaces.
 enum class FillKind { lattice, relaxed, sampled };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
@@ -87,6 +89,7 @@ std::string word(ForceAmount amount);
 std::string word(ShapeKind kind);
 std::string word(PushedSide side);
 std::string word(Arrangement arrangement);
+std::string word(RepairKind repair);
 std::string word(FillKind fill);
 std::string word(BoxSide side);
 std::string word(WallModel walls);

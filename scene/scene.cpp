@@ -73,6 +73,16 @@ const Words<Arrangement>& words_of() {
 }
 
 template <>
+const Words<RepairKind>& words_of() {
+    static const Words<RepairKind> words = {{RepairKind::none, "none"},
+                                            {RepairKind::weld, "weld"},
+                                            {RepairKind::fill, "fill"},
+                                            {RepairKind::vote, "vote"},
+                                            {RepairKind::wrap, "wrap"}};
+    return words;
+}
+
+template <>
 const Words<FillKind>& words_of() {
     static const Words<FillKind> words = {
         {FillKind::lattice, "lattice"}, {FillKind::relaxed, "relaxed"}, {FillKind::sampled, "sampled"}};
@@ -255,6 +265,7 @@ std::string word(ForceAmount amount) { return find_word(amount); }
 std::string word(ShapeKind kind) { return find_word(kind); }
 std::string word(PushedSide side) { return find_word(side); }
 std::string word(Arrangement arrangement) { return find_word(arrangement); }
+std::string word(RepairKind repair) { return find_word(repair); }
 std::string word(FillKind fill) { return find_word(fill); }
 std::string word(BoxSide side) { return find_word(side); }
 std::string word(WallModel walls) { return find_word(walls); }

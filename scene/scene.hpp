@@ -31,6 +31,8 @@ struct Scene {
         Value<double> unit = 1.0;  ///< one unit of the drawing [m]; drawings without a unit need it given
         /// DefineConstant names -> values in the drawing's own units (lengths already divided by `unit`).
         std::map<std::string, Value<double>> parameters;
+        Value<RepairKind> repair = RepairKind::wrap;
+        Value<double> largest_hole = 8.0;  ///< perimeter of holes that are filled [spacings]
     } geometry;
     std::vector<Selection> selections;
 

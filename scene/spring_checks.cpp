@@ -29,27 +29,43 @@ void need_one_stiffness(const Part& part) {
                                    : "give bending_stiffness and axial_stiffness, or youngs_modulus and thickness");
 }
 
-/// In the plane a springs part is a strip; in space a body of a material.
+void refuse_what_strips_have(const Part& part, const std::string& why, const std::string& what_to_do) {
+    const auto refuse = [&](const auto& value, const char* key) {
+        if (value.given()) throw InputError(value.place, "part '" + *part.name + "': " + key + " " + why, what_to_do);
+    };
+    refuse(part.mass_per_length, "mass_per_length");
+    refuse(part.bending_stiffness, "bending_stiffness");
+    refuse(part.axial_stiffness, "axial_stiffness");
+    refuse(part.cross_bonds, "cross_bonds");
+}
+
+/// In the plane, where the part has a density.
+void need_what_an_area_is_made_of(const Part& part) {
+    const std::string why = "is of a strip, and density says that the part is an area";
+    const std::string what_to_do =
+        "give an area density, youngs_modulus and poisson_ratio; a curve mass_per_length and no density";
+    refuse_what_strips_have(part, why, what_to_do);
+    if (part.thickness.given())
+        throw InputError(part.thickness.place, "part '" + *part.name + "': thickness " + why, what_to_do);
+    if (!part.youngs_modulus.given())
+        throw InputError(part.name.place, "part '" + *part.name + "': youngs_modulus is missing",
+                         "add youngs_modulus, such as youngs_modulus = \"2 MPa\"");
+}
+
+/// In the plane a springs part is a strip, or an area of a material; in space a body of a material.
 void need_what_springs_are_made_of(const Scene& scene, const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     if (scene.dimension == 2) {
+        if (part.density.given()) return need_what_an_area_is_made_of(part);
         if (!part.mass_per_length.given())
-            throw InputError(part.name.place, part_name + ": mass_per_length is missing",
-                             "add mass_per_length, such as mass_per_length = \"0.4 kg/m\": of a strip 1 m deep");
-        if (part.density.given())
-            throw InputError(part.density.place, part_name + ": a springs part in the plane has no density",
-                             "give its mass_per_length only: density times thickness times 1 m");
+            throw InputError(
+                part.name.place, part_name + ": mass_per_length is missing",
+                "add mass_per_length, such as mass_per_length = \"0.4 kg/m\": of a strip 1 m deep; or, for "
+                "an area of the drawing, density");
         return need_one_stiffness(part);
     }
-    const auto refuse = [&](const Place& place, bool given, const char* key) {
-        if (given)
-            throw InputError(place, part_name + ": " + key + " is of springs in the plane, and the scene is in space",
-                             "give density, youngs_modulus and poisson_ratio, and of a surface its thickness");
-    };
-    refuse(part.mass_per_length.place, part.mass_per_length.given(), "mass_per_length");
-    refuse(part.bending_stiffness.place, part.bending_stiffness.given(), "bending_stiffness");
-    refuse(part.axial_stiffness.place, part.axial_stiffness.given(), "axial_stiffness");
-    refuse(part.cross_bonds.place, part.cross_bonds.given(), "cross_bonds");
+    refuse_what_strips_have(part, "is of a strip in the plane, and the scene is in space",
+                            "give density, youngs_modulus and poisson_ratio, and of a surface its thickness");
     const auto need = [&](bool given, const char* key, const char* example) {
         if (!given)
             throw InputError(part.name.place, part_name + ": " + key + " is missing",

@@ -36,6 +36,8 @@ const Words<PushedSide>& words_of();
 template <>
 const Words<Arrangement>& words_of();
 template <>
+const Words<RepairKind>& words_of();
+template <>
 const Words<FillKind>& words_of();
 template <>
 const Words<KernelKind>& words_of();

@@ -177,7 +177,7 @@ std::vector<Broken> broken_files() {
          "body.stl",
          stl,
          scene_of("body.stl", "0.1 mm", "1 m"),
-         {"1000 x 1000 x 1000 mm large and particles are 0.1 mm apart: that is a lattice of 1e+12 points",
+         {"1 x 1 x 1 m large and particles are 0.1 mm apart: that is a lattice of 1e+12 points",
           "one unit of the drawing is 1 m now"}},
         {"ABodyBeyondTheStars",
          "body.stl",
@@ -287,8 +287,25 @@ TEST(BrokenDrawings, LeaveTheTrianglesThatAreToBlame) {
     EXPECT_THAT(vtp, testing::HasSubstr("<VTKFile type=\"PolyData\""));
     // Those with an edge at the missing side.
     EXPECT_THAT(vtp, testing::HasSubstr("NumberOfPolys=\"4\""));
-    EXPECT_THAT(outcome.errors, testing::HasSubstr("the largest hole is 32 spacings around, at (0.001 m, 0.0005 m, "
-                                                   "0.0005 m)"));
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("the largest hole is 32 spacings around, at (1, 0.5, "
+                                                   "0.5) mm"));
+}
+
+TEST(BrokenDrawings, AreRepairedAsFarAsTheSceneSays) {
+    const TemporaryFolder folder;
+    folder.write("body.stl", stl_text(without_a_side(), "body"));
+    folder.write("scene.toml", scene_of("body.stl", "0.125 mm"));
+    const auto meshed = [&](std::vector<std::string> settings) {
+        std::vector<std::string> command{"mesh", "scene.toml"};
+        for (std::string& each : settings) command.insert(command.end(), {"--set", std::move(each)});
+        return run_dmp(folder.path(), command);
+    };
+    const Outcome filled = meshed({"geometry.largest_hole=32"});
+    EXPECT_EQ(filled.code, 0);
+    EXPECT_THAT(filled.output, testing::HasSubstr("32 spacings around, filled with 2 triangles"));
+    const Outcome refused = meshed({"geometry.largest_hole=32", "geometry.repair=weld"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, testing::HasSubstr("let geometry.repair go further"));
 }
 
 }  // namespace

@@ -35,6 +35,20 @@ void add_number(std::string& text, std::uint32_t bits, bool big_endian) {
         text += static_cast<char>(bits >> (8 * (big_endian ? 3 - byte : byte)) & 0xffU);
 }
 
+/// The box as the ladder of repairs gets it: highest rung, corners, triangles; some more corners and triangles after
+/// it.
+std::string surface(char rung, const std::string& more_corners, const std::string& more_triangles,
+                    std::size_t left_out) {
+    std::string text{rung, static_cast<char>(corners.size() + more_corners.size() / 3)};
+    for (const char* corner : corners)
+        for (const std::size_t digit : {0, 2, 4}) text += static_cast<char>(4 * (corner[digit] - '0'));
+    text += more_corners;
+    std::string triangles;
+    for (const auto& [a, b, c, d] : sides)
+        for (const int k : {a, b, c, a, c, d}) triangles += static_cast<char>(k);
+    return text + triangles.substr(3 * left_out) + more_triangles;
+}
+
 std::string ply_header(const std::string& format) {
     return "ply\nformat " + format +
            " 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nelement face 6\n"
@@ -117,6 +131,11 @@ int main(int count, char** words) {
     options.parameters["width"] = 2;
     options.parameter_places["width"] = {"scene.toml", 5, 6};
     write("answer/request", "Q" + dmp::bytes_of(options));
+    write("repair/box", surface(0, "", "", 0));
+    write("repair/hole", surface(2, "", "", 1));
+    write("repair/wide_hole", surface(4, "", "", 2));
+    write("repair/sheet", surface(3, {0, 8, 8}, {0, 1, 8}, 0));
+    write("repair/tetrahedron_beside", surface(1, {0, 0, 15}, {4, 5, 8, 5, 7, 8, 7, 4, 8, 4, 7, 5}, 0));
     write("script/loop",
           "width = 2; // If\nFor i In {1:3}\n  Point(i) = {i, 0, 0};\nEndFor\n/* a\n */ Printf(\"If\");\n");
     write("script/cut", "If (1)\n  DefineConstant[ width = {1, Name \"width\"} ];\nEndIf\na = 1; b = 2;");

@@ -38,9 +38,6 @@ TEST(Text, BytesInPowersOf1024) {
 TEST(Text, QuantitiesAndPercents) {
     EXPECT_EQ(quantity_text(2.2, "m/s"), "2.2 m/s");
     EXPECT_EQ(quantity_text(8.16497e-5, "s"), "8.165e-05 s");
-    EXPECT_EQ(length_text(2e-4), "0.2 mm");
-    EXPECT_EQ(length_text(4e-6), "4 um");
-    EXPECT_EQ(length_text(1.5), "1.5 m");
     EXPECT_EQ(percent_text(0.013), "+1.3 %");
     EXPECT_EQ(percent_text(-0.0002), "-0.02 %");
 }

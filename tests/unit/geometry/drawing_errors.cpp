@@ -185,7 +185,7 @@ TEST_F(DrawingErrors, ThreeDimensions) {
               "  Name its parts, as in Physical Volume(\"blood\") = {1}; and Physical Surface(\"wall\") = {2};.");
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, -0.5};\nLine(1) = {1, 2};\n"
                             "Physical Curve(\"line\") = {1};\n"),
-              "d.geo: the drawing leaves the plane z = 0: it reaches z = -0.5 m\n"
+              "d.geo: the drawing leaves the plane z = 0: it reaches z = -500 mm\n"
               "  Draw it in the x-y plane, or give it volumes.");
 }
 
@@ -200,7 +200,7 @@ TEST_F(DrawingErrors, RegionsThatAreNone) {
                       "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\n"
                       "Curve Loop(1) = {1, 2, 3, 4};\nPlane Surface(1) = {1};\n" +
                       named),
-        "d.geo: region 'water' crosses itself near (1 m, 1 m)\n"
+        "d.geo: region 'water' crosses itself near (1, 1) m\n"
         "  Check the drawing, or the parameters it was given.");
     EXPECT_THAT(
         error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0};\nPoint(3) = {1, 1, 0};\n"
@@ -246,7 +246,7 @@ TEST_F(DrawingErrors, PointsThatAreNoPlaces) {
                 HasSubstr("further out than any drawing can mean\n  Check the drawing and its unit"));
     options = options_for(write("d.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n"));
     options.unit = 1e-3;
-    EXPECT_THAT(error_of(options), HasSubstr("the drawing has a point at (1e+297 m, 0 m, 0 m), further out than any"));
+    EXPECT_THAT(error_of(options), HasSubstr("the drawing has a point at (1e+297, 0, 0) m, further out than any"));
     options.unit = 1e20;
     EXPECT_THAT(error_of(options), HasSubstr("the drawing has a point without finite coordinates"));
 }

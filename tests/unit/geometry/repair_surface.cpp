@@ -3,6 +3,7 @@
 #include "geometry/repair_surface.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -144,9 +145,35 @@ TEST(Repair, fills_a_small_hole) {
     ASSERT_EQ(found.report.holes.size(), 1U);
     EXPECT_EQ(found.report.holes[0].triangles, 1U);
     EXPECT_NEAR(found.report.holes[0].perimeter, 2 + std::numbers::sqrt2, 1e-14);
-    EXPECT_THAT(found.report.lines(), ElementsAre("a hole of 3 edges around (1 m, 0.666667 m, 0.666667 m), 6.82843 "
+    EXPECT_THAT(found.report.lines(), ElementsAre("a hole of 3 edges around (1, 0.66667, 0.66667) m, 6.82843 "
                                                   "spacings around, filled with 1 triangle"));
     EXPECT_EQ(found.report.turned, 0U);
+}
+
+TEST(Repair, goes_no_further_than_asked) {
+    TriangleSurface hole = cube();
+    hole.triangles.pop_back();
+    for (const RepairRung below : {RepairRung::none, RepairRung::weld}) {
+        const auto [text, bad] = refusal(hole, {.spacing = 0.5, .highest = below});
+        EXPECT_THAT(text, HasSubstr("is not closed and not to be repaired any further: 3 edges with one triangle"));
+        EXPECT_THAT(text, HasSubstr("the largest hole is 6.82843 spacings around"));
+        EXPECT_THAT(text, HasSubstr("or let geometry.repair go further"));
+        EXPECT_EQ(bad.triangles.size(), 3U);
+    }
+    const auto repaired_up_to = [](const TriangleSurface& surface, RepairRung highest) {
+        return repair_surface(surface, {.spacing = 0.5, .highest = highest}, "solid 'cube'", {}).report.by;
+    };
+    EXPECT_EQ(repaired_up_to(hole, RepairRung::fill), RepairedBy::closing);
+    // A corner that is off by rounding.
+    TriangleSurface cracked = cube();
+    cracked.corners.push_back(cracked.corners[0] + Vec(1e-9, 0, 0));
+    *std::ranges::find(cracked.triangles[0], 0) = 8;
+    EXPECT_THAT(refusal(cracked, {.spacing = 0.5, .highest = RepairRung::none}).first, HasSubstr("any further"));
+    EXPECT_EQ(repaired_up_to(cracked, RepairRung::weld), RepairedBy::closing);
+    // What is closed needs no rung, whichever side it faces.
+    TriangleSurface turned = cube();
+    flip(turned, 3);
+    EXPECT_EQ(repaired_up_to(turned, RepairRung::none), RepairedBy::closing);
 }
 
 TEST(Repair, turns_a_body_inside_out_with_a_hole) {
@@ -210,9 +237,8 @@ TEST(Repair, throws_crumbs_away_and_says_so) {
     EXPECT_NEAR(found.report.thrown[0].area, 0.06, 1e-14);
     EXPECT_LT((found.report.thrown[0].place - Vec(2.05, 2.05, 2.05)).norm(), 1e-14);
     EXPECT_EQ(found.report.thrown[1].triangles, 2U);
-    EXPECT_THAT(
-        found.report.lines().at(0),
-        HasSubstr("a piece of 12 triangles at (2.05 m, 2.05 m, 2.05 m) thrown away: it is 0.34641 spacings large"));
+    EXPECT_THAT(found.report.lines().at(0),
+                HasSubstr("a piece of 12 triangles at (2.05, 2.05, 2.05) m thrown away: it is 0.34641 spacings large"));
 }
 
 TEST(Repair, throws_a_piece_without_volume_away) {
@@ -277,9 +303,9 @@ TEST(Repair, refuses_a_large_hole_with_its_place) {
     const auto [text, bad] = refusal(surface, {.spacing = 0.125});
     EXPECT_THAT(text,
                 HasSubstr("heart.stl: solid 'heart' is not closed and cannot be repaired: 4 edges with one triangle, "
-                          "0 with more than two, 0 whose triangles face different sides, the first from (1 m, 0 m, "
-                          "0 m) to (1 m, 1 m, 0 m)"));
-    EXPECT_THAT(text, HasSubstr("the largest hole is 32 spacings around, at (1 m, 0.5 m, 0.5 m)"));
+                          "0 with more than two, 0 whose triangles face different sides, the first from (1, 0, 0) "
+                          "m to (1, 1, 0) m"));
+    EXPECT_THAT(text, HasSubstr("the largest hole is 32 spacings around, at (1, 0.5, 0.5) m"));
     EXPECT_EQ(bad.triangles.size(), 4U);
     EXPECT_NEAR(bad.area(), 2, 1e-14);
 }
@@ -288,7 +314,7 @@ TEST(Repair, refuses_inner_walls_that_bound_nothing) {
     TriangleSurface surface = cube();
     append(surface, box({1, 0, 0}, {3, 1, 1}));
     surface.triangles.erase(surface.triangles.begin() + 20, surface.triangles.begin() + 22);  // one of two at x = 1
-    const auto [text, bad] = refusal(surface, {.spacing = 0.5, .may_wrap = false});
+    const auto [text, bad] = refusal(surface, {.spacing = 0.5, .highest = RepairRung::vote});
     EXPECT_THAT(text, HasSubstr("0 edges with one triangle, 4 with more than two, "));
     EXPECT_THAT(text, HasSubstr("triangles of sheets, which have no inside: 2"));
     EXPECT_GT(bad.triangles.size(), 2U);
@@ -298,7 +324,7 @@ TEST(Repair, refuses_a_fin_and_throws_a_small_one_away) {
     TriangleSurface surface = cube();
     surface.corners.emplace_back(-1, -2, 0.3);
     surface.triangles.push_back({0, 1, 8});
-    const auto [text, bad] = refusal(surface, {.spacing = 0.01, .may_wrap = false});
+    const auto [text, bad] = refusal(surface, {.spacing = 0.01, .highest = RepairRung::vote});
     EXPECT_THAT(text, HasSubstr("triangles of sheets, which have no inside: 1"));
     EXPECT_EQ(bad.triangles.size(), 1U);
     surface = cube();
@@ -319,7 +345,7 @@ TEST(Repair, refuses_sheets_and_bands) {
     for (int k = 0; k < 5; ++k)
         band.corners.emplace_back(std::cos(0.4 * k * std::numbers::pi), std::sin(0.4 * k * std::numbers::pi), 0.1 * k);
     for (int k = 0; k < 5; ++k) band.triangles.push_back({k, (k + 1) % 5, (k + 2) % 5});
-    EXPECT_THAT(refusal(band, {.spacing = 0.01, .may_wrap = false}).first, HasSubstr("is not closed"));
+    EXPECT_THAT(refusal(band, {.spacing = 0.01, .highest = RepairRung::vote}).first, HasSubstr("is not closed"));
 }
 
 TEST(Repair, refuses_bodies_without_volume) {
@@ -329,21 +355,20 @@ TEST(Repair, refuses_bodies_without_volume) {
     flat.triangles[0] = {0, 2, 3};
     flat.triangles[1] = {0, 3, 1};
     const auto [text, bad] = refusal(flat, {.spacing = 0.01});
-    EXPECT_THAT(text, HasSubstr("has no volume: its triangles lie back to back at (0.5 m, 0.5 m, 0 m)"));
+    EXPECT_THAT(text, HasSubstr("has no volume: its triangles lie back to back at (500, 500, 0) mm"));
     EXPECT_EQ(bad.triangles.size(), 4U);
     EXPECT_THAT(refusal(TriangleSurface{}, {.spacing = 0.01}).first, HasSubstr("has no triangle with an area"));
 }
 
 TEST(Repair, refuses_what_is_smaller_than_a_particle) {
-    EXPECT_THAT(
-        refusal(cube(), {.spacing = 2}).first,
-        HasSubstr("is smaller than a particle: it is 1.73205 m across, at (0.5 m, 0.5 m, 0.5 m), and the spacing 2 "
-                  "m\n  check its unit, or choose a smaller spacing"));
+    EXPECT_THAT(refusal(cube(), {.spacing = 2}).first,
+                HasSubstr("is smaller than a particle: it is 1.732 m across, at (500, 500, 500) mm, and the spacing 2 "
+                          "m\n  check its unit, or choose a smaller spacing"));
     TriangleSurface two = cube();
     append(two, box({9, 9, 9}, {10, 10, 10}));
     EXPECT_THAT(refusal(two, {.spacing = 2}).first,
                 HasSubstr("falls into 2 bodies smaller than a particle, the first at "
-                          "(0.5 m, 0.5 m, 0.5 m)"));
+                          "(500, 500, 500) mm"));
 }
 
 TEST(Repair, refuses_numbers_that_are_none) {
@@ -368,7 +393,7 @@ TEST(RepairSolids, makes_solids_of_surfaces_that_are_to_be_solids) {
     geometry.surfaces.push_back({"blood", torn});
     const RepairLimits limits{.spacing = 0.5};
     EXPECT_THAT(repair_solids(geometry, {"frame", "blood", "elsewhere"}, limits),
-                ElementsAre(HasSubstr("blood: a hole of 3 edges around (1 m, 0.666667 m, 0.666667 m), ")));
+                ElementsAre(HasSubstr("blood: a hole of 3 edges around (1, 0.66667, 0.66667) m, ")));
     ASSERT_NE(geometry.solid("blood"), nullptr);
     EXPECT_NEAR(geometry.solid("blood")->volume(), 1, 1e-12);
     EXPECT_EQ(geometry.surface_set("blood"), nullptr);

@@ -335,7 +335,7 @@ TEST_F(TriangleDrawings, EdgesWithoutClearSidesHaveAPlace) {
     ASSERT_NE(edge.surface_set("edge"), nullptr);
     EXPECT_THAT(edge.surface_set("edge")->why_open,
                 HasSubstr("1 edges of its surface have more than two sides, or two that cannot both face outward, the "
-                          "first near (3 m, 2 m, 0.5 m)"));
+                          "first near (3, 2, 0.5) m"));
 }
 
 TEST_F(TriangleDrawings, BodiesOfAGroupThatCrossAllFaceOutward) {

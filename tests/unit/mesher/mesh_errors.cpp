@@ -38,7 +38,8 @@ TEST(MeshErrors, ANameOfTheWrongKind) {
     EXPECT_EQ(
         fault_of(
             flap_channel.with("name = \"flap\"", "name = \"root\"").with("anchor = \"root\"", "anchor = \"flap\"")),
-        "scene.toml:22:8: 'root' is a point in the drawing, but a curve is needed here (channel.geo)\n  it names "
+        "scene.toml:22:8: 'root' is a point in the drawing, but a curve or a surface is needed here (channel.geo)\n  "
+        "it names "
         "'flap', 'root', 'wall' and 'water'");
     EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"", "anchor = \"water\"")),
               "scene.toml:27:10: 'water' is a surface in the drawing, but a point or a curve is needed here "
@@ -62,15 +63,15 @@ TEST(MeshErrors, ANameThatNoPartUses) {
 
 TEST(MeshErrors, AnOpenFluidBoundary) {
     EXPECT_EQ(fault_of(channel.with("{1, 3};\n", "{1};\n")),
-              "scene.toml:7:8: the boundary of 'water' is open between (4000, 2000) mm and (0, 2000) mm: no rigid part "
+              "scene.toml:7:8: the boundary of 'water' is open between (4, 2) m and (0, 2) m: no rigid part "
               "and no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the "
               "axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     EXPECT_EQ(fault_of(channel.with("periodic = [\"x\"]\n", "")),
-              "scene.toml:7:8: the boundary of 'water' is open between (4000, 0) mm and (4000, 2000) mm: no rigid part "
+              "scene.toml:7:8: the boundary of 'water' is open between (4, 0) m and (4, 2) m: no rigid part "
               "and no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the "
               "axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     EXPECT_EQ(fault_of(channel.with("kind = \"rigid\"", "kind = \"rigid\"\nenabled = false")),
-              "scene.toml:7:8: the boundary of 'water' is open between (0, 0) mm and (4000, 0) mm: no rigid part and "
+              "scene.toml:7:8: the boundary of 'water' is open between (0, 0) m and (4, 0) m: no rigid part and "
               "no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the axis "
               "periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     // A plane of symmetry closes its own side only.
@@ -79,16 +80,16 @@ TEST(MeshErrors, AnOpenFluidBoundary) {
         return fault_of(open_above.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"" + side + "\"]"));
     };
     EXPECT_EQ(mirrored("y_high"), "no error");
-    EXPECT_NE(mirrored("y_low").find("is open between (4000, 2000) mm and (0, 2000) mm"), std::string::npos);
+    EXPECT_NE(mirrored("y_low").find("is open between (4, 2) m and (0, 2) m"), std::string::npos);
 }
 
 TEST(MeshErrors, PeriodicSidesThatDoNotMatch) {
     EXPECT_EQ(fault_of(channel.with("{4, 2, 0}", "{4, 1, 0}")),
-              "scene.toml:7:8: the periodic sides of 'water' do not match: (0.125, 1015.62) mm is fluid, (3999.88, "
-              "1015.62) mm is not\n  draw both ends of the period alike, or take the axis out of flow.periodic");
+              "scene.toml:7:8: the periodic sides of 'water' do not match: (0.000125, 1.0156) m is fluid, (3.9999, "
+              "1.0156) m is not\n  draw both ends of the period alike, or take the axis out of flow.periodic");
     EXPECT_EQ(fault_of(channel.with("{4, 0, 0}", "{4, 0.25, 0}")),
-              "scene.toml:7:8: the periodic sides of 'water' do not match: (0.125, 15.625) mm is fluid, (3999.88, "
-              "15.625) mm is not\n  draw both ends of the period alike, or take the axis out of flow.periodic");
+              "scene.toml:7:8: the periodic sides of 'water' do not match: (0.125, 15.625) mm is fluid, (3.9999, "
+              "0.015625) m is not\n  draw both ends of the period alike, or take the axis out of flow.periodic");
 }
 
 TEST(MeshErrors, APeriodShorterThanTheKernelReaches) {
@@ -99,8 +100,8 @@ TEST(MeshErrors, APeriodShorterThanTheKernelReaches) {
                            .with("{0.5, 2, 0}", "{0.4375, 2, 0}")),
               "no error");
     EXPECT_EQ(fault_of(shortest.with("{0.5, 0, 0}", "{0.4375, 0, 0}").with("{0.5, 2, 0}", "{0.4375, 2, 0}")),
-              "scene.toml:15:13: the period along x is 0.4375 m, shorter than the kernel's support plus a spacing, 0.5 "
-              "m\n  draw a longer period or refine particles.spacing");
+              "scene.toml:15:13: the period along x is 437.5 mm, shorter than the kernel's support plus a spacing, 500 "
+              "mm\n  draw a longer period or refine particles.spacing");
 }
 
 TEST(MeshErrors, ACurveTooShortToBend) {
@@ -154,13 +155,13 @@ TEST(MeshErrors, BodiesOnTopOfEachOther) {
                           "Point(20) = {1.5, 0.5, 0};\nPoint(21) = {2.5, 0.5, 0};\nLine(20) = {20, 21};\n"
                           "Physical Curve(\"flap\") = {10, 20}");
     EXPECT_EQ(fault_of(crossing),
-              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1937.5, 375) mm\n  draw "
+              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1.9375, 0.375) m\n  draw "
               "them further apart: the rows of a springs part stand half a particle spacing beside its curve");
     const Texts folded =
         flap_channel.with("Physical Curve(\"flap\") = {10}",
                           "Point(12) = {2.05, 0, 0};\nLine(11) = {11, 12};\nPhysical Curve(\"flap\") = {10, 11}");
     EXPECT_EQ(fault_of(folded),
-              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1937.5, 125.078) mm\n  "
+              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1.9375, 0.12508) m\n  "
               "draw them further apart: the rows of a springs part stand half a particle spacing beside its curve");
 }
 

@@ -142,7 +142,7 @@ TEST(ChannelMesh, GapsTooNarrowForThreeParticlesAreSaid) {
                                                  testing::HasSubstr(", 150) mm, less than 3 particles, as are 100 % of "
                                                                     "its edge"))));
     EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.7, 0}")).report.notes,
-                testing::Contains("flap: a gap at its end near (2e+03, 1.7e+03) mm that 1.9 particles fit into, less "
+                testing::Contains("flap: a gap at its end near (2, 1.7) m that 1.9 particles fit into, less "
                                   "than 3"));
     // 3.5 spacings from the wall, as the fluid's first layer is half a spacing from it; and a bridge has no loose end.
     EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.5625, 0}")).report.notes,

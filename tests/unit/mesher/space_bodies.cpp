@@ -14,6 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing_mesh::fault_of;
 using testing_mesh::mesh_texts;
 using testing_mesh::Texts;
@@ -95,9 +96,9 @@ TEST(SpaceBodies, a_solid_takes_its_room_and_stretches_as_its_material_does) {
     EXPECT_EQ(line.pieces, 1);
     EXPECT_EQ(line.bonds, 224U + 348);  // along edges and diagonals
     EXPECT_EQ(line.hinges, 0U);
-    ASSERT_TRUE(line.cubes);
-    EXPECT_NEAR(line.cubes->stiffened, 96.0 / 45, 1e-12);
-    EXPECT_NEAR(line.cubes->constants.youngs_modulus(), 1e6, 1e-6);
+    ASSERT_TRUE(line.cells);
+    EXPECT_NEAR(line.cells->stiffened, 96.0 / 45, 1e-12);
+    EXPECT_NEAR(line.cells->constants.youngs_modulus(), 1e6, 1e-6);
     // A strain of 1 along y costs as much as in the material, of the volume of all nodes: 1/2 c11.
     double energy = 0;
     for (const Bond& bond : set.bonds) {
@@ -112,15 +113,15 @@ TEST(SpaceBodies, hinges_lower_the_ratio_of_a_solid) {
     const auto meshed = mesh_texts(column.with("poisson_ratio = 0.25", "poisson_ratio = 0.1"));
     const auto& line = meshed.report.springs.at(0);
     EXPECT_GT(line.hinges, 0U);
-    EXPECT_NEAR(line.cubes->constants.poisson_ratio(), 0.1, 1e-12);
-    EXPECT_NEAR(line.cubes->constants.youngs_modulus(), 1e6, 1e-6);
+    EXPECT_NEAR(line.cells->constants.poisson_ratio(), 0.1, 1e-12);
+    EXPECT_NEAR(line.cells->constants.youngs_modulus(), 1e6, 1e-6);
 }
 
 TEST(SpaceBodies, a_stretched_lattice_keeps_the_modulus_and_says_so) {
     const auto meshed = mesh_texts(column.with("{0, 0, 0, 2, 1, 1}", "{0, 0, 0, 2.03, 1, 1}"));
     const auto& line = meshed.report.springs.at(0);
     EXPECT_EQ(meshed.particles.count(ParticleKind::springs), 96U);
-    EXPECT_NEAR(line.cubes->constants.spacing, 0.125 * std::cbrt(1.015), 1e-9);
+    EXPECT_NEAR(line.cells->constants.spacing, 0.125 * std::cbrt(1.015), 1e-9);
     EXPECT_NEAR(line.particle_mass, 1200 * std::pow(0.125, 3) * 1.015, 1e-9);
     EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("lattice stretched along x by 1.5 %")));
     for (const Bond& bond : meshed.particles.bonds)
@@ -180,13 +181,36 @@ TEST(SpaceBodies, a_sheet_becomes_a_shell) {
     EXPECT_LT(meshed.report.parts.front().kernel_sum_spread, 0.05);
 }
 
+TEST(SpaceBodies, gaps_beside_a_shell_are_said) {
+    // Its sides end two spacings from the walls, its upper edge four.
+    const auto said_of = [](const Texts& texts) { return mesh_texts(texts).report.notes; };
+    const auto gap = [](const std::string& text) {
+        return Contains(AllOf(HasSubstr("water: a gap of "), HasSubstr(text)));
+    };
+    EXPECT_THAT(said_of(sheet), gap("a gap of 2 spacings near"));
+    const Texts apart = sheet.with("{1, 0, 0.125}", "{1, 0, 0.25}")
+                            .with("{1.2, 0.75, 0.125}", "{1.2, 0.75, 0.25}")
+                            .with("{1, 0, 0.875}", "{1, 0, 0.75}")
+                            .with("{1.2, 0.75, 0.875}", "{1.2, 0.75, 0.75}");
+    EXPECT_THAT(said_of(apart), Not(gap("")));
+    // A second one faces it, four spacings away, of which the two shells take one.
+    const std::string second = "Translate {0.254, 0, 0} { Duplicata { Surface{101}; } }\nPhysical Volume(\"water\")";
+    EXPECT_THAT(
+        said_of(apart.with("Physical Volume(\"water\")", second).with("(\"body\") = {101}", "(\"body\") = {101, 102}")),
+        gap("less than 3"));
+    // A solid, a spacing from the wall.
+    EXPECT_THAT(said_of(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.125, 0.5, 0.625, 0.5}")),
+                gap("a gap of 1 spacings near"));
+    EXPECT_THAT(said_of(column), gap("a gap of 2 spacings near"));
+}
+
 TEST(SpaceBodies, a_thin_solid_that_is_a_sheet_becomes_a_shell) {
     // 1.6 spacings thick, across the duct's axis, standing on its floor.
     const Texts thin =
         column.with("spacing = \"0.125 m\"", "spacing = \"0.0625 m\"")
             .with("Box(2) = {0.75, 0, 0.25, 0.5, 0.75, 0.5}", "Box(2) = {0.75, 0, 0.25, 0.1, 0.75, 0.5}");
     const auto meshed = mesh_texts(thin);
-    EXPECT_THAT(meshed.report.notes, Contains(AllOf(HasSubstr("body: a sheet of 100 mm, from 100 to 100 mm thick"),
+    EXPECT_THAT(meshed.report.notes, Contains(AllOf(HasSubstr("body: a sheet of 100 mm, from 100 mm to 100 mm thick"),
                                                     HasSubstr("it becomes a shell"))));
     const MeshReport::SpringLine& line = meshed.report.springs.at(0);
     ASSERT_TRUE(line.shell);

@@ -150,8 +150,8 @@ TEST(SpaceMeshes, what_is_open_is_named) {
     EXPECT_EQ(fault_of(duct), "no error");
     // The surface is two triangles of one area.
     EXPECT_THAT(fault_of(duct.with("{3, 4, 5, 6}", "{3, 4, 5}")),
-                testing::MatchesRegex("scene.toml:8:8: the boundary of 'water' is open over 2e.06 mm.2, near .*, 1000. "
-                                      "mm: no rigid part and no periodic side closes it\n  name this surface in the "
+                testing::MatchesRegex("scene.toml:8:8: the boundary of 'water' is open over 2e.06 mm.2, near .*, 1. "
+                                      "m: no rigid part and no periodic side closes it\n  name this surface in the "
                                       "drawing as part of a rigid part, or make the axis periodic .flow.periodic., or "
                                       "the side a plane of symmetry .flow.symmetry."));
     EXPECT_THAT(fault_of(duct.with("periodic = [\"x\"]\n", "")), testing::HasSubstr("is open over 2e+06 mm^2"));

@@ -43,7 +43,7 @@ TEST(Apart, TwoAtOnePlaceAreNamedWithTheirPartsAndPlace) {
     ParticleSet set = strip();
     set.position[14] = set.position[8] + Vec(0, 0.00009, 0);
     EXPECT_THAT(refusal(set), AllOf(HasSubstr("8 of 'water'"), HasSubstr("14 of 'wall'"),
-                                    HasSubstr("lie on each other at (0.2 m, 0.15")));
+                                    HasSubstr("lie on each other at (200, 15")));
     set.position[14] = set.position[8] + Vec(0, 0.00011, 0);
     EXPECT_EQ(refusal(set), "");
 }

@@ -33,10 +33,10 @@ TEST(Texts, AreForPeople) {
     EXPECT_EQ(round_below(0.0191), 0.01);
     EXPECT_EQ(round_below(0.05), 0.05);
     EXPECT_EQ(round_below(0.0), 0.0);
-    EXPECT_EQ(length_text(0.005), "5 mm");
-    EXPECT_EQ(length_text(2e-6), "2 µm");
-    EXPECT_EQ(length_text(5e-8), "50 nm");
-    EXPECT_EQ(length_text(20), "20 m");
+    EXPECT_EQ(printed_length(0.005, 0.005), "5 mm");
+    EXPECT_EQ(printed_length(2e-6, 2e-6), "2 µm");
+    EXPECT_EQ(printed_length(5e-8, 5e-8), "50 nm");
+    EXPECT_EQ(printed_length(20, 20), "20 m");
     EXPECT_EQ(time_text(0.5, 4), "0.5 s");
     EXPECT_EQ(time_text(0.0005, 0.02), "0.5 ms");
     EXPECT_EQ(time_text(0, 0), "0 s");

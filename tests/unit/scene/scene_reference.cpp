@@ -49,7 +49,7 @@ TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
         "    only for fluid parts\n"
         "\n"
         "part.*.density\n"
-        "    In space: of the material; in the plane mass_per_length says it.\n"
+        "    Of the material, in space and of an area in the plane; of a strip mass_per_length says it.\n"
         "    type:    a density such as \"1100 kg/m^3\", more than 0\n"
         "    default: none\n"
         "    only for springs parts\n"

@@ -5,10 +5,11 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
-#include "mesher/spring_lattice.hpp"
+#include "mesher/cell_lattice.hpp"
 #include "tests/unit/solver/statics.hpp"
 
 namespace dmp::lattice_solids {

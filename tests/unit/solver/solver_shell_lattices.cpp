@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
-#include "mesher/cube_lattice.hpp"
+#include "mesher/cell_lattice.hpp"
 #include "mesher/shell_lattice.hpp"
 #include "mesher/spring_lattice.hpp"
 #include "solver/simulation.hpp"
@@ -200,7 +200,7 @@ TEST(ShellLattice, refuses_surfaces_that_are_none) {
 
 TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_threads) {
     // A cube and a shell above it, both bulged and free.
-    ParticleSet set = set_of(cube_lattice(block(3, 2, 2, 0.1), cube_constants(1e6, 0.1, 0.1)));
+    ParticleSet set = set_of(cell_lattice(block(3, 2, 2, 0.1), cell_constants(1e6, 0.1, 0.1)));
     const Surface surface = hexagon(2, edge);
     const ParticleSet shell =
         set_of(shell_lattice(surface.points, surface.triangles, shell_constants(1e4, 50, edge, 0.06)));

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
-#include "mesher/cube_lattice.hpp"
+#include "mesher/cell_lattice.hpp"
 #include "mesher/spring_lattice.hpp"
 #include "tests/unit/solver/lattice_solids.hpp"
 #include "tests/unit/thrown.hpp"
@@ -48,14 +48,14 @@ class Cube : public ::testing::TestWithParam<double> {};
 
 TEST_P(Cube, has_the_modulus_the_poisson_ratio_and_the_shear_modulus_asked_for) {
     const double modulus = 3e5, nu = GetParam(), spacing = 1e-3, strain = 1e-6;
-    const CubeConstants constants = cube_constants(modulus, nu, spacing);
+    const CellConstants constants = cell_constants(modulus, nu, spacing);
     EXPECT_NEAR(constants.youngs_modulus() / modulus, 1, 1e-14);
     EXPECT_NEAR(constants.poisson_ratio(), nu, 1e-15);
     EXPECT_NEAR(constants.shear_modulus() / (modulus / (2 * (1 + nu))), 1, 1e-14);
     EXPECT_NEAR((constants.c11() - constants.c12()) / (2 * constants.c44()), 1, 1e-13);  // isotropic
 
     const auto points = block(5, 4, 3, spacing);
-    const ParticleSet set = set_of(cube_lattice(points, constants));
+    const ParticleSet set = set_of(cell_lattice(points, constants));
     Eigen::Matrix3d pull = Eigen::Matrix3d::Zero(), shear = pull;
     pull(0, 0) = modulus * strain;
     auto moved = displacements(set, uniform_stress(points, spacing, pull));
@@ -76,14 +76,14 @@ TEST_P(Cube, has_the_modulus_the_poisson_ratio_and_the_shear_modulus_asked_for) 
 INSTANTIATE_TEST_SUITE_P(PoissonRatios, Cube, ::testing::Values(0.0, 0.1, 0.25));
 
 TEST(CubeLattice, of_bonds_alone_is_that_of_equal_bonds) {
-    const CubeConstants constants = cube_constants(1, 0.25, 1);
+    const CellConstants constants = cell_constants(1, 0.25, 1);
     EXPECT_DOUBLE_EQ(constants.edge_stiffness, 0.2);
     EXPECT_DOUBLE_EQ(constants.diagonal_stiffness, 0.2);
     EXPECT_EQ(constants.hinge_stiffness, 0);
-    const SpringLattice lattice = cube_lattice(block(1, 1, 1, 1), constants);
+    const SpringLattice lattice = cell_lattice(block(1, 1, 1, 1), constants);
     EXPECT_EQ(lattice.bonds.size(), 12U + 12U);
     EXPECT_TRUE(lattice.hinges.empty());
-    EXPECT_EQ(cube_lattice(block(2, 1, 1, 1), cube_constants(1, 0.1, 1)).hinges.size(), 4U * 11U);
+    EXPECT_EQ(cell_lattice(block(2, 1, 1, 1), cell_constants(1, 0.1, 1)).hinges.size(), 4U * 11U);
 }
 
 TEST(CubeLattice, bends_as_a_beam) {
@@ -92,8 +92,8 @@ TEST(CubeLattice, bends_as_a_beam) {
     for (const int cells : {2, 4}) {
         const double spacing = 1.0 / cells, strain = 1e-5;
         const auto points = block(6 * cells, cells, cells, spacing);
-        const CubeConstants constants = cube_constants(1, nu, spacing);
-        const ParticleSet set = set_of(cube_lattice(points, constants));
+        const CellConstants constants = cell_constants(1, nu, spacing);
+        const ParticleSet set = set_of(cell_lattice(points, constants));
         Loads load(points.size(), V3{});
         for (const double end : {0.0, 6.0})  // axial stress that is linear over the section
             for (std::size_t n = 0; n < points.size(); ++n) {
@@ -164,20 +164,20 @@ TEST(CrossedLadder, stretches_bends_and_shears_as_said) {
 }
 
 TEST(CubeLattice, refuses_what_it_cannot_be) {
-    EXPECT_EQ(text_thrown<InputError>([] { (void)cube_constants(1, 0.3, 1); }),
-              "a cubic lattice cannot have a Poisson ratio of 0.3\n"
+    EXPECT_EQ(text_thrown<InputError>([] { (void)cell_constants(1, 0.3, 1); }),
+              "a lattice of cells cannot have a Poisson ratio of 0.3\n"
               "  give one from 0 to 1/4: bonds alone give 1/4, and hinges lower it");
-    const CubeConstants constants = cube_constants(1, 0.25, 1);
+    const CellConstants constants = cell_constants(1, 0.25, 1);
     auto points = block(1, 1, 1, 1);
     points.emplace_back(2, 0, 0);
-    EXPECT_EQ(text_thrown<InputError>([&] { (void)cube_lattice(points, constants); }),
-              "point 8 is the corner of no whole cell\n  leave it out, or give all eight corners of a cell");
+    EXPECT_EQ(text_thrown<InputError>([&] { (void)cell_lattice(points, constants); }),
+              "point 8 is the corner of no whole cell\n  leave it out, or give all corners of a cell");
     points.back() = Vec(1.5, 0, 0);
-    EXPECT_EQ(text_thrown<InputError>([&] { (void)cube_lattice(points, constants); }),
-              "point 8 at (1.5   0   0) m is not on the cubic grid that point 0 begins\n"
+    EXPECT_EQ(text_thrown<InputError>([&] { (void)cell_lattice(points, constants); }),
+              "point 8 at (1.5   0   0) m is not on the grid that point 0 begins\n"
               "  give points whose distances along each axis are whole numbers of spacings");
     points.back() = Vec(1, 0, 0);
-    EXPECT_EQ(text_thrown<InputError>([&] { (void)cube_lattice(points, constants); }),
+    EXPECT_EQ(text_thrown<InputError>([&] { (void)cell_lattice(points, constants); }),
               "point 8 at (1 0 0) m is point 1 again\n  give it once");
 }
 

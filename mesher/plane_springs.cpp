@@ -1,0 +1,235 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Of the ParticleBuilder: bodies of springs.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "mesher/particle_builder.hpp"
+#include "mesher/spring_bodies.hpp"
+#include "mesher/spring_lattice.hpp"
+
+namespace dmp {
+
+namespace {
+
+/// The end of a curve so near to another lies on it; a solid's node so near to its anchor is clamped, as the first
+/// layer stands half a spacing from the surface, and the nearest to a point, which may be missing a cell [spacings].
+constexpr double touching = 0.1, clamped_within = 0.75, nearest_within = 1.5;
+
+/// Signed angle from arm a to arm b.
+double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b)); }
+
+}  // namespace
+
+/// Gives solids the lattice points in them that belong to whole cells, before fluids get theirs.
+void ParticleBuilder::claim_solids() {
+    for (const Part* part : scene_.parts_of(PartKind::springs)) {
+        const Region* region = geometry_.region(part->name);
+        if (region == nullptr) continue;
+        if (*scene_.particles.arrangement != Arrangement::square)
+            throw InputError(
+                scene_.particles.arrangement.place,
+                "'" + part->name.value + "' is a solid of springs, which are built on the square lattice only",
+                "write particles.arrangement = \"square\"");
+        const InsideTest inside(*region);
+        // A point on the border goes with the solid if fluid is beyond it, which leaves it out.
+        const auto is_in = [&](const Vec& point) {
+            const Side side = inside.side_of(point);
+            if (side != Side::on_edge) return side == Side::inside;
+            return std::ranges::any_of(
+                fluids_, [&](const Fluid& fluid) { return fluid.region.side_of(point) != Side::outside; });
+        };
+        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, {}});
+        for (const Vec& point : lattice_.points(0))
+            if (is_in(point) && !nodes_.any_near(point, 0.5 * spacing_)) solid.points.push_back(point);
+        const std::size_t there = solid.points.size();
+        if (there > 0) {
+            const std::vector<bool> whole = in_whole_cells(solid.points, lattice_step(), 2);
+            std::size_t k = 0;
+            std::erase_if(solid.points, [&](const Vec&) { return !whole[k++]; });
+        }
+        if (solid.points.empty())
+            throw InputError(
+                part->name.place,
+                "'" + part->name.value + "' is too thin for a solid of springs: no cell of the lattice fits in it",
+                "refine particles.spacing to a third of its thickness, or draw its middle line as a curve, with "
+                "mass_per_length");
+        if (solid.points.size() < there)
+            result_.report.notes.push_back(part->name.value + ": " + std::to_string(there - solid.points.size()) +
+                                           " lattice points in it belong to no whole cell of springs and are left out");
+        for (const Vec& point : solid.points) nodes_.add(point, true);
+        nodes_.sort(spacing_);
+    }
+}
+
+void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line) {
+    const SolidBody body = solid_body(*solid.part, solid.points, lattice_step(), 2);
+    line.cells = {body.constants, body.stiffened};
+    line.particle_mass = body.mass.front();
+    const std::size_t first = result_.particles.size();
+    const int bodies_before = bodies_;
+    const std::vector<int> piece = pieces_of(body.lattice, bodies_);
+    const std::vector<bool> clamped = anchored_nodes(*solid.part, solid.points);
+    for (std::size_t node = 0; node < solid.points.size(); ++node)
+        add_particle(part_number, {solid.points[node], body.volume[node], body.mass[node], piece[node], clamped[node],
+                                   Vec::Zero(), 0});
+    line.bodies = bodies_ - bodies_before;
+    line.anchored = static_cast<std::size_t>(std::ranges::count(clamped, true));
+    add_springs_of(body.lattice, first, result_.particles, line);
+}
+
+/// Of a solid: those next to the named points or the curve, and the one nearest to each point.
+std::vector<bool> ParticleBuilder::anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const {
+    std::vector<bool> anchored(nodes.size(), false);
+    if (part.anchor->empty()) return anchored;
+    const double reach = clamped_within * spacing_;
+    const auto points = geometry_.points.find(part.anchor);
+    if (points != geometry_.points.end()) {
+        for (const Vec& anchor : points->second) {
+            const auto distance = [&](const Vec& node) { return (node - anchor).norm(); };
+            const auto nearest = std::ranges::min_element(nodes, {}, distance);
+            if (distance(*nearest) < nearest_within * spacing_)
+                anchored[static_cast<std::size_t>(nearest - nodes.begin())] = true;
+            for (std::size_t k = 0; k < nodes.size(); ++k)
+                if (distance(nodes[k]) < reach) anchored[k] = true;
+        }
+    } else {
+        const NearestCurve held_by(*geometry_.curve_set(part.anchor), reach);
+        for (std::size_t k = 0; k < nodes.size(); ++k) anchored[k] = held_by.nearest(nodes[k]).has_value();
+    }
+    if (std::ranges::find(anchored, true) == anchored.end())
+        throw InputError(part.anchor.place,
+                         "no node of '" + part.name.value + "' is next to '" + part.anchor.value + "'",
+                         "draw the part so that it touches what it is anchored to");
+    return anchored;
+}
+
+void ParticleBuilder::add_springs(const Part& part) {
+    const int number = add_part(part, ParticleKind::springs);
+    MeshReport::SpringLine line;
+    line.part = part.name;
+    const auto solid = std::ranges::find(solids_, &part, &SpringSolid::part);
+    if (solid != solids_.end()) {
+        const std::size_t first = result_.particles.size();
+        add_solid(*solid, number, line);
+        note_open_ends(result_.particles, first, part.name, result_.report.notes);
+        result_.report.springs.push_back(line);
+        return;
+    }
+    line.axial_stiffness_asked = strip_stiffness(part).axial;
+    for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
+    if (!part.anchor->empty() && line.anchored == 0) {
+        const bool to_points = geometry_.points.contains(part.anchor);
+        throw InputError(part.anchor.place,
+                         to_points ? "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'"
+                                   : "no end of '" + part.name.value + "' lies on '" + part.anchor.value + "'",
+                         to_points ? "put the anchor points on the curve in the drawing"
+                                   : "let the curve begin or end on it in the drawing");
+    }
+    if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
+        std::ostringstream note;
+        const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
+        note << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
+             << " to " << line.axial_stiffness << " N, so that two rows " << spacing_ << " m apart can "
+             << (lowered ? "bend as softly as EI asks" : "resist shear by cross bonds") << "; EI is held";
+        result_.report.notes.push_back(note.str());
+    }
+    result_.report.springs.push_back(line);
+}
+
+void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyline& curve,
+                                 MeshReport::SpringLine& line) {
+    constexpr int fewest_columns = 5;
+    if (curve.closed)
+        throw InputError(part.name.place,
+                         "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
+                         "leave a gap in the curve in the drawing");
+    const Ladder ladder = ladder_along(curve, spacing_);
+    if (ladder.columns() < fewest_columns) {
+        std::ostringstream problem;
+        problem << "a curve of '" << part.name.value << "' is " << curve.length() << " m long, " << ladder.columns()
+                << " columns of particles; at least " << fewest_columns << " are needed to bend";
+        throw InputError(part.name.place, problem.str(), "refine particles.spacing or draw a longer curve");
+    }
+    const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
+    const int body = bodies_++;
+    body_curves_.pieces.push_back(curve);
+    ParticleSet& set = result_.particles;
+
+    std::vector<Vec> middles;
+    middles.reserve(ladder.nodes.size() / 2);
+    for (std::size_t n = 0; n < ladder.nodes.size(); n += 2)
+        middles.emplace_back(0.5 * (ladder.nodes[n] + ladder.nodes[n + 1]));
+    const std::vector<bool> anchored = anchored_columns(part, curve, middles, ladder.along);
+
+    const int first = static_cast<int>(set.size());
+    const double mass = part.mass_per_length * ladder.along / 2;
+    for (std::size_t n = 0; n < ladder.nodes.size(); ++n) {
+        add_particle(part_number,
+                     {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
+        nodes_.add(ladder.nodes[n], false);
+    }
+    nodes_.sort(spacing_);
+
+    const auto bond = [&](int a, int b, double stiffness) {
+        set.bonds.push_back({a, b, (set.position[a] - set.position[b]).norm(), stiffness});
+        ++line.bonds;
+    };
+    const auto hinge = [&](int a, int centre, int b) {
+        const double rest =
+            angle_between(set.position[a] - set.position[centre], set.position[b] - set.position[centre]);
+        set.hinges.push_back({a, centre, b, rest, constants.hinge_stiffness});
+        ++line.hinges;
+    };
+    for (int c = 0; c < ladder.columns(); ++c) {
+        const int left = first + 2 * c, right = left + 1;
+        bond(left, right, constants.rung_stiffness());
+        if (c + 1 == ladder.columns()) break;
+        const int next_left = left + 2, next_right = right + 2;
+        bond(left, next_left, constants.bond_stiffness);
+        bond(right, next_right, constants.bond_stiffness);
+        if (constants.cross_stiffness > 0) {
+            bond(left, next_right, constants.cross_stiffness);
+            bond(right, next_left, constants.cross_stiffness);
+            continue;
+        }
+        hinge(next_left, left, right);
+        hinge(left, right, next_right);
+        hinge(right, next_right, next_left);
+        hinge(next_right, next_left, left);
+    }
+    ++line.bodies;
+    line.anchored += 2 * static_cast<std::size_t>(std::count(anchored.begin(), anchored.end(), true));
+    line.bond_stiffness = constants.bond_stiffness;
+    line.hinge_stiffness = constants.hinge_stiffness;
+    line.cross_stiffness = constants.cross_stiffness;
+    line.bending_stiffness = constants.bending_stiffness();
+    line.axial_stiffness = constants.axial_stiffness();
+    line.shear_stiffness = constants.shear_stiffness();
+    line.particle_mass = mass;
+}
+
+std::vector<Vec> ParticleBuilder::anchors_of(const Part& part, const Polyline& curve) const {
+    if (part.anchor->empty()) return {};
+    const auto points = geometry_.points.find(part.anchor);
+    if (points != geometry_.points.end()) return points->second;
+    const NearestCurve held_by(*geometry_.curve_set(part.anchor), touching * spacing_);
+    std::vector<Vec> ends;
+    for (const Vec& end : {curve.points.front(), curve.points.back()})
+        if (held_by.nearest(end)) ends.push_back(end);
+    return ends;
+}
+
+std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const Polyline& curve,
+                                                    const std::vector<Vec>& middles, double along) const {
+    std::vector<bool> anchored(middles.size(), false);
+    for (const Vec& anchor : anchors_of(part, curve)) {
+        const auto distance = [&](const Vec& middle) { return (middle - anchor).norm(); };
+        const auto nearest = std::min_element(middles.begin(), middles.end(),
+                                              [&](const Vec& a, const Vec& b) { return distance(a) < distance(b); });
+        if (distance(*nearest) < 0.51 * along) anchored[static_cast<std::size_t>(nearest - middles.begin())] = true;
+    }
+    return anchored;
+}
+
+}  // namespace dmp

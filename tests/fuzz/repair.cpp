@@ -1,0 +1,78 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Any surface of some triangles on a small lattice, where corners, edges and faces often coincide, through the ladder
+// of repairs: it has an inside then, or is refused with what to do. The input: a byte for the highest rung and the
+// spacing, one for the number of corners, three for each corner, and three for each triangle.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+#include "geometry/repair_surface.hpp"
+#include "geometry/surface_edges.hpp"
+
+namespace {
+
+void need(bool holds) {
+    if (!holds) std::abort();
+}
+
+/// 0 to 15, half of them off by what welding may or may not close.
+double coordinate(std::uint8_t byte) {
+    constexpr std::uint8_t places = 15;
+    const int off = byte >> 4;
+    return (byte & places) + (off < 8 ? 0 : (off - 7) * 3e-4);
+}
+
+dmp::TriangleSurface surface_of(std::span<const std::uint8_t> bytes) {
+    dmp::TriangleSurface surface;
+    const std::size_t corners = std::min<std::size_t>(bytes[0], (bytes.size() - 1) / 3);
+    for (std::size_t k = 0; k < corners; ++k)
+        surface.corners.emplace_back(coordinate(bytes[1 + 3 * k]), coordinate(bytes[2 + 3 * k]),
+                                     coordinate(bytes[3 + 3 * k]));
+    if (corners == 0) return surface;
+    const auto index = [&](std::size_t at) { return static_cast<int>(bytes[at] % corners); };
+    for (std::size_t at = 1 + 3 * corners; at + 3 <= bytes.size(); at += 3)
+        surface.triangles.push_back({index(at), index(at + 1), index(at + 2)});
+    return surface;
+}
+
+void check(const dmp::RepairedSurface& repaired, const dmp::RepairLimits& limits) {
+    const dmp::TriangleSurface& surface = repaired.surface;
+    const auto corners = static_cast<int>(surface.corners.size());
+    need(!surface.triangles.empty());
+    for (const auto& triangle : surface.triangles)
+        for (const int corner : triangle) need(corner >= 0 && corner < corners);
+    for (const dmp::Vec& corner : surface.corners) need(corner.allFinite());
+    for (const std::string& line : repaired.report.lines()) need(!line.empty() && line.size() < 1000);
+    const bool closed = dmp::count_edges(surface).closed();
+    need(closed || (surface.has_holes && repaired.report.by == dmp::RepairedBy::vote));
+    if (repaired.report.by == dmp::RepairedBy::vote)
+        need(limits.highest >= dmp::RepairRung::vote && repaired.report.doubt <= limits.largest_doubt);
+    else
+        need(surface.enclosed_volume() > 0);
+    if (repaired.report.by == dmp::RepairedBy::wrap) need(limits.highest == dmp::RepairRung::wrap);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size < 2) return 0;
+    dmp::RepairLimits limits;
+    limits.highest = static_cast<dmp::RepairRung>(data[0] % 5);
+    limits.spacing = data[0] % 2 == 0 ? 1 : 0.5;
+    try {
+        const dmp::RepairedSurface repaired =
+            dmp::repair_surface(surface_of({data + 1, size - 1}), limits, "fuzzed", {});
+        check(repaired, limits);
+        if (repaired.report.by == dmp::RepairedBy::vote) return 0;
+        // What is in order comes back as it is.
+        const dmp::RepairedSurface again = dmp::repair_surface(repaired.surface, limits, "repaired", {});
+        const double volume = repaired.surface.enclosed_volume();
+        need(std::abs(again.surface.enclosed_volume() - volume) <= 1e-9 * volume);
+    } catch (const dmp::InputError& error) {
+        need(!error.problem().empty() && !error.what_to_do().empty() && error.problem().size() < 1000);
+    }
+    return 0;
+}

@@ -1,0 +1,184 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Solids of springs in drawings in the plane.
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "meshed_text.hpp"
+
+namespace dmp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing_mesh::channel;
+using testing_mesh::fault_of;
+using testing_mesh::mesh_texts;
+using testing_mesh::Texts;
+
+/// The channel with a block of 0.5 m x 1 m on its bottom, clamped there, drawn over the water.
+const Texts block{channel.scene + R"([[part]]
+name = "block"
+kind = "springs"
+density = "1200 kg/m^3"
+youngs_modulus = "1 MPa"
+poisson_ratio = 0.25
+anchor = "wall"
+)",
+                  channel.drawing + R"(Point(10) = {1.75, 0, 0};
+Point(11) = {2.25, 0, 0};
+Point(12) = {2.25, 1, 0};
+Point(13) = {1.75, 1, 0};
+Line(10) = {10, 11};
+Line(11) = {11, 12};
+Line(12) = {12, 13};
+Line(13) = {13, 10};
+Curve Loop(2) = {10, 11, 12, 13};
+Plane Surface(2) = {2};
+Physical Surface("block") = {2};
+)"};
+
+std::size_t count_of(const ParticleSet& set, const std::string& part) {
+    std::size_t count = 0;
+    for (const int p : set.part) count += set.parts[static_cast<std::size_t>(p)].name == part ? 1 : 0;
+    return count;
+}
+
+TEST(PlaneSolids, take_their_room_and_stretch_as_their_material_does) {
+    const auto meshed = mesh_texts(block);
+    const ParticleSet& set = meshed.particles;
+    const double cell = 0.125 * 0.125;
+    ASSERT_EQ(count_of(set, "block"), 4U * 8);
+    EXPECT_EQ(count_of(set, "water"), 32U * 16 - 32);
+    EXPECT_EQ(count_of(set, "wall"), 32U * 6);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        if (set.kind(i) != ParticleKind::springs) continue;
+        EXPECT_EQ(set.volume[i], cell);
+        EXPECT_NEAR(set.mass[i], 1200 * cell, 1e-12);
+        EXPECT_EQ(set.body[i], 0);
+        EXPECT_EQ(set.fixed[i] != 0, set.position[i].y() < 0.125);
+    }
+    const auto& line = meshed.report.springs.at(0);
+    EXPECT_EQ(line.anchored, 4U);
+    EXPECT_EQ(line.bodies, 1);
+    EXPECT_EQ(line.pieces, 1);
+    EXPECT_EQ(line.bonds, 3U * 8 + 4 * 7 + 2 * 3 * 7);
+    ASSERT_TRUE(line.cells);
+    EXPECT_NEAR(line.cells->stiffened, 32.0 / 21, 1e-12);
+    EXPECT_NEAR(line.cells->constants.youngs_modulus(), 1e6, 1e-6);
+    // A strain of 1 along y costs as much as in the material held in its depth, of the area of all nodes: 1/2 c11.
+    double energy = 0;
+    for (const Bond& bond : set.bonds) {
+        const Vec along = set.position[bond.b] - set.position[bond.a];
+        energy += bond.stiffness * std::pow(along.y() * along.y() / along.norm(), 2);
+    }
+    const double c11 = 1e6 * 0.75 / (1.25 * 0.5);
+    EXPECT_NEAR(energy / (32 * cell), 0.5 * c11, 1e-9 * c11);
+    EXPECT_THAT(meshed.report.text(),
+                AllOf(HasSubstr("give E = 1e+06 Pa, nu = 0.25"), HasSubstr("1/1.52 of the area")));
+    EXPECT_NEAR(meshed.report.parts.at(0).volume_error(), 0, 1e-12);
+}
+
+TEST(PlaneSolids, may_be_cut_out_of_the_fluid) {
+    const Texts hole = block.with("Plane Surface(1) = {1};\n", "")
+                           .with("Plane Surface(2) = {2};\n",
+                                 "Line(14) = {11, 2};\nLine(15) = {1, 10};\n"
+                                 "Curve Loop(3) = {15, -13, -12, -11, 14, 2, 3, 4};\n"
+                                 "Plane Surface(1) = {3};\nPlane Surface(2) = {2};\n")
+                           .with("Line(1) = {1, 2};\n", "")
+                           .with("Curve Loop(1) = {1, 2, 3, 4};\n", "")
+                           .with("Physical Curve(\"wall\") = {1, 3};\n", "")
+                           .with("Physical Surface(\"block\")",
+                                 "Physical Curve(\"wall\") = {3, 10, 14, 15};\nPhysical Surface(\"block\")");
+    const auto meshed = mesh_texts(hole), over = mesh_texts(block);
+    ASSERT_EQ(meshed.particles.size(), over.particles.size());
+    for (std::size_t i = 0; i < over.particles.size(); ++i)
+        EXPECT_LT((meshed.particles.position[i] - over.particles.position[i]).norm(), 1e-12);
+    EXPECT_EQ(meshed.particles.bonds.size(), over.particles.bonds.size());
+    EXPECT_NEAR(meshed.report.parts.at(0).target, over.report.parts.at(0).target, 1e-12);
+}
+
+TEST(PlaneSolids, may_stand_beside_the_fluid) {
+    // A soft floor below the water, from y = -0.5 m on: the box reaches down to it.
+    const Texts floor = block.with("{1.75, 0, 0}", "{1, 0, 0}")
+                            .with("{2.25, 0, 0}", "{1, -0.5, 0}")
+                            .with("{2.25, 1, 0}", "{3, -0.5, 0}")
+                            .with("{1.75, 1, 0}", "{3, 0, 0}")
+                            .with("anchor = \"wall\"\n", "");
+    const auto meshed = mesh_texts(floor);
+    EXPECT_EQ(count_of(meshed.particles, "block"), 16U * 4);
+    EXPECT_EQ(count_of(meshed.particles, "water"), 32U * 16);
+    EXPECT_LE(meshed.particles.box.low.y(), -0.4375);
+    for (std::size_t i = 0; i < meshed.particles.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            ASSERT_GT((meshed.particles.position[i] - meshed.particles.position[j]).norm(), 0.12);
+}
+
+TEST(PlaneSolids, keep_fluid_off_in_every_fill) {
+    for (const char* fill : {"relaxed", "sampled"}) {
+        const auto meshed = mesh_texts(
+            block.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\nfill = \"" + std::string(fill) + "\""));
+        const ParticleSet& set = meshed.particles;
+        EXPECT_EQ(count_of(set, "block"), 4U * 8);
+        EXPECT_NEAR(static_cast<double>(count_of(set, "water")), 480, 2) << fill;
+        for (std::size_t i = 0; i < set.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const bool at_the_block =
+                    (set.kind(i) == ParticleKind::springs) != (set.kind(j) == ParticleKind::springs);
+                if (!at_the_block) continue;
+                EXPECT_GT((set.position[i] - set.position[j]).norm(), 0.6 * 0.125) << fill;
+            }
+    }
+}
+
+TEST(PlaneSolids, of_curved_shape_leave_out_what_is_in_no_cell) {
+    // A slanted block, clamped at named points.
+    const Texts slanted =
+        block.with("{2.25, 1, 0}", "{2.75, 1, 0}")
+            .with("{1.75, 1, 0}", "{2.0, 1.2, 0}")
+            .with("anchor = \"wall\"", "anchor = \"feet\"")
+            .with("Physical Surface(\"block\")", "Physical Point(\"feet\") = {10, 11};\nPhysical Surface(\"block\")");
+    const auto meshed = mesh_texts(slanted);
+    EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("lattice points in it belong to no whole cell of springs")));
+    EXPECT_EQ(meshed.report.springs.at(0).pieces, 1);
+    EXPECT_GE(meshed.report.springs.at(0).anchored, 2U);
+    EXPECT_LE(meshed.report.springs.at(0).anchored, 4U);
+}
+
+TEST(PlaneSolids, gaps_beside_them_are_said) {
+    EXPECT_THAT(mesh_texts(block).report.notes, Not(Contains(HasSubstr("a gap of"))));
+    EXPECT_THAT(
+        mesh_texts(block.with("{2.25, 1, 0}", "{2.25, 1.75, 0}").with("{1.75, 1, 0}", "{1.75, 1.75, 0}")).report.notes,
+        Contains(AllOf(HasSubstr("water: a gap of 2 spacings near"), HasSubstr("less than 3 particles"))));
+}
+
+TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {
+    EXPECT_THAT(fault_of(block.with("{2.25, 1, 0}", "{1.85, 1, 0}").with("{2.25, 0, 0}", "{1.85, 0, 0}")),
+                HasSubstr("'block' is too thin for a solid of springs: no cell of the lattice fits in it"));
+    EXPECT_THAT(fault_of(block.with("poisson_ratio = 0.25", "poisson_ratio = 0.4")),
+                HasSubstr("cannot have a Poisson ratio of more than 0.25"));
+    EXPECT_THAT(fault_of(block.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"hexagonal\"")),
+                HasSubstr("which are built on the square lattice only"));
+    EXPECT_THAT(fault_of(block.with("density = \"1200 kg/m^3\"", "mass_per_length = \"5 kg/m\"\nthickness = \"1 m\"")),
+                HasSubstr("'block' is a surface in the drawing, a solid of springs, which has no mass_per_length"));
+    EXPECT_THAT(fault_of(block.with("Physical Surface(\"block\") = {2}", "Physical Curve(\"block\") = {11}")),
+                HasSubstr("'block' is a curve in the drawing, a strip of springs, which has no density"));
+    EXPECT_THAT(fault_of(block.with("density = \"1200 kg/m^3\"", "density = \"1200 kg/m^3\"\ncross_bonds = true")),
+                HasSubstr("part 'block': cross_bonds is of a strip, and density says that the part is an area"));
+    EXPECT_THAT(fault_of(block.with("youngs_modulus = \"1 MPa\"\n", "")), HasSubstr("youngs_modulus is missing"));
+    EXPECT_THAT(
+        fault_of(block.with("anchor = \"wall\"", "anchor = \"feet\"")
+                     .with("Physical Surface(\"block\")",
+                           "Point(20) = {0.5, 1, 0};\nPhysical Point(\"feet\") = {20};\nPhysical Surface(\"block\")")),
+        HasSubstr("no node of 'block' is next to 'feet'"));
+}
+
+TEST(PlaneSolids, end_at_periodic_sides_and_it_is_said) {
+    const auto meshed = mesh_texts(block.with("{1.75, 0, 0}", "{0, 0, 0}").with("{1.75, 1, 0}", "{0, 1, 0}"));
+    EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("block: its springs end at the side of the box across x")));
+}
+
+}  // namespace
+}  // namespace dmp
