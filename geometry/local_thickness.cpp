@@ -68,9 +68,11 @@ LocalThickness local_thickness(const TriangleSurface& surface, double distance) 
         };
         for_each_middle(triangle, parts, [&](const Vec& place) {
             const auto hit = tree.first_hit(place, inward, is_opposite);
-            if (hit)
-                found.samples.push_back(
-                    {place, place + hit->distance * inward, hit->distance, 0.5 * twice_area / (parts * parts)});
+            if (!hit) return;
+            const Vec& facing = normals[static_cast<std::size_t>(hit->triangle)];
+            const double slant = facing.cross(inward).norm() / facing.dot(inward);
+            found.samples.push_back(
+                {place, place + hit->distance * inward, hit->distance, 0.5 * twice_area / (parts * parts), slant});
         });
     }
     return found;

@@ -14,6 +14,7 @@ struct ThicknessSample {
     Vec opposite = Vec::Zero();  ///< where the line inward along the normal comes out again [m]
     double thickness = 0;        ///< [m]
     double area = 0;             ///< of the surface that it stands for [m^2]
+    double slant = 0;            ///< tangent of the angle between the two sides: 0 where they are parallel
 };
 
 /// The thickness of a closed body all over its surface (the shape diameter of Shapira, Shamir and Cohen-Or, The Visual

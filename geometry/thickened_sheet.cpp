@@ -29,7 +29,8 @@ std::vector<Vec> corner_normals(const TriangleSurface& surface) {
 
 }  // namespace
 
-TriangleSurface thickened_sheet(TriangleSurface sheet, double thickness, const std::function<bool(const Vec&)>& held) {
+TriangleSurface thickened_sheet(TriangleSurface sheet, double thickness,
+                                const std::function<bool(const Vec&, const Vec&)>& held) {
     orient_outward(sheet);
     const auto corners = static_cast<int>(sheet.corners.size());
     const std::vector<Vec> normal = corner_normals(sheet);
@@ -45,7 +46,7 @@ TriangleSurface thickened_sheet(TriangleSurface sheet, double thickness, const s
         if (sides.size() != 1) return;
         const int from = sides[0].from(), to = sides[0].to();
         const auto corner = [&](int k) -> const Vec& { return sheet.corners[static_cast<std::size_t>(k)]; };
-        if (held(0.5 * (corner(from) + corner(to)))) return;
+        if (held(corner(from), corner(to))) return;
         body.triangles.push_back({to, from, corners + from});
         body.triangles.push_back({to, corners + from, corners + to});
     });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -11,13 +12,11 @@
 #include "base/length_text.hpp"
 #include "geometry/inside_test.hpp"
 #include "geometry/local_thickness.hpp"
-#include "geometry/nearest_triangle.hpp"
 #include "geometry/segments.hpp"
 #include "geometry/standing_strips.hpp"
-#include "geometry/surface_pieces.hpp"
-#include "geometry/thickened_sheet.hpp"
 #include "geometry/winding_number.hpp"
 #include "mesher/particle_builder.hpp"
+#include "mesher/shell_gaps.hpp"
 #include "mesher/space_builder.hpp"
 
 namespace dmp {
@@ -27,8 +26,6 @@ namespace {
 constexpr double least_gap = 3, least_thickness = 2;  // [spacings]
 /// What is nearer touches: there is no gap [spacings].
 constexpr double touching = 1e-3;
-/// A sheet is held by what its edge is this near to [spacings].
-constexpr double held_within = 0.25;
 
 /// Adds the surface of a body in the fluid, as the fluid has it: facing into the body.
 void add_turned(TriangleSurface& to, const TriangleSurface& body) {
@@ -166,32 +163,6 @@ std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Sc
     return said;
 }
 
-/// The sheets of springs, each connected piece for itself, as bodies a spacing thick: what their two layers of nodes
-/// take from the fluid. No fluid passes the edges that touch a solid or another sheet.
-std::vector<TriangleSurface> shells_as_bodies(const Geometry& geometry, const Scene& scene) {
-    const double spacing = scene.particles.spacing;
-    const double reach = held_within * spacing;
-    std::vector<NearestTriangle> solids, near_sheet;
-    for (const Solid& solid : geometry.solids) solids.emplace_back(solid.surface, reach);
-    std::vector<TriangleSurface> sheets;
-    for (const Part* part : scene.parts_of(PartKind::springs)) {
-        const SurfaceSet* set = geometry.surface_set(part->name);
-        if (set == nullptr) continue;
-        const SurfacePieces pieces(set->surface);
-        for (const SurfacePiece& piece : pieces.all())
-            near_sheet.emplace_back(sheets.emplace_back(part_of(set->surface, piece.triangles)), reach);
-    }
-    for (std::size_t k = 0; k < sheets.size(); ++k)
-        sheets[k] = thickened_sheet(std::move(sheets[k]), spacing, [&](const Vec& place) {
-            const auto touches = [&](const NearestTriangle& other) { return other.nearest(place).has_value(); };
-            return std::ranges::any_of(solids, touches) ||
-                   std::ranges::any_of(near_sheet, [&](const NearestTriangle& other) {
-                       return &other != &near_sheet[k] && touches(other);
-                   });
-        });
-    return sheets;
-}
-
 std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Scene& scene) {
     std::vector<std::string> said;
     const double spacing = scene.particles.spacing;
@@ -199,7 +170,8 @@ std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Sc
     const auto ends_on_walls = [&](const ThicknessSample& sample) {
         return !open.holds(sample.place) && !open.holds(sample.opposite);
     };
-    std::vector<TriangleSurface> bodies = shells_as_bodies(geometry, scene);
+    const ShellGaps shells(geometry, scene, least_gap);
+    std::vector<TriangleSurface> bodies = shells.bodies();
     for (const PartKind kind : {PartKind::rigid, PartKind::springs})
         for (const Part* part : scene.parts_of(kind)) {
             const Solid* solid = geometry.solid(part->name);
@@ -219,11 +191,13 @@ std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Sc
         const auto is_fluid = [&](const ThicknessSample& sample) {
             const Vec middle = 0.5 * (sample.place + sample.opposite);
             return sample.thickness > touching * spacing && ends_on_walls(sample) && in_fluid.inside(middle) &&
+                   !shells.is_in_a_wedge(sample) &&
                    std::ranges::none_of(in_body, [&](const WindingNumber& body) { return body.inside(middle); });
         };
         said.push_back(thinnest_text(local_thickness(around, spacing), spacing, least_gap, part->name.value + ": a gap",
                                      3, is_fluid));
     }
+    std::ranges::move(shells.narrow_edges(), std::back_inserter(said));
     return said;
 }
 

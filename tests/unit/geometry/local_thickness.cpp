@@ -19,6 +19,18 @@ TEST(LocalThickness, of_a_box_is_between_its_sides) {
     EXPECT_NEAR(found.share_thinner(1.01), 12.0 / 22, 1e-14);
     EXPECT_NEAR(found.share_thinner(2.01), 18.0 / 22, 1e-14);
     EXPECT_NEAR(found.share_thinner(3.01), 1, 1e-14);
+    for (const ThicknessSample& sample : found.samples) EXPECT_EQ(sample.slant, 0);
+}
+
+TEST(LocalThickness, of_a_wedge_is_slanted) {
+    // 10 long, 3 high at its blunt end.
+    TriangleSurface wedge = box({0, 0, 0}, {10, 4, 3});
+    for (Vec& corner : wedge.corners)
+        if (corner.x() == 0) corner.z() *= 1e-3;
+    std::size_t steep = 0;
+    for (const ThicknessSample& sample : local_thickness(wedge, 1).samples)
+        if (std::abs(sample.slant - 0.2997) < 1e-3) ++steep;
+    EXPECT_GT(steep, 100U);
 }
 
 TEST(LocalThickness, of_a_hollow_body_is_its_wall) {

@@ -11,7 +11,7 @@
 namespace dmp {
 namespace {
 
-const auto nowhere = [](const Vec&) { return false; };
+const auto nowhere = [](const Vec&, const Vec&) { return false; };
 
 /// 2 x 1 in the plane z = 0, the second triangle facing down.
 TriangleSurface flat() {
@@ -29,7 +29,8 @@ TEST(ThickenedSheet, is_closed_and_faces_outward) {
 }
 
 TEST(ThickenedSheet, is_open_where_it_is_held) {
-    const TriangleSurface body = thickened_sheet(flat(), 0.5, [](const Vec& place) { return place.x() == 0; });
+    const TriangleSurface body =
+        thickened_sheet(flat(), 0.5, [](const Vec& a, const Vec& b) { return a.x() == 0 && b.x() == 0; });
     EXPECT_EQ(count_edges(body).open, 4U);
     EXPECT_NEAR(body.area(), 2 * 2 + 5 * 0.5, 1e-14);
 }

@@ -188,11 +188,14 @@ TEST(SpaceBodies, gaps_beside_a_shell_are_said) {
         return Contains(AllOf(HasSubstr("water: a gap of "), HasSubstr(text)));
     };
     EXPECT_THAT(said_of(sheet), gap("a gap of 2 spacings near"));
+    EXPECT_THAT(said_of(sheet), Contains(AllOf(HasSubstr("body: a gap at its edge near ("),
+                                               HasSubstr("that 1.5 particles fit into, less than 3"))));
     const Texts apart = sheet.with("{1, 0, 0.125}", "{1, 0, 0.25}")
                             .with("{1.2, 0.75, 0.125}", "{1.2, 0.75, 0.25}")
                             .with("{1, 0, 0.875}", "{1, 0, 0.75}")
                             .with("{1.2, 0.75, 0.875}", "{1.2, 0.75, 0.75}");
     EXPECT_THAT(said_of(apart), Not(gap("")));
+    EXPECT_THAT(said_of(apart), Not(Contains(HasSubstr("at its edge"))));
     // A second one faces it, four spacings away, of which the two shells take one.
     const std::string second = "Translate {0.254, 0, 0} { Duplicata { Surface{101}; } }\nPhysical Volume(\"water\")";
     EXPECT_THAT(
