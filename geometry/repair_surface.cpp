@@ -205,9 +205,10 @@ class Ladder {
 
     void vote_or_wrap() {
         const std::vector<int> sheets = turn_open_pieces(surface_);
+        if (limits_.highest < RepairRung::vote) refuse_open(sheets);
         const WindingVote vote = turn_sheets(sheets);
         count_turned();
-        if (limits_.highest >= RepairRung::vote && sheets.empty() && vote.doubt <= limits_.largest_doubt) {
+        if (sheets.empty() && vote.doubt <= limits_.largest_doubt) {
             report_.by = RepairedBy::vote;
             report_.doubt = vote.doubt;
             surface_.has_holes = true;

@@ -133,8 +133,8 @@ int main(int count, char** words) {
     write("answer/request", "Q" + dmp::bytes_of(options));
     write("repair/box", surface(0, "", "", 0));
     write("repair/hole", surface(2, "", "", 1));
-    write("repair/wide_hole", surface(4, "", "", 2));
-    write("repair/sheet", surface(3, {0, 8, 8}, {0, 1, 8}, 0));
+    write("repair/wide_hole", surface(8, "", "", 2));
+    write("repair/sheet", surface(16, {0, 8, 8}, {0, 1, 8}, 0));
     write("repair/tetrahedron_beside", surface(1, {0, 0, 15}, {4, 5, 8, 5, 7, 8, 7, 4, 8, 4, 7, 5}, 0));
     write("script/loop",
           "width = 2; // If\nFor i In {1:3}\n  Point(i) = {i, 0, 0};\nEndFor\n/* a\n */ Printf(\"If\");\n");
