@@ -257,7 +257,8 @@ class Ladder {
         refuse(problem,
                tried_all ? "close it in the program that drew it; holes that are filled have at most " +
                                number_text(limits_.largest_hole) + " spacings around (geometry.largest_hole)"
-                         : "close it in the program that drew it, or let geometry.repair go further",
+                         : std::string("close it in the program that drew it, or let geometry.repair go further") +
+                               (limits_.highest >= RepairRung::fill ? ", or raise geometry.largest_hole" : ""),
                bad);
     }
 

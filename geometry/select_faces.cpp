@@ -84,11 +84,12 @@ bool fits(const FaceSelection& asked, const Corners<N>& corners, double toleranc
 }
 
 [[noreturn]] void refuse_empty(const Geometry& geometry, const FaceSelection& asked, const Box& box) {
-    const double size = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+    // With the digits that a plane asks for.
+    const LengthUnit unit = length_unit(std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()));
     std::string span;
     for (int axis = 0; axis < geometry.dimension; ++axis)
-        span += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " from " + length_text(box.low[axis], size) + " to " +
-                length_text(box.high[axis], size);
+        span += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " from " + number_text(box.low[axis] / unit.metres) +
+                " " + unit.name + " to " + number_text(box.high[axis] / unit.metres) + " " + unit.name;
     throw InputError(asked.place,
                      "selection '" + asked.name + "': no " + (geometry.dimension == 3 ? "face" : "curve") + " of '" +
                          asked.of + "' is like that",

@@ -183,10 +183,15 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
             for (std::size_t k = 0; k < loop.points.size(); ++k) {
                 const Vec& a = loop.points[k];
                 const Vec& b = loop.points[(k + 1) % loop.points.size()];
-                const Vec middle = 0.5 * (a + b);
-                if (on_side_that_goes_on(a, b, scene, box, tolerance) || at_wall(middle) ||
-                    at_another_area(middle, b - a, &region))
-                    continue;
+                // A solid that is drawn over the fluid need not end where this side does.
+                const int places = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing)));
+                bool closed = on_side_that_goes_on(a, b, scene, box, tolerance);
+                for (int n = 0; n < places && !closed; ++n) {
+                    const Vec place = a + (n + 0.5) / places * (b - a);
+                    if (!at_wall(place) && !at_another_area(place, b - a, &region)) break;
+                    closed = n + 1 == places;
+                }
+                if (closed) continue;
                 throw InputError(part->name.place,
                                  "the boundary of '" + part->name.value + "' is open between " + place_text(a, 2) +
                                      " and " + place_text(b, 2) + ": no rigid part and no periodic side closes it",

@@ -41,10 +41,7 @@ Box fluid_box(const Geometry& geometry, const Scene& scene) {
     for (const Part* part : scene.parts_of(PartKind::springs))
         if (const Region* region = geometry.region(part->name))
             for (const Polyline& loop : region->loops)
-                for (const Vec& point : loop.points) {
-                    box.low = box.low.cwiseMin(point);
-                    box.high = box.high.cwiseMax(point);
-                }
+                for (const Vec& point : loop.points) widen_for_body(box, point, scene);
     if (scene.parts_of(PartKind::fluid).empty()) box = geometry.box;
     return box;
 }
@@ -55,6 +52,17 @@ std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene) {
     for (const BoxSide side : *scene.flow.symmetry)
         mirrored.at(static_cast<std::size_t>(axis_of(side))).at(is_high(side) ? 1 : 0) = true;
     return mirrored;
+}
+
+void widen_for_body(Box& box, const Vec& point, const Scene& scene) {
+    const double spacing = scene.particles.spacing;
+    const auto mirrored = mirrored_sides(scene);
+    const auto spacings = [&](double length) { return spacing * std::ceil(std::max(0.0, length) / spacing - 1e-6); };
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        if (*scene.flow.periodic[axis]) continue;
+        if (!mirrored[axis][0]) box.low[axis] -= spacings(box.low[axis] - point[axis]);
+        if (!mirrored[axis][1]) box.high[axis] += spacings(point[axis] - box.high[axis]);
+    }
 }
 
 ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
@@ -107,7 +115,11 @@ const Part* ParticleBuilder::fluid_at(const Vec& point) const {
         if (on_edge != nullptr) return on_edge;
         on_edge = fluid.part;
     }
-    return nullptr;
+    if (on_edge == nullptr || std::ranges::none_of(solids_, [&](const SpringSolid& solid) {
+            return solid.region.side_of(point) == Side::on_edge;
+        }))
+        return nullptr;
+    return on_edge;
 }
 
 /// A wall that ends at a plane of symmetry goes on as its own image.
@@ -205,7 +217,7 @@ void ParticleBuilder::add_walls(const Part& part) {
     const auto own = static_cast<int>(std::ranges::find(walls_, &part, &Wall::part) - walls_.begin());
     for (const Vec& point : lattice_.points((part.layers + 1 + spare_layers(scene_)) * spacing_)) {
         ++candidates_;
-        if (fluid_at(point) != nullptr || is_beyond_a_plane(result_.particles, point)) continue;
+        if (fluid_at(point) != nullptr || is_in_a_solid(point) || is_beyond_a_plane(result_.particles, point)) continue;
         const auto [owner, surface] = wall_at(point);
         if (owner != own || nodes_.any_near(point, wall_clearance * spacing_)) continue;
         const Vec to_surface = surface.point - point;
@@ -258,6 +270,11 @@ void ParticleBuilder::fit() {
 bool ParticleBuilder::holds(std::size_t i, const Vec& point) const {
     const Part* fluid = fluid_at(point);
     return fluid != nullptr && *fluid->name == result_.particles.parts[result_.particles.part[i]].name;
+}
+
+bool ParticleBuilder::is_in_a_solid(const Vec& point) const {
+    return std::ranges::any_of(solids_,
+                               [&](const SpringSolid& solid) { return solid.region.side_of(point) == Side::inside; });
 }
 
 bool ParticleBuilder::clear_of_bodies(const Vec& point) const {

@@ -16,7 +16,11 @@ namespace dmp {
 /// The sides of the box that are planes of symmetry: by axis, low and high.
 std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene);
 
-/// The box around the fluid regions of the scene; along periodic axes exactly one period.
+/// Widens a box around fluids by whole spacings, so that a point of a body lies in it too; not across sides beyond
+/// which the scene goes on.
+void widen_for_body(Box& box, const Vec& point, const Scene& scene);
+
+/// The box around the fluid regions of the scene and solids of springs; along periodic axes exactly one period.
 Box fluid_box(const Geometry& geometry, const Scene& scene);
 
 /// Builds a particle set part by part: first the spring bodies, then the fluid around them, then the walls.
@@ -76,11 +80,14 @@ class ParticleBuilder {
     /// A region of springs.
     struct SpringSolid {
         const Part* part;
+        InsideTest region;
         std::vector<Vec> points;  ///< of the lattice that belong to whole cells
     };
 
     int add_part(const Part& part, ParticleKind kind);
     int add_particle(int part, const NewParticle& particle);
+    /// Within the drawn area of a solid of springs, also where no whole cell of it is.
+    [[nodiscard]] bool is_in_a_solid(const Vec& point) const;
     void claim_solids();
     void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
@@ -90,7 +97,7 @@ class ParticleBuilder {
     [[nodiscard]] std::vector<Vec> anchors_of(const Part& part, const Polyline& curve) const;
     [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const Polyline& curve,
                                                      const std::vector<Vec>& middles, double along) const;
-    /// The fluid part that holds the point; none outside and on walls.
+    /// The fluid part that holds the point, also on its border with another or a solid; none outside and on walls.
     [[nodiscard]] const Part* fluid_at(const Vec& point) const;
     /// The wall the point belongs to, and its surface, looked for across periodic sides as well.
     [[nodiscard]] WallPoint wall_at(const Vec& point) const;

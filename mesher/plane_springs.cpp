@@ -31,15 +31,14 @@ void ParticleBuilder::claim_solids() {
                 scene_.particles.arrangement.place,
                 "'" + part->name.value + "' is a solid of springs, which are built on the square lattice only",
                 "write particles.arrangement = \"square\"");
-        const InsideTest inside(*region);
-        // A point on the border goes with the solid if fluid is beyond it, which leaves it out.
+        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}});
+        // Of points on the border those on its low sides: as many rows as spacings.
+        const Vec a_little = 1e-6 * spacing_ * Vec(1, 0.618, 0);
         const auto is_in = [&](const Vec& point) {
-            const Side side = inside.side_of(point);
-            if (side != Side::on_edge) return side == Side::inside;
-            return std::ranges::any_of(
-                fluids_, [&](const Fluid& fluid) { return fluid.region.side_of(point) != Side::outside; });
+            const Side side = solid.region.side_of(point);
+            return side == Side::inside ||
+                   (side == Side::on_edge && solid.region.side_of(point + a_little) == Side::inside);
         };
-        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, {}});
         for (const Vec& point : lattice_.points(0))
             if (is_in(point) && !nodes_.any_near(point, 0.5 * spacing_)) solid.points.push_back(point);
         const std::size_t there = solid.points.size();

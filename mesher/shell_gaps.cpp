@@ -2,6 +2,7 @@
 #include "mesher/shell_gaps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -25,12 +26,35 @@ double distance_between(const NearestTriangle& surface, const Vec& place) {
     return found ? found->distance : std::numeric_limits<double>::infinity();
 }
 
+/// Of a fluid's surface what ends at walls: not where the scene goes on, nor where another fluid is beyond it.
+TriangleSurface closed_sides(const Geometry& geometry, const Scene& scene, const Part& fluid,
+                             const std::function<bool(const Vec&)>& goes_on) {
+    const double touching = 1e-3 * scene.particles.spacing;
+    std::vector<NearestTriangle> others;
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        if (part != &fluid) others.emplace_back(geometry.solid(part->name)->surface, touching);
+    TriangleSurface sides = geometry.solid(fluid.name)->surface;
+    std::erase_if(sides.triangles, [&](const std::array<int, 3>& triangle) {
+        Vec middle = Vec::Zero();
+        for (const int corner : triangle) middle += sides.corners[static_cast<std::size_t>(corner)] / 3;
+        return goes_on(middle) || std::ranges::any_of(others, [&](const NearestTriangle& other) {
+                   return other.nearest(middle).has_value();
+               });
+    });
+    return sides;
+}
+
 }  // namespace
 
-ShellGaps::ShellGaps(const Geometry& geometry, const Scene& scene, double fewest)
+ShellGaps::ShellGaps(const Geometry& geometry, const Scene& scene, double fewest,
+                     const std::function<bool(const Vec&)>& goes_on)
     : spacing_(scene.particles.spacing), fewest_(fewest) {
     const double reach = (fewest + 1) * spacing_;
-    for (const Solid& solid : geometry.solids) solids_.emplace_back(solid.surface, reach);
+    for (const PartKind kind : {PartKind::rigid, PartKind::springs})
+        for (const Part* part : scene.parts_of(kind))
+            if (const Solid* solid = geometry.solid(part->name)) solids_.emplace_back(solid->surface, reach);
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        solids_.emplace_back(closed_sides(geometry, scene, *part, goes_on), reach);
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         const SurfaceSet* set = geometry.surface_set(part->name);
         if (set == nullptr) continue;
@@ -47,10 +71,10 @@ ShellGaps::ShellGaps(const Geometry& geometry, const Scene& scene, double fewest
             const auto touches = [&](const NearestTriangle& other) {
                 return distance_between(other, middle) < held_within * spacing_;
             };
-            const bool held =
-                std::ranges::any_of(solids_, touches) || std::ranges::any_of(sheets_, [&](const Sheet& other) {
-                    return &other != &sheet && touches(other.nearest);
-                });
+            const bool held = goes_on(middle) || std::ranges::any_of(solids_, touches) ||
+                              std::ranges::any_of(sheets_, [&](const Sheet& other) {
+                                  return &other != &sheet && touches(other.nearest);
+                              });
             (held ? held_ : sheet.free_edges).push_back({a, b});
             return held;
         };
@@ -65,7 +89,10 @@ double ShellGaps::distance_to_held(const Vec& place) const {
 }
 
 bool ShellGaps::is_in_a_wedge(const ThicknessSample& sample) const {
-    return sample.slant > 0 && sample.thickness < 1.5 * (distance_to_held(sample.place) + spacing_) * sample.slant;
+    // As wide as a wedge would be here whose sides meet at the held edge, give or take a half.
+    const double from_edge = distance_to_held(sample.place);
+    return std::isfinite(from_edge) && sample.thickness < 1.5 * (from_edge + spacing_) * sample.slant &&
+           1.5 * sample.thickness > (from_edge - spacing_) * sample.slant;
 }
 
 double ShellGaps::particles_beside(const Vec& place, const Sheet& own) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,13 @@
 namespace dmp {
 
 /// The sheets of springs of a drawing in space, each connected piece for itself, and how near they come to what is
-/// beside them. No fluid passes an edge that touches a solid or another sheet: it is held.
+/// beside them. No fluid passes an edge that touches a wall, a body or another sheet: it is held.
 class ShellGaps {
   public:
     /// @param fewest how many fluid particles are to fit into a gap
-    ShellGaps(const Geometry& geometry, const Scene& scene, double fewest);
+    /// @param goes_on whether a place lies on a side of the box beyond which the scene goes on
+    ShellGaps(const Geometry& geometry, const Scene& scene, double fewest,
+              const std::function<bool(const Vec&)>& goes_on);
 
     /// As bodies a spacing thick, which is what their two layers of nodes take from the fluid. Facing outward.
     [[nodiscard]] const std::vector<TriangleSurface>& bodies() const { return bodies_; }

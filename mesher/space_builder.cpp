@@ -40,6 +40,9 @@ Box fluid_box_in_space(const Geometry& geometry, const Scene& scene) {
             box.low = box.low.cwiseMin(corner);
             box.high = box.high.cwiseMax(corner);
         }
+    for (const Part* part : scene.parts_of(PartKind::springs))
+        if (const Solid* solid = geometry.solid(part->name))
+            for (const Vec& corner : solid->surface.corners) widen_for_body(box, corner, scene);
     return scene.parts_of(PartKind::fluid).empty() ? geometry.box : box;
 }
 
@@ -70,6 +73,8 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;
         taken_.push_back(claim(surface, static_cast<std::int16_t>(fluid)));
     }
+    for (const std::size_t index : in_no_cell_)
+        if (owner_[index] == nobody) owner_[index] = in_a_shell;
     for (const Part* part : scene.parts_of(PartKind::springs))
         if (geometry.solid(part->name) == nullptr) clear_for_shell(geometry.surface_set(part->name)->surface);
     for (const ThinSolid& thin : thin_solids_) clear_for_shell(thin.middle);

@@ -71,8 +71,8 @@ class SpaceBuilder {
         SurfacePoint surface{};
     };
 
-    /// In owner_: none; none, but near a wall's surface; a shell; the solid wall with this index in walls_, and after
-    /// them the solids of springs.
+    /// In owner_: none; none, but near a wall's surface; a shell, or a solid of springs without a cell there; the solid
+    /// wall with this index in walls_, and after them the solids of springs.
     static constexpr std::int16_t nobody = -1, nobody_near_a_wall = std::numeric_limits<std::int16_t>::min(),
                                   in_a_shell = nobody_near_a_wall + 1;
     static constexpr std::int16_t owner_of_wall(std::size_t wall) {
@@ -141,6 +141,7 @@ class SpaceBuilder {
     std::vector<const Part*> fluids_;
     std::vector<Wall> walls_;
     std::vector<SpringSolid> spring_solids_;
+    std::vector<std::size_t> in_no_cell_;  ///< points in solids of springs that no whole cell has
     std::vector<ThinSolid> thin_solids_;
     std::vector<NearestTriangle> shells_;                    ///< as far as their nodes keep fluid away
     bool has_hidden_faces_ = false;                          ///< of some wall

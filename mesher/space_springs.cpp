@@ -84,10 +84,12 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
     const std::vector<bool> whole = in_whole_cells(taken.points, lattice_step());
     std::size_t kept = 0;
     for (std::size_t k = 0; k < place.size(); ++k)
-        if (whole[k])
+        if (whole[k]) {
             taken.points[kept++] = taken.points[k];
-        else
+        } else {
             owner_[place[k]] = nobody;
+            in_no_cell_.push_back(place[k]);
+        }
     taken.points.resize(kept);
     if (kept == 0)
         throw InputError(

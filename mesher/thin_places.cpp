@@ -170,7 +170,7 @@ std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Sc
     const auto ends_on_walls = [&](const ThicknessSample& sample) {
         return !open.holds(sample.place) && !open.holds(sample.opposite);
     };
-    const ShellGaps shells(geometry, scene, least_gap);
+    const ShellGaps shells(geometry, scene, least_gap, [&](const Vec& place) { return open.holds(place); });
     std::vector<TriangleSurface> bodies = shells.bodies();
     for (const PartKind kind : {PartKind::rigid, PartKind::springs})
         for (const Part* part : scene.parts_of(kind)) {

@@ -116,8 +116,38 @@ TEST(PlaneSolids, may_stand_beside_the_fluid) {
             ASSERT_GT((meshed.particles.position[i] - meshed.particles.position[j]).norm(), 0.12);
 }
 
+TEST(PlaneSolids, of_borders_on_the_lattice_take_the_rows_of_their_low_sides) {
+    // Sides at x = 1.8125 and 2.3125 and a top at 0.9375 run through points of the lattice.
+    const Texts on_points = block.with("{1.75, 0, 0}", "{1.8125, 0, 0}")
+                                .with("{2.25, 0, 0}", "{2.3125, 0, 0}")
+                                .with("{2.25, 1, 0}", "{2.3125, 0.9375, 0}")
+                                .with("{1.75, 1, 0}", "{1.8125, 0.9375, 0}");
+    const auto meshed = mesh_texts(on_points);
+    EXPECT_EQ(count_of(meshed.particles, "block"), 4U * 7);
+    EXPECT_EQ(count_of(meshed.particles, "water"), 32U * 16 - 28);
+    EXPECT_EQ(count_of(meshed.particles, "wall"), 32U * 6);
+}
+
+TEST(PlaneSolids, without_a_cell_in_a_corner_leave_it_to_nobody_or_to_the_fluid) {
+    // A ramp, whose toe has no whole cell: as fluid where it is drawn over the water, not as wall where it is cut out.
+    const Texts ramp =
+        block.with("{1.75, 1, 0}", "{2.25, 1, 0}").with("{2.25, 1, 0};\nPoint(13)", "{3.25, 0, 0};\nPoint(13)");
+    const auto over = mesh_texts(ramp);
+    for (std::size_t i = 0; i < over.particles.size(); ++i) {
+        const double y = over.particles.position[i].y();
+        EXPECT_EQ(over.particles.kind(i) == ParticleKind::rigid, y < 0 || y > 2);
+    }
+    EXPECT_EQ(over.particles.size() - count_of(over.particles, "wall"), 32U * 16);
+}
+
+TEST(PlaneSolids, do_not_close_the_whole_of_a_side_that_they_touch) {
+    EXPECT_THAT(fault_of(block.with("Physical Curve(\"wall\") = {1, 3}", "Physical Curve(\"wall\") = {3}")
+                             .with("anchor = \"wall\"\n", "")),
+                HasSubstr("the boundary of 'water' is open between"));
+}
+
 TEST(PlaneSolids, keep_fluid_off_in_every_fill) {
-    for (const char* fill : {"relaxed", "sampled"}) {
+    for (const char* fill : {"lattice", "relaxed", "sampled"}) {
         const auto meshed = mesh_texts(
             block.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\nfill = \"" + std::string(fill) + "\""));
         const ParticleSet& set = meshed.particles;

@@ -201,10 +201,34 @@ TEST(SpaceBodies, gaps_beside_a_shell_are_said) {
     EXPECT_THAT(
         said_of(apart.with("Physical Volume(\"water\")", second).with("(\"body\") = {101}", "(\"body\") = {101, 102}")),
         gap("less than 3"));
+    // A solid that is askew, with nothing that holds a sheet.
+    EXPECT_THAT(
+        said_of(column.with("Physical Volume(\"water\")",
+                            "Rotate {{0, 0, 1}, {1, 0.375, 0.5}, 0.1} { Volume{2}; }\nPhysical Volume(\"water\")")),
+        gap("less than 3"));
     // A solid, a spacing from the wall.
     EXPECT_THAT(said_of(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.125, 0.5, 0.625, 0.5}")),
                 gap("a gap of 1 spacings near"));
     EXPECT_THAT(said_of(column), gap("a gap of 2 spacings near"));
+}
+
+TEST(SpaceBodies, solids_may_be_cut_out_of_the_fluid_or_stand_beside_it) {
+    const auto over = mesh_texts(column);
+    const auto cut =
+        mesh_texts(column.with("Physical Volume(\"water\") = {1};\nPhysical Surface(\"wall\") = {3, 4, 5, 6};",
+                               "v() = BooleanDifference{ Volume{1}; Delete; }{ Volume{2}; };\n"
+                               "Physical Volume(\"water\") = {v()};\n"
+                               "Physical Surface(\"wall\") = {Surface In BoundingBox{-1, -1e-3, -1, 3, 1e-3, 2}, "
+                               "Surface In BoundingBox{-1, 0.999, -1, 3, 1.001, 2}, "
+                               "Surface In BoundingBox{-1, -1, -1e-3, 3, 2, 1e-3}, "
+                               "Surface In BoundingBox{-1, -1, 0.999, 3, 2, 1.001}};"));
+    EXPECT_EQ(cut.particles.count(ParticleKind::springs), over.particles.count(ParticleKind::springs));
+    EXPECT_EQ(cut.particles.count(ParticleKind::fluid), over.particles.count(ParticleKind::fluid));
+    EXPECT_EQ(cut.particles.count(ParticleKind::rigid), over.particles.count(ParticleKind::rigid));
+    // A soft floor, deeper than any wall: 1 m x 1 m x 1 m.
+    const auto floor = mesh_texts(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.5, -1, 0, 1, 1, 1}"));
+    EXPECT_EQ(floor.particles.count(ParticleKind::springs), 8U * 8 * 8);
+    EXPECT_EQ(floor.particles.count(ParticleKind::fluid), 16U * 8 * 8);
 }
 
 TEST(SpaceBodies, a_thin_solid_that_is_a_sheet_becomes_a_shell) {
