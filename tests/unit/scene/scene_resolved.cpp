@@ -95,6 +95,8 @@ quality = "standard"
 file = "channel.geo"
 unit = "0.001 m"
 parameters = { "odd name" = 1, w = 2 }
+repair = "wrap"
+largest_hole = 8
 
 [particles]
 spacing = "1e-04 m"

@@ -31,16 +31,16 @@ TEST(SceneSprings, in_space_they_are_a_material) {
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"")), HasSubstr("'leaflets': youngs_modulus is missing"));
     EXPECT_THAT(fault_of(in_space("youngs_modulus = \"2 MPa\"")), HasSubstr("'leaflets': density is missing"));
     EXPECT_THAT(fault_of(in_space(strip)),
-                AllOf(HasSubstr("mass_per_length is of springs in the plane"), HasSubstr("give density")));
+                AllOf(HasSubstr("mass_per_length is of a strip in the plane"), HasSubstr("give density")));
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\ncross_bonds = true")),
-                HasSubstr("cross_bonds is of springs in the plane"));
+                HasSubstr("cross_bonds is of a strip in the plane"));
 }
 
 TEST(SceneSprings, in_the_plane_they_are_a_strip) {
     EXPECT_THAT(fault_of(scene_with("mass_per_length = \"0.42 kg/m\"\n", "")),
                 AllOf(HasSubstr("'leaflets': mass_per_length is missing"), HasSubstr("add mass_per_length")));
     EXPECT_THAT(fault_of(scene_with("mass_per_length", "density = \"1100 kg/m^3\"\nmass_per_length")),
-                HasSubstr("a springs part in the plane has no density"));
+                HasSubstr("mass_per_length is of a strip, and density says that the part is an area"));
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ TEST(ShellLattice, refuses_surfaces_that_are_none) {
     EXPECT_EQ(refused({{0, 1, 4}}), "triangle 0 has no area\n  give it three corners off one line");
     EXPECT_EQ(refused({{0, 1, 2}, {2, 1, 3}}), "point 4 belongs to no triangle\n  leave it out");
     EXPECT_EQ(text_thrown<InputError>([] { (void)shell_constants(10, 1e-3, 0.1, 0.06); }).substr(0, 70),
-              "two layers 0.06 m apart of a membrane stiffness of 10 N/m bend with 0.");
+              "two layers 60 mm apart of a membrane stiffness of 10 N/m bend with 0.0");
 }
 
 TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_threads) {
