@@ -68,6 +68,18 @@ TEST_F(SomeRanks, RanksDoNotChangeABitAndTheFirstOneSpeaks) {
     }
 }
 
+TEST_F(SomeRanks, NorDoManyOrWithThreadsAndAnotherVectorUnit) {
+    ASSERT_EQ(run("whole", briefly()).code, 0);
+    ASSERT_EQ(run("out", briefly(), {.ranks = 8}).code, 0);
+    EXPECT_EQ(hash("out"), hash("whole"));
+    Words mixed = briefly({"--threads", "2"});
+    if (run_dmp(folder_.path(), {"doctor"}).output.find("avx2") != std::string::npos)
+        mixed.insert(mixed.end(), {"--vector-unit", "avx2"});
+    ASSERT_EQ(run("out", mixed, {.ranks = 2}).code, 0);
+    EXPECT_EQ(hash("out"), hash("whole"));
+    EXPECT_EQ(summary("out")["threads"], 2);
+}
+
 TEST_F(SomeRanks, TheFluidsOptionsAreTheSameBitsOnAnyNumberOfRanks) {
     const auto options = [](Words more = {}) {
         for (const char* option : {"gradient_correction=true", "density=summation", "transport_velocity=true",

@@ -13,11 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
-#include "mesher/cell_lattice.hpp"
-#include "mesher/shell_lattice.hpp"
 #include "mesher/spring_lattice.hpp"
 #include "solver/simulation.hpp"
-#include "tests/unit/solver/lattice_solids.hpp"
+#include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/thrown.hpp"
 
 namespace dmp {
@@ -25,39 +23,6 @@ namespace {
 
 using namespace lattice_solids;
 using testing::text_thrown;
-
-/// A hexagon of equilateral triangles, `rings` edges of length a from its middle to a corner.
-struct Surface {
-    std::vector<Vec> points;
-    std::vector<std::array<int, 3>> triangles;
-};
-Surface hexagon(int rings, double edge, double perturbed = 0) {
-    Surface surface;
-    std::map<std::pair<int, int>, int> number;
-    const auto inside = [&](int i, int j) {
-        return std::abs(i) <= rings && std::abs(j) <= rings && std::abs(i + j) <= rings;
-    };
-    for (int j = -rings; j <= rings; ++j)
-        for (int i = -rings; i <= rings; ++i) {
-            if (!inside(i, j)) continue;
-            number[{i, j}] = static_cast<int>(surface.points.size());
-            const bool border = !inside(i + 1, j) || !inside(i, j + 1) || !inside(i - 1, j + 1) || !inside(i - 1, j) ||
-                                !inside(i, j - 1) || !inside(i + 1, j - 1);
-            const double off = border ? 0 : perturbed;
-            surface.points.emplace_back(edge * (i + 0.5 * j + off * std::sin(7.0 * i + 3.0 * j)),
-                                        edge * (std::sqrt(0.75) * j + off * std::sin(5.0 * i - 11.0 * j)), 0);
-        }
-    for (int j = -rings; j <= rings; ++j)
-        for (int i = -rings; i <= rings; ++i) {
-            const auto add = [&](std::pair<int, int> a, std::pair<int, int> b, std::pair<int, int> c) {
-                if (number.contains(a) && number.contains(b) && number.contains(c))
-                    surface.triangles.push_back({number[a], number[b], number[c]});
-            };
-            add({i, j}, {i + 1, j}, {i, j + 1});
-            add({i + 1, j}, {i + 1, j + 1}, {i, j + 1});
-        }
-    return surface;
-}
 
 /// Nodal forces of a uniform membrane stress [N/m] in the upper and in the lower layer.
 Loads layer_stress(const Surface& surface, const Eigen::Matrix2d& upper, const Eigen::Matrix2d& lower) {
@@ -201,24 +166,7 @@ TEST(ShellLattice, refuses_surfaces_that_are_none) {
 TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_threads) {
     // A cube and a shell above it, both bulged and free.
     ParticleSet set = set_of(cell_lattice(block(3, 2, 2, 0.1), cell_constants(1e6, 0.1, 0.1)));
-    const Surface surface = hexagon(2, edge);
-    const ParticleSet shell =
-        set_of(shell_lattice(surface.points, surface.triangles, shell_constants(1e4, 50, edge, 0.06)));
-    const int first = static_cast<int>(set.size());
-    for (std::size_t n = 0; n < shell.size(); ++n) {
-        set.position.emplace_back(shell.position[n] + Vec(0.1, 0.1, 0.6));
-        set.body.push_back(1);
-        set.part.push_back(0);
-        set.fixed.push_back(0);
-        set.seated.push_back(0);
-        set.wall_normal.emplace_back(Vec::Zero());
-        set.wall_distance.push_back(0);
-    }
-    for (const Bond& bond : shell.bonds)
-        set.bonds.push_back({bond.a + first, bond.b + first, bond.rest_length, bond.stiffness});
-    for (const Dihedral& four : shell.dihedrals)
-        set.dihedrals.push_back(
-            {four.a + first, four.b + first, four.c + first, four.d + first, four.rest_angle, four.stiffness});
+    append(set, hexagonal_shell(2, shell_constants(1e4, 50, edge, 0.06)), Vec(0.1, 0.1, 0.6), 0, 1);
     for (Bond& bond : set.bonds) bond.rest_length *= 1 + 0.02 * std::sin(bond.a);
     set.volume.assign(set.size(), 1e-3);
     set.mass.assign(set.size(), 1);

@@ -1,0 +1,109 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// A solid and a shell with dihedrals in moving water, in space, on several ranks: the bits of one.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/solver/bodies_in_space.hpp"
+#include "tests/unit/solver/small_scenes.hpp"
+
+namespace dmp {
+namespace {
+
+using namespace lattice_solids;
+using testing_solver::SceneAndParticles;
+
+constexpr double spacing = 0.1;
+constexpr int side = 14;
+
+Part spring_part(const std::string& name) {
+    Part part = part_with(0.01);
+    part.name = name;
+    return part;
+}
+
+/// Bulged, and with the water's mass.
+ParticleSet stirred(ParticleSet body) {
+    for (Bond& bond : body.bonds) bond.rest_length *= 1 + 0.02 * std::sin(bond.a);
+    body.mass.assign(body.size(), 1);
+    body.volume.assign(body.size(), std::pow(spacing, 3));
+    return body;
+}
+
+/// Water on a lattice, but where nodes are.
+ParticleSet water_around(const ParticleSet& nodes) {
+    ParticleSet water;
+    for (int k = 0; k < side; ++k)
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i) {
+                const Vec place = spacing * Vec(i + 0.5, j + 0.5, k + 0.5);
+                const auto near = [&](const Vec& node) { return (place - node).norm() < 0.9 * spacing; };
+                if (std::none_of(nodes.position.begin(), nodes.position.end(), near)) water.position.push_back(place);
+            }
+    water.mass.assign(water.size(), 1);
+    water.volume.assign(water.size(), std::pow(spacing, 3));
+    return water;
+}
+
+/// A cube of water, periodic along all axes, sheared, with a solid with hinges and a shell with dihedrals that reach
+/// through the planes halfway across it: however ranks divide the cube, they share a body.
+SceneAndParticles solid_and_shell_in_water() {
+    SceneAndParticles made = testing_solver::endless_water();
+    Scene& scene = made.scene;
+    scene.dimension = 3;
+    scene.flow.acceleration[0] = Expression("sin(4 * z)", "sin(4 * z)");
+    scene.flow.periodic = {true, true, true};
+    scene.parts.push_back(spring_part("solid"));
+    scene.parts.push_back(spring_part("shell"));
+    scene.contact.strength = 1e-2;
+    scene.run.duration = 0.05;
+    scene.output.every = 0.05;
+
+    const ParticleSet solid = stirred(set_of(cell_lattice(block(3, 3, 8, spacing), cell_constants(1e5, 0.1, spacing)))),
+                      shell = stirred(hexagonal_shell(4, shell_constants(1e4, 50, spacing, 0.06)));
+    EXPECT_GT(solid.hinges.size(), 0U);
+    EXPECT_GT(shell.dihedrals.size(), 0U);
+    ParticleSet bodies;
+    append(bodies, solid, Vec(0.2, 0.5, 0.3), 1, 0);
+    append(bodies, shell, Vec(0.9, 0.7, 0.75), 2, 1);
+
+    ParticleSet& set = made.particles;
+    set = {};
+    set.dimension = 3;
+    set.spacing = spacing;
+    set.box = {Vec::Zero(), Vec::Constant(spacing * side)};
+    set.periodic = {true, true, true};
+    set.parts = {{"water", ParticleKind::fluid}, {"solid", ParticleKind::springs}, {"shell", ParticleKind::springs}};
+    append(set, water_around(bodies), Vec::Zero(), 0, -1);
+    append(set, solid, Vec(0.2, 0.5, 0.3), 1, 0);
+    append(set, shell, Vec(0.9, 0.7, 0.75), 2, 1);
+    return made;
+}
+
+RunSummary run_on(const SceneAndParticles& made, const Ranks& ranks) {
+    Resources resources(1);
+    resources.ranks = ranks;
+    return Simulation(made.scene, made.particles, resources).run({});
+}
+
+TEST(SpringsInSpace, are_the_same_bits_on_any_number_of_ranks) {
+    SceneAndParticles made = solid_and_shell_in_water();
+    const Ranks ranks = Ranks::world();
+    for (const SpringStepping stepping : {SpringStepping::implicit, SpringStepping::subcycled}) {
+        made.scene.accuracy.spring_stepping = stepping;
+        const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, ranks);
+        EXPECT_GT(alone.steps, 5);
+        EXPECT_EQ(shared.steps, alone.steps);
+        EXPECT_EQ(shared.lost, 0U);
+        EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
+        EXPECT_LT(shared.momentum_residual, 1e-9);
+        if (ranks.is_first()) {
+            EXPECT_EQ(shared.state_hash, alone.state_hash);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace dmp
