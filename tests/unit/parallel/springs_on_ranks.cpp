@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,12 +25,26 @@ Part spring_part(const std::string& name) {
     return part;
 }
 
-/// Bulged, and with the water's mass.
-ParticleSet stirred(ParticleSet body) {
+/// Bulged, and as heavy as the water in whose place it is.
+ParticleSet stirred(ParticleSet body, const std::vector<double>& volume) {
     for (Bond& bond : body.bonds) bond.rest_length *= 1 + 0.02 * std::sin(bond.a);
-    body.mass.assign(body.size(), 1);
-    body.volume.assign(body.size(), std::pow(spacing, 3));
+    body.volume = volume;
+    for (std::size_t n = 0; n < body.size(); ++n) body.mass[n] = 1000 * volume[n];
     return body;
+}
+
+ParticleSet bulged_solid() {
+    const ParticleSet solid = set_of(cell_lattice(block(3, 3, 8, spacing), cell_constants(1e5, 0.1, spacing)));
+    EXPECT_GT(solid.hinges.size(), 0U);
+    return stirred(solid, std::vector<double>(solid.size(), std::pow(spacing, 3)));
+}
+
+ParticleSet bulged_shell() {
+    const ParticleSet shell = hexagonal_shell(4, shell_constants(1e4, 50, spacing, spacing));
+    EXPECT_GT(shell.dihedrals.size(), 0U);
+    std::vector<double> volume;
+    for (const double area : shell.mass) volume.push_back(2 * spacing * area);  // nodes' shares, two layers
+    return stirred(shell, volume);
 }
 
 /// Water on a lattice, but where nodes are.
@@ -61,13 +76,13 @@ SceneAndParticles solid_and_shell_in_water() {
     scene.run.duration = 0.05;
     scene.output.every = 0.05;
 
-    const ParticleSet solid = stirred(set_of(cell_lattice(block(3, 3, 8, spacing), cell_constants(1e5, 0.1, spacing)))),
-                      shell = stirred(hexagonal_shell(4, shell_constants(1e4, 50, spacing, 0.06)));
-    EXPECT_GT(solid.hinges.size(), 0U);
-    EXPECT_GT(shell.dihedrals.size(), 0U);
+    // The solid's nodes are places of the water's lattice.
+    const auto add_bodies = [solid = bulged_solid(), shell = bulged_shell()](ParticleSet& set) {
+        append(set, solid, Vec(0.25, 0.55, 0.35), 1, 0);
+        append(set, shell, Vec(0.9, 0.7, 0.75), 2, 1);
+    };
     ParticleSet bodies;
-    append(bodies, solid, Vec(0.2, 0.5, 0.3), 1, 0);
-    append(bodies, shell, Vec(0.9, 0.7, 0.75), 2, 1);
+    add_bodies(bodies);
 
     ParticleSet& set = made.particles;
     set = {};
@@ -77,8 +92,7 @@ SceneAndParticles solid_and_shell_in_water() {
     set.periodic = {true, true, true};
     set.parts = {{"water", ParticleKind::fluid}, {"solid", ParticleKind::springs}, {"shell", ParticleKind::springs}};
     append(set, water_around(bodies), Vec::Zero(), 0, -1);
-    append(set, solid, Vec(0.2, 0.5, 0.3), 1, 0);
-    append(set, shell, Vec(0.9, 0.7, 0.75), 2, 1);
+    add_bodies(set);
     return made;
 }
 

@@ -95,13 +95,12 @@ TEST(VirialStressInSpace, of_a_stretched_shell_is_its_membrane_force) {
     const ShellConstants shell{edge, 0.06, 3, 1.5, 2, 0.01};
     const Surface surface = hexagon(4, edge);
     const SpringLattice lattice = shell_lattice(surface.points, surface.triangles, shell);
-    // Held to its thickness: mu + lambda of thickness held is what bonds along the surface give, q for the thickness.
     const Body body = moved(set_of(lattice), [](const Vec& x) { return Vec(strain * x[0], strain * x[1], 0); });
     double area = 0;
-    for (const double share : lattice.share) area += share / 2;
+    for (const double share : lattice.share) area += share;
     const Tensor force = sum_of(body.virial());
     const double length2 = edge * edge + 0.06 * 0.06, node = std::sqrt(0.75) * edge * edge;
-    // Energy of a node's column, p e^2 for each of the three edges: N = dU/de / (2 A).
+    // With the thickness held: energy of a node's column is p e^2 for each of the three directions, N = dU/de / (2 A).
     const double p = 2 * 3 * edge * edge + 2 * 2 * std::pow(edge, 4) / length2;
     EXPECT_NEAR(-force[0] / area / (3 * p / node * strain), 1, 1e-3);
     EXPECT_NEAR(-force[1] / area / (3 * p / node * strain), 1, 1e-3);
