@@ -21,7 +21,7 @@ namespace dmp::cli {
 
 namespace {
 
-constexpr double measuring_seconds = 1.5;
+constexpr double measuring_seconds = 4;
 
 bool names_a_scene(const std::string& subject) {
     return std::filesystem::exists(subject) || subject.ends_with(".toml") || subject.find('/') != std::string::npos;

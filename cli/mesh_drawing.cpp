@@ -39,11 +39,11 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                                : "",
                            quantity_text(shell.bond_stiffness, "N/m"), quantity_text(shell.dihedral_stiffness, "J"));
     }
-    const std::string corners = line.cross_stiffness > 0 ? "k_c " + quantity_text(line.cross_stiffness, "N/m")
-                                                         : "k_a " + quantity_text(line.hinge_stiffness, "J");
-    std::string text =
-        fmt::format("k_b {}, {}, EI {}, EA {}", quantity_text(line.bond_stiffness, "N/m"), corners,
-                    quantity_text(line.bending_stiffness, "N m^2"), quantity_text(line.axial_stiffness, "N"));
+    std::string text = "k_b " + quantity_text(line.bond_stiffness, "N/m");
+    if (line.cross_stiffness > 0) text += ", k_c " + quantity_text(line.cross_stiffness, "N/m");
+    if (line.hinges > 0) text += ", k_a " + quantity_text(line.hinge_stiffness, "J");
+    text += fmt::format(", EI {}, EA {}", quantity_text(line.bending_stiffness, "N m^2"),
+                        quantity_text(line.axial_stiffness, "N"));
     if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 0.001) {
         text += fmt::format(" ({} from {}: the lattice cannot hold both at this spacing)",
                             line.axial_stiffness < line.axial_stiffness_asked ? "lowered" : "raised",

@@ -170,9 +170,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
 }
 
 /// Any other rank.
-int run_as_one_of_many(const RunCommand& command, const Prepared& prepared, const Resources& resources,
-                       RunOptions options) {
+int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options) {
     Simulation simulation(prepared.scene, prepared.particles, resources);
+    prepared.particles = {};
     if (command.dry_run) return exit_done;
     options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
     std::string checkpoint;
@@ -209,7 +209,7 @@ int execute(const RunCommand& command) {
         options.checkpoints.every =
             time_of("--checkpoint-every", command.checkpoint_every, seconds_between_checkpoints, true);
         return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options)
-                                          : run_as_one_of_many(command, prepared, resources, options);
+                                          : run_as_one_of_many(command, std::move(prepared), resources, options);
     });
 }
 

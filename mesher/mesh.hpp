@@ -57,7 +57,7 @@ struct MeshReport {
         // of a strip in the plane
         double bond_stiffness = 0;         ///< k_b [N/m]
         double hinge_stiffness = 0;        ///< k_a [J]
-        double cross_stiffness = 0;        ///< k_c of diagonals and rungs [N/m]; 0: hinges in their place
+        double cross_stiffness = 0;        ///< k_c of diagonals [N/m]; 0: there are none
         double bending_stiffness = 0;      ///< EI the lattice gives [N m^2]
         double axial_stiffness = 0;        ///< EA the lattice gives [N]
         double axial_stiffness_asked = 0;  ///< EA the scene asks for [N]

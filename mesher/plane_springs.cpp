@@ -130,7 +130,10 @@ void ParticleBuilder::add_springs(const Part& part) {
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
         note << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
              << " to " << line.axial_stiffness << " N, so that two rows " << spacing_ << " m apart can "
-             << (lowered ? "bend as softly as EI asks" : "resist shear by cross bonds") << "; EI is held";
+             << (part.shear_stiffness.given() ? "hold GA"
+                 : lowered                    ? "bend as softly as EI asks"
+                                              : "resist shear by cross bonds")
+             << "; EI is held";
         result_.report.notes.push_back(note.str());
     }
     result_.report.springs.push_back(line);
@@ -182,7 +185,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     };
     for (int c = 0; c < ladder.columns(); ++c) {
         const int left = first + 2 * c, right = left + 1;
-        bond(left, right, constants.rung_stiffness());
+        bond(left, right, constants.rung_stiffness);
         if (c + 1 == ladder.columns()) break;
         const int next_left = left + 2, next_right = right + 2;
         bond(left, next_left, constants.bond_stiffness);
@@ -190,8 +193,8 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         if (constants.cross_stiffness > 0) {
             bond(left, next_right, constants.cross_stiffness);
             bond(right, next_left, constants.cross_stiffness);
-            continue;
         }
+        if (constants.hinge_stiffness == 0) continue;
         hinge(next_left, left, right);
         hinge(left, right, next_right);
         hinge(right, next_right, next_left);

@@ -126,12 +126,11 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                           shell.bending_stiffness(), shell.membrane_stiffness(), line.shell->membrane_stiffness_asked,
                           shell.shear_stiffness(), line.particle_mass);
     }
-    const std::string corners = line.cross_stiffness > 0
-                                    ? fmt::format(" of k_b = {:.4g} N/m along rows and k_c = {:.4g} N/m across",
-                                                  line.bond_stiffness, line.cross_stiffness)
-                                    : fmt::format(" of k_b = {:.4g} N/m, {} hinges of k_a = {:.4g} J",
-                                                  line.bond_stiffness, line.hinges, line.hinge_stiffness);
-    return head + corners + clamped +
+    std::string constants = fmt::format(" of k_b = {:.4g} N/m", line.bond_stiffness);
+    if (line.cross_stiffness > 0)
+        constants += fmt::format(" along rows and k_c = {:.4g} N/m across", line.cross_stiffness);
+    if (line.hinges > 0) constants += fmt::format(", {} hinges of k_a = {:.4g} J", line.hinges, line.hinge_stiffness);
+    return head + constants + clamped +
            fmt::format("  give EI = {:.4g} N*m^2, EA = {:.4g} N, GA_s = {:.4g} N; {:.4g} kg a node\n",
                        line.bending_stiffness, line.axial_stiffness, line.shear_stiffness, line.particle_mass);
 }

@@ -26,7 +26,7 @@ LadderConstants hinged_ladder(const Part& part, const StripStiffness& strip, dou
     LadderConstants constants;
     constants.along = along;
     constants.across = across;
-    constants.bond_stiffness = axial / (4 * along);
+    constants.bond_stiffness = constants.rung_stiffness = axial / (4 * along);
     constants.hinge_stiffness = (bending - axial * across * across / 4) / (2 * along);
     if (constants.hinge_stiffness < 0) {
         std::ostringstream problem, what_to_do;
@@ -59,19 +59,60 @@ LadderConstants crossed_ladder(const Part& part, const StripStiffness& strip, do
         what_to_do << "set cross_bonds = false, or lower_axial_stiffness = true, which here raises EA";
         throw InputError(place_of_stiffness(part), problem.str(), what_to_do.str());
     }
+    constants.rung_stiffness = constants.cross_stiffness;
     return constants;
+}
+
+/// With hinges and diagonals: of these EI and GA, by the stiffness of the diagonals. EA grows with it.
+LadderConstants braced_ladder(const StripStiffness& strip, double along, double across, double cross_stiffness) {
+    LadderConstants constants;
+    constants.along = along;
+    constants.across = across;
+    constants.cross_stiffness = cross_stiffness;
+    constants.hinge_stiffness = std::max(0.0, (strip.shear - constants.shear_stiffness()) * along / 8);
+    constants.bond_stiffness = constants.rung_stiffness =
+        std::max(0.0, (strip.bending - 2 * constants.hinge_stiffness * along) / (across * across * along));
+    return constants;
+}
+
+LadderConstants braced_ladder(const Part& part, const StripStiffness& strip, double along, double across) {
+    const double a2 = along * along, b2 = across * across;
+    const double shear_of_diagonals = 4 * along * b2 / (a2 + b2);  // over k_c
+    // From no diagonals, or rows that give nothing, to no hinges.
+    double fewest = std::max(0.0, (strip.shear - 4 * strip.bending / a2) / shear_of_diagonals);
+    double most = strip.shear / shear_of_diagonals;
+    const auto axial = [&](double cross_stiffness) {
+        return braced_ladder(strip, along, across, cross_stiffness).axial_stiffness();
+    };
+    if (strip.axial < axial(fewest) || strip.axial > axial(most)) {
+        if (part.lower_axial_stiffness)
+            return braced_ladder(strip, along, across, strip.axial < axial(fewest) ? fewest : most);
+        std::ostringstream problem;
+        problem << "part '" << part.name.value << "': two rows " << across << " m apart with EI = " << strip.bending
+                << " N*m^2 and GA = " << strip.shear << " N have EA = " << axial(fewest) << " to " << axial(most)
+                << " N, and it asks for " << strip.axial << " N";
+        throw InputError(part.shear_stiffness.place, problem.str(),
+                         "give an EA in that range, another particles.spacing, or lower_axial_stiffness = true");
+    }
+    constexpr int halvings = 100;
+    for (int k = 0; k < halvings; ++k) {
+        const double middle = 0.5 * (fewest + most);
+        (axial(middle) < strip.axial ? fewest : most) = middle;
+    }
+    return braced_ladder(strip, along, across, 0.5 * (fewest + most));
 }
 
 }  // namespace
 
 StripStiffness strip_stiffness(const Part& part) {
-    if (part.youngs_modulus == 0) return {part.bending_stiffness, part.axial_stiffness};
+    if (part.youngs_modulus == 0) return {part.bending_stiffness, part.axial_stiffness, part.shear_stiffness};
     const double axial = part.youngs_modulus * part.thickness / (1 - part.poisson_ratio * part.poisson_ratio);
-    return {axial * part.thickness * part.thickness / 12, axial};
+    return {axial * part.thickness * part.thickness / 12, axial, part.shear_stiffness};
 }
 
 LadderConstants ladder_constants(const Part& part, double along, double across) {
     const StripStiffness strip = strip_stiffness(part);
+    if (strip.shear > 0) return braced_ladder(part, strip, along, across);
     return part.cross_bonds ? crossed_ladder(part, strip, along, across) : hinged_ladder(part, strip, along, across);
 }
 

@@ -39,6 +39,7 @@ struct Part {
     // springs
     Value<double> bending_stiffness;           ///< EI [N m^2]; 0: from youngs_modulus
     Value<double> axial_stiffness;             ///< EA [N]; 0: from youngs_modulus
+    Value<double> shear_stiffness;             ///< GA [N]; 0: as the lattice gives
     Value<double> youngs_modulus;              ///< E [Pa]; 0: from the stiffnesses
     Value<double> thickness;                   ///< with youngs_modulus [m]
     Value<double> poisson_ratio = 0.0;         ///< with youngs_modulus: that of a strip held in its depth; 0: not held

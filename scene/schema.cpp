@@ -126,6 +126,8 @@ std::vector<Key<Part>> part_keys() {
          "EI of a strip 1 m deep; with axial_stiffness, or youngs_modulus and thickness in their place."},
         {"axial_stiffness", springs, &Part::axial_stiffness, quantity("100 N", positive), not_given,
          "EA of a strip 1 m deep."},
+        {"shear_stiffness", springs, &Part::shear_stiffness, quantity("40 N", positive), not_given,
+         "GA of a strip 1 m deep, shear correction and all; without it what the lattice has for its EI and EA."},
         {"youngs_modulus", springs, &Part::youngs_modulus, quantity("2 MPa", positive), not_given,
          "E of the material. Of a strip 1 m deep the thickness h gives EA = E h / (1 - nu^2), EI = E h^3 / (12 (1 - nu^2)); of a shell in space E h and D = E h^3 / (12 (1 - nu^2))."},
         {"thickness", springs, &Part::thickness, quantity("0.3 mm", positive), not_given,

@@ -8,6 +8,11 @@ namespace {
 /// How stiff a springs part is: as a strip, or as a material and a thickness.
 void need_one_stiffness(const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
+    if (part.shear_stiffness.given() && part.cross_bonds)
+        throw InputError(part.cross_bonds.place,
+                         part_name + " has cross_bonds and shear_stiffness, at " + part.shear_stiffness.place.text() +
+                             ", which decides itself how much of the shear cross bonds take",
+                         "leave out cross_bonds");
     const bool as_strip = part.bending_stiffness.given() || part.axial_stiffness.given();
     const bool as_material = part.youngs_modulus.given() || part.thickness.given() || part.poisson_ratio.given();
     const auto first = [](const auto& a, const auto& b) { return a.given() ? a.place : b.place; };
@@ -36,6 +41,7 @@ void refuse_what_strips_have(const Part& part, const std::string& why, const std
     refuse(part.mass_per_length, "mass_per_length");
     refuse(part.bending_stiffness, "bending_stiffness");
     refuse(part.axial_stiffness, "axial_stiffness");
+    refuse(part.shear_stiffness, "shear_stiffness");
     refuse(part.cross_bonds, "cross_bonds");
 }
 

@@ -27,27 +27,46 @@ struct Omission {
 
 std::vector<Omission> omissions(const Scene& scene) {
     std::vector<Omission> all;
-    const auto leave_out = [&](bool runs, const char* model, const std::function<void(Scene&)>& change) {
+    const auto leave_out = [&](bool runs, const std::string& model, const std::function<void(Scene&)>& change) {
         if (!runs) return;
         all.push_back({model, scene});
         change(all.back().without);
     };
+    const auto& accuracy = scene.accuracy;
     const bool fluid = !scene.parts_of(PartKind::fluid).empty();
-    const bool solid = !scene.parts_of(PartKind::rigid).empty() || !scene.parts_of(PartKind::springs).empty();
-    leave_out(fluid && *scene.accuracy.density_diffusion > 0, "density diffusion",
+    const auto walls = scene.parts_of(PartKind::rigid);
+    const bool solid = !walls.empty() || !scene.parts_of(PartKind::springs).empty();
+    const bool summation = *accuracy.density == DensityModel::summation;
+    leave_out(fluid && *accuracy.viscosity_stepping == ViscosityStepping::implicitly, "implicit viscosity",
+              [](Scene& s) { s.accuracy.viscosity_stepping = ViscosityStepping::explicitly; });
+    leave_out(fluid && *accuracy.gradient_correction, "gradient correction",
+              [](Scene& s) { s.accuracy.gradient_correction = false; });
+    leave_out(fluid && *accuracy.density_diffusion > 0 && !summation, "density diffusion",
               [](Scene& s) { s.accuracy.density_diffusion = 0.0; });
-    leave_out(fluid && *scene.accuracy.shifting > 0, "particle shifting", [](Scene& s) { s.accuracy.shifting = 0.0; });
+    leave_out(fluid && *accuracy.shifting > 0 && !*accuracy.transport_velocity, "particle shifting",
+              [](Scene& s) { s.accuracy.shifting = 0.0; });
+    leave_out(fluid && *accuracy.transport_velocity, "transport velocity", [](Scene& s) {
+        s.accuracy.transport_velocity = false;
+        s.accuracy.shifting = 0.0;
+    });
+    // What plain walls cannot have is refused with them.
+    const bool may_be_plain = std::ranges::none_of(walls, [](const Part* wall) { return *wall->slip; });
+    leave_out(fluid && !walls.empty() && *accuracy.walls == WallModel::extrapolated && !summation &&
+                  !*accuracy.gradient_correction && may_be_plain,
+              "extrapolated no-slip walls", [](Scene& s) { s.accuracy.walls = WallModel::plain; });
     leave_out(solid && *scene.contact.range > 0, "short-range repulsion", [](Scene& s) { s.contact.range = 0.0; });
     leave_out(!scene.regions.empty() && scene.asks_for(FluidField::residence_time), "residence times",
               [](Scene& s) { std::erase(s.output.fields, FluidField::residence_time); });
-    leave_out(!scene.species.empty(), "diffusion of species", [](Scene& s) {
-        s.species.clear();
-        std::erase(s.output.fields, FluidField::concentration);
-        std::erase_if(s.measures, [](const Measure& measure) {
-            return is_of_species(*measure.kind) ||
-                   (*measure.kind == MeasureKind::probe && *measure.field == FluidField::concentration);
+    for (std::size_t number = 0; number < scene.species.size(); ++number)
+        leave_out(true, "diffusion of '" + *scene.species[number].name + "'", [number, &scene](Scene& s) {
+            std::erase_if(s.measures, [&](const Measure& measure) {
+                const bool of_any = is_of_species(*measure.kind) || (*measure.kind == MeasureKind::probe &&
+                                                                     *measure.field == FluidField::concentration);
+                return of_any && scene.species_of(measure) == number;
+            });
+            s.species.erase(s.species.begin() + static_cast<std::ptrdiff_t>(number));
+            if (s.species.empty()) std::erase(s.output.fields, FluidField::concentration);
         });
-    });
     return all;
 }
 

@@ -34,10 +34,4 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
 /// Largest stable explicit step of two liquid particles with a bond that the rule makes [s].
 double new_bond_limit(const Scene& scene, const Solidify& rule);
 
-/// Adds what pushes parts from outside.
-void add_driving_models(std::vector<ModelUse>& models, const Scene& scene);
-
-/// Which models run and why.
-std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps);
-
 }  // namespace dmp

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "particles/apart.hpp"
+#include "solver/models_in_use.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/output/measures.hpp"
@@ -277,7 +278,7 @@ Plan Simulation::plan() const {
                                std::string("2 / omega of one new bond alone; ") +
                                    (s.fluid.springs().implicit() ? "not binding, stepped implicitly"
                                                                  : "sub-cycled, by the stiffest body there is")});
-    plan.models = models_in_use(s.scene, s.settings, s.fluid.sweeps());
+    plan.models = models_in_use(s.scene, s.settings, s.fluid.sweeps(), s.fluid.springs());
     plan.warnings = warnings_of(s.scene, s.fluid.springs().bodies().size());
     for (const ParticleGroup& group : s.particles.groups()) {
         if (group.empty()) continue;

@@ -9,7 +9,7 @@
 
 #include "solver/models/dem/contact_material.hpp"
 #include "solver/models/dem/contact_steps.hpp"
-#include "solver/setup.hpp"
+#include "solver/models_in_use.hpp"
 
 namespace dmp {
 
@@ -234,8 +234,6 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
                               std::to_string(space.wall_triangles.size()) +
                               " triangles; touched where the distance is least",
                           "parts of kind 'plane' and 'surface'"});
-    for (const Expression& axis : scene.flow.acceleration)
-        if (!axis.is_zero()) models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
     add_driving_models(models, scene);
     return models;
 }

@@ -10,6 +10,7 @@
 
 #include "meshed_text.hpp"
 #include "particles/kernels.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp {
 namespace {
@@ -79,10 +80,10 @@ TEST(LadderConstants, CrossBondsGiveTheStiffnessesAskedFor) {
             EXPECT_NEAR(ladder.axial_stiffness() / axial, 1, 1e-13);
             EXPECT_NEAR(ladder.bending_stiffness() / bending, 1, 1e-14);
             EXPECT_EQ(ladder.hinge_stiffness, 0);
-            EXPECT_EQ(ladder.rung_stiffness(), ladder.cross_stiffness);
+            EXPECT_EQ(ladder.rung_stiffness, ladder.cross_stiffness);
         }
     LadderConstants equal;
-    equal.bond_stiffness = equal.cross_stiffness = equal.along = equal.across = 1;
+    equal.bond_stiffness = equal.cross_stiffness = equal.rung_stiffness = equal.along = equal.across = 1;
     EXPECT_DOUBLE_EQ(equal.axial_stiffness(), 5);
     EXPECT_DOUBLE_EQ(equal.bending_stiffness(), 1);
     EXPECT_DOUBLE_EQ(equal.shear_stiffness(), 2);
@@ -106,6 +107,41 @@ TEST(LadderConstants, CrossBondsRaiseTheAxialStiffnessOrRefuse) {
                      "100 N\n"
                      "  set cross_bonds = false, or lower_axial_stiffness = true, which here raises EA");
     }
+}
+
+TEST(LadderConstants, GiveTheShearStiffnessAskedForToo) {
+    // At a = b: hinges alone have GA = 4 EI / b^2 - EA, so more needs diagonals.
+    for (const double along : {1.0e-4, 0.97e-4, 1.06e-4})
+        for (const double shear : {1150.0, 400.0, 80.0}) {
+            Part part = part_with(3e-6, 1200, false);
+            part.shear_stiffness = Value<double>(shear, {"scene.toml", 32, 19});
+            const LadderConstants ladder = ladder_constants(part, along, 1e-4);
+            EXPECT_NEAR(ladder.axial_stiffness() / 1200, 1, 1e-12) << shear;
+            EXPECT_NEAR(ladder.bending_stiffness() / 3e-6, 1, 1e-13) << shear;
+            EXPECT_NEAR(ladder.shear_stiffness() / shear, 1, 1e-13);
+            EXPECT_GT(ladder.cross_stiffness, 0);
+            EXPECT_GT(ladder.hinge_stiffness, 0);
+            EXPECT_EQ(ladder.rung_stiffness, ladder.bond_stiffness);
+        }
+}
+
+TEST(LadderConstants, KeepTheShearStiffnessWhereTheAxialOneIsOutOfRangeOrRefuse) {
+    Part part = part_with(3e-6, 100, true);
+    part.shear_stiffness = Value<double>(200.0, {"scene.toml", 32, 19});
+    const LadderConstants raised = ladder_constants(part, 1e-4, 1e-4);
+    EXPECT_NEAR(raised.axial_stiffness(), 4 * 3e-6 / 1e-8 - 200, 1e-9);
+    EXPECT_NEAR(raised.shear_stiffness(), 200, 1e-10);
+    EXPECT_EQ(raised.cross_stiffness, 0);
+    part.axial_stiffness = 5000.0;
+    const LadderConstants lowered = ladder_constants(part, 1e-4, 1e-4);
+    EXPECT_EQ(lowered.hinge_stiffness, 0);
+    EXPECT_NEAR(lowered.shear_stiffness(), 200, 1e-10);
+    EXPECT_LT(lowered.axial_stiffness(), 5000);
+    EXPECT_NEAR(lowered.bending_stiffness() / 3e-6, 1, 1e-14);
+    part.lower_axial_stiffness = false;
+    EXPECT_EQ(testing::text_thrown<InputError>([&] { (void)ladder_constants(part, 1e-4, 1e-4); }).substr(0, 109),
+              "scene.toml:32:19: part 'leaflets': two rows 0.0001 m apart with EI = 3e-06 N*m^2 and GA = 200 N have EA "
+              "= 100");
 }
 
 TEST(StripStiffness, FollowsFromTheMaterial) {
@@ -214,6 +250,34 @@ TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
     EXPECT_NEAR(shear / (0.5 * line.shear_stiffness * small * small * length), 1, 1e-4);
 }
 
+TEST(LadderEnergy, WithAShearStiffnessIsThatAskedFor) {
+    testing_mesh::Texts texts = testing_mesh::flap_channel;
+    const double spacing = testing_mesh::mesh_texts(texts).particles.spacing;
+    const double shear_stiffness = 0.5 / square(spacing);
+    std::ostringstream with_shear;
+    with_shear << "axial_stiffness = \"" << 12 / square(spacing) << " N\"\nshear_stiffness = \"" << shear_stiffness
+               << " N\"";
+    const std::string without = "axial_stiffness = \"100 N\"";
+    texts.scene.replace(texts.scene.find(without), without.size(), with_shear.str());
+    const auto meshed = testing_mesh::mesh_texts(texts);
+    const ParticleSet& set = meshed.particles;
+    const auto& line = meshed.report.springs[0];
+    EXPECT_GT(set.hinges.size(), 0U);
+    EXPECT_GT(line.cross_stiffness, 0);
+    EXPECT_NEAR(line.axial_stiffness * square(spacing) / 12, 1, 1e-5);
+    EXPECT_NEAR(line.shear_stiffness / shear_stiffness, 1, 1e-5);
+    EXPECT_THAT(meshed.report.text(),
+                ::testing::AllOf(::testing::HasSubstr("across, "), ::testing::HasSubstr(" hinges of")));
+    const double length = 1, small = 1e-4, radius = length / small;
+    const double bending =
+        energy(set, moved(set, [&](double s, double t) {
+                   return Vec((radius + t) * std::cos(s / radius), (radius + t) * std::sin(s / radius), 0);
+               }));
+    EXPECT_NEAR(bending / (0.5 * 3 * length / square(radius)), 1, 1e-3);
+    const double shear = energy(set, moved(set, [&](double s, double t) { return Vec(t + small * s, s, 0); }));
+    EXPECT_NEAR(shear / (0.5 * shear_stiffness * small * small * length), 1, 1e-3);
+}
+
 TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
     // h = 0.6 spacings: EA = 1000 N lies above 5 EI / spacing^2.
     testing_mesh::Texts texts = testing_mesh::flap_channel;
@@ -233,7 +297,7 @@ TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
     EXPECT_NEAR(line.bending_stiffness / bending_stiffness, 1, 1e-5);
     EXPECT_TRUE(set.hinges.empty());
     EXPECT_GT(line.cross_stiffness, line.bond_stiffness);
-    EXPECT_THAT(meshed.report.text(), testing::HasSubstr("along rows and k_c = "));
+    EXPECT_THAT(meshed.report.text(), ::testing::HasSubstr("along rows and k_c = "));
     const double length = 1, small = 1e-4, radius = length / small;
     const double bending =
         energy(set, moved(set, [&](double s, double t) {

@@ -1,10 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// A solid and a shell with dihedrals in moving water, in space, on several ranks: the bits of one.
+// A solid and a shell with dihedrals in moving water, in space, on several ranks: the bits of one, and what they say
+// will run.
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/unit/solver/bodies_in_space.hpp"
@@ -14,6 +16,7 @@ namespace dmp {
 namespace {
 
 using namespace lattice_solids;
+using ::testing::ElementsAre;
 using testing_solver::SceneAndParticles;
 
 constexpr double spacing = 0.1;
@@ -117,6 +120,26 @@ TEST(SpringsInSpace, are_the_same_bits_on_any_number_of_ranks) {
             EXPECT_EQ(shared.state_hash, alone.state_hash);
         }
     }
+}
+
+TEST(PlanInSpace, names_hinges_and_dihedrals_of_the_bodies_that_have_them) {
+    SceneAndParticles made = solid_and_shell_in_water();
+    const Ranks ranks = Ranks::world();
+    const auto asked_for_by = [&](const std::string& model) {
+        Resources resources(1);
+        resources.ranks = ranks;
+        std::vector<std::string> reasons;
+        for (const ModelUse& use : Simulation(made.scene, made.particles, resources).plan().models)
+            if (use.model == model) reasons.push_back(use.reason.substr(0, use.reason.find(" at ")));
+        return reasons;
+    };
+    EXPECT_THAT(asked_for_by("bonds with dashpots"), ElementsAre("part 'solid'", "part 'shell'"));
+    EXPECT_THAT(asked_for_by("hinges"), ElementsAre("part 'solid'"));
+    EXPECT_THAT(asked_for_by("dihedrals"), ElementsAre("part 'shell'"));
+    EXPECT_EQ(asked_for_by("implicit springs").size(), 1U);
+    made.scene.accuracy.spring_stepping = SpringStepping::subcycled;
+    EXPECT_EQ(asked_for_by("sub-cycled springs").size(), 1U);
+    EXPECT_EQ(asked_for_by("implicit springs").size(), 0U);
 }
 
 }  // namespace

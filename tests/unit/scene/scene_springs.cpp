@@ -43,5 +43,15 @@ TEST(SceneSprings, in_the_plane_they_are_a_strip) {
                 HasSubstr("mass_per_length is of a strip, and density says that the part is an area"));
 }
 
+TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cross_bonds) {
+    const std::string sheared = strip + "\nshear_stiffness = \"40 N\"";
+    EXPECT_EQ(*read_text(scene_with(strip, sheared)).parts[2].shear_stiffness, 40);
+    EXPECT_THAT(
+        fault_of(scene_with(strip, sheared + "\ncross_bonds = true")),
+        AllOf(HasSubstr("part 'leaflets' has cross_bonds and shear_stiffness"), HasSubstr("leave out cross_bonds")));
+    EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\nshear_stiffness = \"40 N\"")),
+                HasSubstr("shear_stiffness is of a strip in the plane"));
+}
+
 }  // namespace
 }  // namespace dmp

@@ -46,9 +46,26 @@ TEST(ModelCosts, of_a_valve_know_contact_springs_and_residence) {
     made.scene.regions = {all};
     made.scene.output.fields = {FluidField::residence_time};
     const ModelCosts costs = measure_costs(made.scene, made.particles, 1, 3.0);
-    EXPECT_THAT(names(costs.models),
-                ElementsAre("density diffusion", "particle shifting", "short-range repulsion", "residence times"));
+    EXPECT_THAT(names(costs.models), ElementsAre("density diffusion", "particle shifting", "extrapolated no-slip walls",
+                                                 "short-range repulsion", "residence times"));
     EXPECT_THAT(names(costs.stages), IsSupersetOf({"springs"}));
+}
+
+TEST(ModelCosts, know_correction_transport_velocity_implicit_viscosity_and_each_species) {
+    auto made = endless_water("0.5");
+    made.scene.accuracy.sound_speed = 1000.0;
+    made.scene.accuracy.viscosity_stepping = ViscosityStepping::implicitly;
+    made.scene.accuracy.transport_velocity = true;
+    made.scene.accuracy.gradient_correction = true;
+    for (const char* name : {"oxygen", "dye"}) {
+        Species species;
+        species.name = std::string(name);
+        species.diffusivity.all = Value<double>(1e-9);
+        made.scene.species.push_back(species);
+    }
+    const ModelCosts costs = measure_costs(made.scene, made.particles, 1, 2.0);
+    EXPECT_THAT(names(costs.models), ElementsAre("implicit viscosity", "gradient correction", "density diffusion",
+                                                 "transport velocity", "diffusion of 'oxygen'", "diffusion of 'dye'"));
 }
 
 TEST(ModelCosts, take_about_the_time_they_are_given) {

@@ -289,7 +289,7 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
     EXPECT_THAT(models(plan),
                 ElementsAre("Tait equation of state", "continuity", "pressure force", "viscous force",
                             "density diffusion", "particle shifting", "body acceleration", "extrapolated no-slip walls",
-                            "bonds with dashpots", "hinges", "short-range repulsion"));
+                            "bonds with dashpots", "hinges", "implicit springs", "short-range repulsion"));
     for (const ModelUse& use : plan.models) {
         EXPECT_FALSE(use.source.empty()) << use.model;
         EXPECT_FALSE(use.reason.empty()) << use.model;

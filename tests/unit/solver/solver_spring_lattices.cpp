@@ -122,13 +122,21 @@ TEST(CubeLattice, bends_as_a_beam) {
     }
 }
 
-TEST(CrossedLadder, stretches_bends_and_shears_as_said) {
+struct LadderAsked {
+    double axial, shear;  ///< 0: cross bonds alone
+};
+
+class PlaneLadder : public ::testing::TestWithParam<LadderAsked> {};
+
+TEST_P(PlaneLadder, stretches_bends_and_shears_as_said) {
     for (const double along : {1.0, 0.8}) {
         const double across = 1, length = 64 * along;
         Part part = part_with(0);
         part.bending_stiffness = 3;
-        part.axial_stiffness = 16;
-        part.cross_bonds = true;
+        part.axial_stiffness = GetParam().axial;
+        part.shear_stiffness = GetParam().shear;
+        part.cross_bonds = GetParam().shear == 0;
+        part.lower_axial_stiffness = false;
         const LadderConstants constants = ladder_constants(part, along, across);
         std::vector<Vec> place;
         for (int column = 0; column <= 64; ++column)
@@ -138,12 +146,17 @@ TEST(CrossedLadder, stretches_bends_and_shears_as_said) {
             set.bonds.push_back({a, b, (place[a] - place[b]).norm(), stiffness});
         };
         for (int n = 0; n <= 128; n += 2) {
-            bond(n, n + 1, constants.rung_stiffness());
+            bond(n, n + 1, constants.rung_stiffness);
             if (n == 128) break;
             for (const int row : {0, 1}) {
                 bond(n + row, n + 2 + row, constants.bond_stiffness);
                 bond(n + row, n + 3 - row, constants.cross_stiffness);
             }
+            if (constants.hinge_stiffness == 0) continue;
+            const std::array<int, 4> corners{n, n + 1, n + 3, n + 2};
+            for (std::size_t k = 0; k < 4; ++k)
+                set.hinges.push_back({corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4], -std::numbers::pi / 2,
+                                      constants.hinge_stiffness});
         }
         set.fixed[0] = set.fixed[1] = 1;
         const SpringNetwork<2> body(set, part_with(0), 0);
@@ -157,11 +170,20 @@ TEST(CrossedLadder, stretches_bends_and_shears_as_said) {
         EXPECT_NEAR((pulled[108][0] - pulled[20][0] - 44 * along) / (1e-6 * 44 * along / part.axial_stiffness), 1,
                     1e-5);
         const auto bent = loaded(0, 1e-9);
-        const double tip =
-            1e-9 * (std::pow(length, 3) / (3 * part.bending_stiffness) + length / constants.shear_stiffness());
+        const double shear = part.shear_stiffness > 0 ? *part.shear_stiffness : constants.shear_stiffness();
+        const double tip = 1e-9 * (std::pow(length, 3) / (3 * part.bending_stiffness) + length / shear);
         EXPECT_NEAR((bent.back()[1] + bent[bent.size() - 2][1]) / 2 / tip, 1, 2e-3);
     }
 }
+
+// Of 0.05, shear is 4 to 7 % of the tip's deflection.
+INSTANTIATE_TEST_SUITE_P(All, PlaneLadder,
+                         ::testing::Values(LadderAsked{16, 0}, LadderAsked{13, 4}, LadderAsked{12, 0.05}),
+                         [](const auto& asked) {
+                             return asked.param.shear == 0  ? "cross_bonds"
+                                    : asked.param.shear > 1 ? "hinges_and_diagonals"
+                                                            : "soft_in_shear";
+                         });
 
 TEST(CubeLattice, refuses_what_it_cannot_be) {
     EXPECT_EQ(text_thrown<InputError>([] { (void)cell_constants(1, 0.3, 1); }),

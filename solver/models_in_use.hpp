@@ -1,0 +1,20 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "solver/simulation.hpp"
+#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/spring_bodies.hpp"
+
+namespace dmp {
+
+/// Which models a scene of fluids, walls and springs runs, their sources, and what in it asks for them.
+std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps,
+                                    const SpringBodies& springs);
+
+/// Adds what pushes from outside, fluid or spheres: body acceleration, forces on parts, moving shapes.
+void add_driving_models(std::vector<ModelUse>& models, const Scene& scene);
+
+}  // namespace dmp
