@@ -11,6 +11,7 @@
 #include "solver/models/sph/lattice_viscosity.hpp"
 #include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/starting_state.hpp"
+#include "solver/time/body_parts.hpp"
 
 namespace dmp {
 
@@ -70,25 +71,30 @@ std::string solidify_rule_text(const Solidify& rule) {
 
 std::string place_of(const Part& part) { return "part '" + part.name.value + "' at " + part.name.place.text(); }
 
-/// What a springs part has besides bonds of one stiffness.
+/// What the springs of one origin (body_names) are besides bonds of one stiffness.
 struct OtherSprings {
+    double stiffness = 0;  ///< of the first bond [N/m]
     bool bonds = false, hinges = false, dihedrals = false;
 };
 
-/// By number of the part among the springs parts.
-std::vector<OtherSprings> other_springs(const SpringBodies& springs, std::size_t parts) {
-    std::vector<OtherSprings> of_part(parts);
+/// By number of the origin.
+std::vector<OtherSprings> other_springs(const SpringBodies& springs, std::size_t origins) {
+    std::vector<OtherSprings> of_origin(origins);
     for (const auto& body : springs.bodies()) {
         const BodyParts all = body->parts();
-        const auto part_of = [&](const auto& spring) -> OtherSprings& {
-            return of_part.at(static_cast<std::size_t>(body->origin(static_cast<std::size_t>(spring.node[0]))));
+        // An angle is of what its nodes are of.
+        const auto of_angle = [&](const auto& angle) -> OtherSprings& {
+            return of_origin.at(static_cast<std::size_t>(body->origin(static_cast<std::size_t>(angle.node[0]))));
         };
-        for (const auto& bond : all.bonds)
-            part_of(bond).bonds = part_of(bond).bonds || bond.stiffness != all.bonds.front().stiffness;
-        for (const auto& hinge : all.hinges) part_of(hinge).hinges = true;
-        for (const auto& four : all.dihedrals) part_of(four).dihedrals = true;
+        for (const auto& bond : all.bonds) {
+            OtherSprings& of = of_origin.at(static_cast<std::size_t>(bond.origin));
+            if (of.stiffness == 0) of.stiffness = bond.stiffness;
+            of.bonds = of.bonds || bond.stiffness != of.stiffness;
+        }
+        for (const auto& hinge : all.hinges) of_angle(hinge).hinges = true;
+        for (const auto& four : all.dihedrals) of_angle(four).dihedrals = true;
     }
-    return of_part;
+    return of_origin;
 }
 
 /// The list as it is made.
@@ -193,7 +199,7 @@ void Models::add_walls() {
 
 void Models::add_springs(const SpringBodies& springs) {
     const auto parts = scene_.parts_of(PartKind::springs);
-    const std::vector<OtherSprings> others = other_springs(springs, parts.size());
+    const std::vector<OtherSprings> others = other_springs(springs, body_names(scene_).size());
     for (std::size_t number = 0; number < parts.size(); ++number) {
         const Part& part = *parts[number];
         const std::string where = place_of(part);
