@@ -7,10 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "base/uninitialized.hpp"
 #include "solver/neighbours/space_order.hpp"
 #include "solver/store/particle_store.hpp"
 
 namespace dmp {
+
+class SearchGrid;
 
 /// Clusters by what is listed for them: only particles that this rank owns, or copies too.
 enum class ClusterChoice { all, inner, border };
@@ -27,6 +30,13 @@ enum class Pairs { meeting, within_solids };
 /// lasts long, and looking through it costs a tenth of making one. (After the pair lists of GROMACS, Páll & Hess 2013.)
 class ClusterList {
   public:
+    ClusterList() = default;
+    ClusterList(const ClusterList&) = delete;  // entries are pointed to
+    ClusterList& operator=(const ClusterList&) = delete;
+    ClusterList(ClusterList&&) = default;
+    ClusterList& operator=(ClusterList&&) = default;
+    ~ClusterList() = default;
+
     /// `reach` = support radius + skin [m]; clusters by kind, as sort_in_space made them.
     void build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach, int threads,
                Pairs pairs = Pairs::meeting);
@@ -40,7 +50,7 @@ class ClusterList {
                                                            ParticleKind kind) const {
         const auto& own = lists_[static_cast<std::size_t>(own_kind)];
         const std::size_t k = 3 * cluster + static_cast<std::size_t>(kind);
-        return {own.listed.data() + own.first[k], static_cast<std::size_t>(own.near[k])};
+        return {own.first[k], static_cast<std::size_t>(own.near[k])};
     }
     /// Looks through what is listed for cluster `cluster` and makes those that is_near(index) holds for its neighbours.
     /// To be called by one thread for a cluster; `thread` is its number.
@@ -50,7 +60,7 @@ class ClusterList {
     /// Whether a cluster is among the chosen ones.
     [[nodiscard]] bool chosen(ParticleKind kind, std::size_t cluster, ClusterChoice choice) const {
         if (choice == ClusterChoice::all) return true;
-        return lists_[static_cast<std::size_t>(kind)].at_border[cluster] == (choice == ClusterChoice::border);
+        return lists_[static_cast<std::size_t>(kind)].at_border[cluster] == (choice == ClusterChoice::border ? 1 : 0);
     }
 
     [[nodiscard]] bool empty() const { return !built_; }
@@ -59,19 +69,25 @@ class ClusterList {
     [[nodiscard]] std::size_t bytes() const;
 
   private:
+    /// What one thread found, for a run of clusters.
+    using Entries = Uninitialized<std::int32_t>;
     struct List {
-        std::vector<std::int32_t> listed;
-        std::vector<std::size_t> first;  ///< by cluster and kind; one more at the end
-        std::vector<std::int32_t> near;  ///< how many of them are near, from the first on
-        std::vector<bool> at_border;     ///< by cluster: copies are listed
+        std::vector<Entries> of_thread;
+        std::vector<std::int32_t*> first;     ///< in them, by cluster and kind
+        std::vector<std::int32_t> count;      ///< of entries, by cluster and kind
+        std::vector<std::int32_t> near;       ///< how many of them are near, from the first on
+        std::vector<std::uint8_t> at_border;  ///< by cluster: copies are listed
     };
-    /// Of the last entries, keeps those within `reach` of a member.
+    /// Of the entries from `begin` on, keeps those within `reach` of a member.
     template <int D>
     static void drop_far(const ParticleGroup& group, const Cluster& cluster, const ParticleGroup& others, double reach,
-                         List& list);
+                         Entries& entries, std::size_t begin);
     template <int D>
     void find(const ParticleStore& particles, double reach, int threads, Pairs pairs);
-    void find_border(const ParticleStore& particles);
+    /// Lists what clusters [begin, end) of a kind may meet.
+    template <int D>
+    void find_for(const ParticleStore& particles, const std::vector<SearchGrid>& grids, ParticleKind own,
+                  std::size_t begin, std::size_t end, double reach, Pairs pairs, Entries& entries);
 
     bool built_ = false;
     std::array<std::vector<Cluster>, 3> clusters_;
@@ -85,12 +101,12 @@ void ClusterList::keep_near(ParticleKind own_kind, std::size_t cluster, Particle
                             int thread) {
     List& own = lists_[static_cast<std::size_t>(own_kind)];
     const std::size_t k = 3 * cluster + static_cast<std::size_t>(kind);
-    const std::size_t count = own.first[k + 1] - own.first[k];
-    std::int32_t* listed = own.listed.data() + own.first[k];
+    const std::int32_t count = own.count[k];
+    std::int32_t* listed = own.first[k];
     std::int32_t* far = far_.data() + static_cast<std::size_t>(thread) * longest_;
     // Both written, one counted: which it is cannot be foreseen. The order stays, memory is walked through upwards.
     std::size_t near_ones = 0, far_ones = 0;
-    for (std::size_t n = 0; n < count; ++n) {
+    for (std::int32_t n = 0; n < count; ++n) {
         const std::int32_t index = listed[n];
         const bool near = is_near(index);
         listed[near_ones] = index;

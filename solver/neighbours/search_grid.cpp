@@ -1,19 +1,23 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/neighbours/search_grid.hpp"
 
-#include <numeric>
+#include <span>
+#include <utility>
+
+#include "solver/neighbours/sort_by_cell.hpp"
+#include "solver/parallel/low_and_high.hpp"
 
 namespace dmp {
 
-SearchGrid::SearchGrid(const ParticleGroup& group, double cell_size) : size_(cell_size) {
-    const std::size_t count = group.total();
+SearchGrid::SearchGrid(const ParticleGroup& group, double cell_size, int threads) : size_(cell_size) {
+    const auto count = static_cast<std::ptrdiff_t>(group.total());
     if (count == 0) return;
     std::array<double, 3> extent{};
     for (int axis = 0; axis < group.dimension(); ++axis) {
         const double* x = group.data(Field::position, axis);
-        const auto [low, high] = std::minmax_element(x, x + count);
-        origin_[axis] = *low;
-        extent[axis] = *high - *low;
+        const auto [low, high] = low_and_high(count, threads, [x](std::ptrdiff_t i) { return x[i]; });
+        origin_[axis] = low;
+        extent[axis] = high - low;
     }
     // A lone stray particle must not make a grid of billions of empty cells.
     const auto cells_at = [&](double size) {
@@ -25,21 +29,24 @@ SearchGrid::SearchGrid(const ParticleGroup& group, double cell_size) : size_(cel
     inverse_size_ = 1 / size_;
     for (int axis = 0; axis < 3; ++axis) cells_[axis] = static_cast<int>(std::floor(extent[axis] / size_)) + 1;
 
-    start_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-    std::vector<std::int32_t> cell(count, 0);
-    for (int axis = group.dimension() - 1; axis >= 0; --axis) {
-        const double* x = group.data(Field::position, axis);
-        for (std::size_t i = 0; i < count; ++i) cell[i] = cell[i] * cells_[axis] + cell_at(axis, x[i]);
+    Uninitialized<std::int32_t> cell(group.total());
+    std::array<const double*, 3> x{};
+    for (int axis = 0; axis < group.dimension(); ++axis) x[axis] = group.data(Field::position, axis);
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        std::int32_t number = 0;
+        for (int axis = group.dimension() - 1; axis >= 0; --axis)
+            number = number * cells_[axis] + cell_at(axis, x[axis][i]);
+        cell[i] = number;
     }
-    for (const std::int32_t c : cell) ++start_[c + 1];
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    std::vector<std::int32_t> next(start_.begin(), start_.end() - 1);
-    index_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) index_[next[cell[i]]++] = static_cast<std::int32_t>(i);
+    const std::size_t cells = static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2];
+    auto [order, start] = sort_by_cell(std::span<const std::int32_t>(cell), cells, threads);
+    index_ = std::move(order);
+    start_ = std::move(start);
     for (int axis = 0; axis < group.dimension(); ++axis) {
-        const double* x = group.data(Field::position, axis);
-        position_[axis].resize(count);
-        for (std::size_t k = 0; k < count; ++k) position_[axis][k] = x[index_[k]];
+        position_[axis].resize(group.total());
+#pragma omp parallel for num_threads(threads) schedule(static)
+        for (std::ptrdiff_t k = 0; k < count; ++k) position_[axis][k] = x[axis][index_[k]];
     }
 }
 

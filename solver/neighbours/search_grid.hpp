@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/uninitialized.hpp"
 #include "solver/store/particle_group.hpp"
 
 namespace dmp {
@@ -16,12 +17,12 @@ namespace dmp {
 class SearchGrid {
   public:
     /// Cells of at least `cell_size` (larger if there would be too many of them).
-    SearchGrid(const ParticleGroup& group, double cell_size);
+    SearchGrid(const ParticleGroup& group, double cell_size, int threads);
 
     /// Appends to `found` every particle within `reach` of the box [low, high].
     template <int D>
     void append_near(const std::array<double, 3>& low, const std::array<double, 3>& high, double reach,
-                     std::vector<std::int32_t>& found) const;
+                     Uninitialized<std::int32_t>& found) const;
 
   private:
     struct Gap {  ///< distance between an interval of the box and one cell of an axis
@@ -34,19 +35,19 @@ class SearchGrid {
     }
     template <int D>
     void append_run(std::int32_t begin, std::int32_t end, const std::array<double, 3>& low,
-                    const std::array<double, 3>& high, double reach_square, std::vector<std::int32_t>& found) const;
+                    const std::array<double, 3>& high, double reach_square, Uninitialized<std::int32_t>& found) const;
 
     double size_ = 1, inverse_size_ = 1;
     std::array<double, 3> origin_{};
     std::array<int, 3> cells_{1, 1, 1};
-    std::vector<std::int32_t> start_;  ///< first particle of each cell, x fastest
-    std::vector<std::int32_t> index_;  ///< in the group
-    std::array<std::vector<double>, 3> position_;
+    std::vector<std::int32_t> start_;    ///< first particle of each cell, x fastest
+    Uninitialized<std::int32_t> index_;  ///< in the group
+    std::array<Uninitialized<double>, 3> position_;
 };
 
 template <int D>
 void SearchGrid::append_near(const std::array<double, 3>& low, const std::array<double, 3>& high, double reach,
-                             std::vector<std::int32_t>& found) const {
+                             Uninitialized<std::int32_t>& found) const {
     if (index_.empty()) return;
     const double reach_square = reach * reach;
     std::array<int, 3> first{}, last{};
@@ -77,7 +78,7 @@ void SearchGrid::append_near(const std::array<double, 3>& low, const std::array<
 template <int D>
 void SearchGrid::append_run(std::int32_t begin, std::int32_t end, const std::array<double, 3>& low,
                             const std::array<double, 3>& high, double reach_square,
-                            std::vector<std::int32_t>& found) const {
+                            Uninitialized<std::int32_t>& found) const {
     std::size_t count = found.size();
     found.resize(count + static_cast<std::size_t>(end - begin));
     for (std::int32_t k = begin; k < end; ++k) {

@@ -5,6 +5,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
+
+#include "solver/neighbours/sort_by_cell.hpp"
+#include "solver/parallel/low_and_high.hpp"
 
 namespace dmp {
 
@@ -17,12 +21,13 @@ constexpr int cells_a_column = 64;
 class Cells {
   public:
     /// Half a spacing of room below, so that the rows of a lattice fall into the cells two by two.
-    Cells(const ParticleGroup& group, double spacing) : inverse_size_(0.5 / spacing) {
+    Cells(const ParticleGroup& group, double spacing, int threads) : inverse_size_(0.5 / spacing) {
         for (int axis = 0; axis < group.dimension(); ++axis) {
             const double* x = group.data(Field::position, axis);
-            const auto [low, high] = std::minmax_element(x, x + group.owned());
-            low_[axis] = *low - spacing / 2;
-            count_[axis] = static_cast<std::int64_t>((*high - low_[axis]) * inverse_size_) + 1;
+            const auto [low, high] = low_and_high(static_cast<std::ptrdiff_t>(group.owned()), threads,
+                                                  [x](std::ptrdiff_t i) { return x[i]; });
+            low_[axis] = low - spacing / 2;
+            count_[axis] = static_cast<std::int64_t>((high - low_[axis]) * inverse_size_) + 1;
         }
         columns_ = (count_[0] + cells_a_column - 1) / cells_a_column;
     }
@@ -58,9 +63,9 @@ class Cells {
 
 /// Particle numbers by body and cell. A counting sort where cells are few enough, which they are unless a particle flew
 /// away.
-std::vector<std::int32_t> order_by_cell(const ParticleGroup& group, const Cells& cells,
-                                        const std::vector<std::int64_t>& cell) {
-    std::vector<std::int32_t> order(group.owned());
+Uninitialized<std::int32_t> order_by_cell(const ParticleGroup& group, const Cells& cells,
+                                          const Uninitialized<std::int64_t>& cell, int threads) {
+    Uninitialized<std::int32_t> order(group.owned());
     if (group.kind() == ParticleKind::springs || cells.sparse(group.owned())) {
         std::iota(order.begin(), order.end(), 0);
         const auto tags = group.tags();
@@ -69,56 +74,81 @@ std::vector<std::int32_t> order_by_cell(const ParticleGroup& group, const Cells&
         });
         return order;
     }
-    std::vector<std::int32_t> next(static_cast<std::size_t>(cells.size()) + 1, 0);
-    for (const std::int64_t c : cell) ++next[c + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    for (std::size_t i = 0; i < order.size(); ++i) order[next[cell[i]]++] = static_cast<std::int32_t>(i);
-    return order;
+    return sort_by_cell(std::span<const std::int64_t>(cell), static_cast<std::size_t>(cells.size()), threads).order;
 }
 
-}  // namespace
+/// What particles are cut into clusters by.
+struct Strips {
+    const double* x;
+    const Uninitialized<std::int64_t>& cell;
+    std::span<const ParticleTag> tags;
 
-std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int threads) {
-    std::vector<Cluster> clusters;
-    const std::size_t owned = group.owned();
-    if (owned == 0) {
-        group.reorder({});
-        return clusters;
+    [[nodiscard]] bool are_one(std::int32_t a, std::int32_t b) const {
+        return Cells::strip_of(cell[a]) == Cells::strip_of(cell[b]) && tags[a].body == tags[b].body;
     }
-    const Cells cells(group, spacing);
-    std::array<const double*, 3> x{};
-    for (int axis = 0; axis < group.dimension(); ++axis) x[axis] = group.data(Field::position, axis);
-    std::vector<std::int64_t> cell(owned);
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(owned); ++i)
-        cell[i] = cells.of(x, static_cast<std::size_t>(i), group.dimension());
+};
 
-    std::vector<std::int32_t> order = order_by_cell(group, cells, cell);
-    const auto tags = group.tags();
-    const double longest = spacing * cluster_size;
-    clusters.reserve(owned / cluster_size + owned / 64 + 1);
-    for (std::size_t begin = 0; begin < owned;) {
-        const std::int64_t strip = Cells::strip_of(cell[order[begin]]);
-        const std::int32_t body = tags[order[begin]].body;
-        std::size_t end = begin;
-        while (end < owned && Cells::strip_of(cell[order[end]]) == strip && tags[order[end]].body == body) ++end;
+/// Sorts order[begin, end), which are whole strips, along x in each of them, and cuts them into clusters.
+std::vector<Cluster> cut_strips(Uninitialized<std::int32_t>& order, std::size_t begin, std::size_t end_of_all,
+                                const Strips& strips, double longest) {
+    std::vector<Cluster> clusters;
+    clusters.reserve((end_of_all - begin) / cluster_size + (end_of_all - begin) / 64 + 1);
+    const double* x = strips.x;
+    while (begin < end_of_all) {
+        std::size_t end = begin + 1;
+        while (end < end_of_all && strips.are_one(order[begin], order[end])) ++end;
         // Cells come in order along x already: few places change.
         for (std::size_t k = begin + 1; k < end; ++k) {
             const std::int32_t moving = order[k];
             std::size_t place = k;
-            for (; place > begin && x[0][order[place - 1]] > x[0][moving]; --place) order[place] = order[place - 1];
+            for (; place > begin && x[order[place - 1]] > x[moving]; --place) order[place] = order[place - 1];
             order[place] = moving;
         }
         while (begin < end) {
             Cluster cluster{static_cast<std::int32_t>(begin), 0};
-            const double start = x[0][order[begin]];
-            while (begin < end && cluster.count < cluster_size && x[0][order[begin]] - start < longest) {
+            const double start = x[order[begin]];
+            while (begin < end && cluster.count < cluster_size && x[order[begin]] - start < longest) {
                 ++cluster.count;
                 ++begin;
             }
             clusters.push_back(cluster);
         }
     }
+    return clusters;
+}
+
+}  // namespace
+
+std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int threads) {
+    const std::size_t owned = group.owned();
+    if (owned == 0) {
+        group.reorder({});
+        return {};
+    }
+    const Cells cells(group, spacing, threads);
+    std::array<const double*, 3> x{};
+    for (int axis = 0; axis < group.dimension(); ++axis) x[axis] = group.data(Field::position, axis);
+    Uninitialized<std::int64_t> cell(owned);
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(owned); ++i)
+        cell[i] = cells.of(x, static_cast<std::size_t>(i), group.dimension());
+
+    Uninitialized<std::int32_t> order = order_by_cell(group, cells, cell, threads);
+    const Strips strips{x[0], cell, group.tags()};
+    // As many runs of strips as threads, each cut on its own; the clusters are then joined.
+    std::vector<std::size_t> begin{0};
+    for (int t = 1; t < threads; ++t) {
+        std::size_t k = std::max(begin.back(), owned * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads));
+        while (k > 0 && k < owned && strips.are_one(order[k - 1], order[k])) ++k;
+        begin.push_back(k);
+    }
+    begin.push_back(owned);
+    std::vector<std::vector<Cluster>> parts(static_cast<std::size_t>(threads));
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int t = 0; t < threads; ++t)
+        parts[t] = cut_strips(order, begin[t], begin[t + 1], strips, spacing * cluster_size);
+    std::vector<Cluster> clusters = std::move(parts[0]);
+    for (int t = 1; t < threads; ++t) clusters.insert(clusters.end(), parts[t].begin(), parts[t].end());
     group.reorder(order, threads);
     return clusters;
 }

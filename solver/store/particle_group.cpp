@@ -9,6 +9,13 @@ namespace {
 
 constexpr std::size_t lanes_behind_the_end = 16;
 
+/// Resizes, and where that needs new memory takes a little more, not twice as much: copies come and go.
+template <class Vector>
+void resize_with_room(Vector& values, std::size_t size) {
+    if (size > values.capacity()) values.reserve(size + size / 16);
+    values.resize(size, {});
+}
+
 }  // namespace
 
 void ParticleGroup::declare(const FieldList& fields) {
@@ -37,22 +44,27 @@ FieldList ParticleGroup::state() const {
 
 void ParticleGroup::resize(std::size_t owned, std::size_t copies) {
     owned_ = owned;
-    tags_.resize(owned + copies);
+    resize_with_room(tags_, owned + copies);
     for (const Field field : declared())
-        for (int axis = 0; axis < axes(field); ++axis) array(field, axis).resize(total() + lanes_behind_the_end);
+        for (int axis = 0; axis < axes(field); ++axis)
+            resize_with_room(array(field, axis), total() + lanes_behind_the_end);
 }
 
 void ParticleGroup::reorder(std::span<const std::int32_t> order, int threads) {
-    std::vector<ParticleTag> tags(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) tags[k] = tags_[order[k]];
+    Uninitialized<ParticleTag> tags;
+    tags.reserve(tags_.capacity());  // with room for copies
+    tags.resize(order.size());
+    const auto count = static_cast<std::ptrdiff_t>(order.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::ptrdiff_t k = 0; k < count; ++k) tags[k] = tags_[order[k]];
     tags_ = std::move(tags);
     owned_ = order.size();
     for (const Field field : declared())
         for (int axis = 0; axis < axes(field); ++axis) {
             Array& values = array(field, axis);
+            moved_.reserve(values.capacity());
             moved_.resize(order.size() + lanes_behind_the_end);
             if (info(field).is_state) {
-                const auto count = static_cast<std::ptrdiff_t>(order.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
                 for (std::ptrdiff_t k = 0; k < count; ++k) moved_[k] = values[order[k]];
             }

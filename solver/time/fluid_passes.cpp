@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solver/parallel/largest_square.hpp"
+#include "solver/parallel/low_and_high.hpp"
 #include "solver/parallel/sums_over.hpp"
 #include "solver/sweeps/order_free.hpp"
 
@@ -31,32 +32,6 @@ std::array<double*, D> axes(ParticleGroup& group, Field field) {
     std::array<double*, D> arrays{};
     for (int axis = 0; axis < D; ++axis) arrays[axis] = group.data(field, axis);
     return arrays;
-}
-
-/// The least and the largest of value(i), i in [0, count). Side by side in lanes, so that the compiler may use vectors:
-/// it may not change the order of comparisons, in which a NaN matters, by itself.
-template <class Value>
-std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const Value& value) {
-    constexpr std::ptrdiff_t lanes = 8, block = 64 * lanes;
-    double low = infinity, high = -infinity;
-#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : high) reduction(min : low)
-    for (std::ptrdiff_t begin = 0; begin < count; begin += block) {
-        const std::ptrdiff_t end = std::min(begin + block, count), end_of_lanes = begin + (end - begin) / lanes * lanes;
-        std::array<double, lanes> lows, highs;
-        lows.fill(infinity);
-        highs.fill(-infinity);
-        const auto look = [&](std::ptrdiff_t i, std::ptrdiff_t lane) {
-            const double x = value(i);
-            lows[lane] = x < lows[lane] ? x : lows[lane];
-            highs[lane] = x > highs[lane] ? x : highs[lane];
-        };
-        for (std::ptrdiff_t i = begin; i < end_of_lanes; i += lanes)
-            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) look(i + lane, lane);
-        for (std::ptrdiff_t i = end_of_lanes; i < end; ++i) look(i, 0);
-        for (const double x : lows) low = std::min(low, x);
-        for (const double x : highs) high = std::max(high, x);
-    }
-    return {low, high};
 }
 
 /// Whether fourth powers of speeds up to this one have a quantum.
