@@ -31,6 +31,7 @@ bool matters(const std::string& table, const std::string& key) {
     if (table == "geometry") return key != "file";
     if (table == "particles" || table == "select") return true;
     if (table == "box") return true;
+    if (table == "join") return key != "damping";
     if (table == "flow") return key == "periodic" || key == "symmetry";
     if (table == "contact") return key == "range";
     if (table == "accuracy") return key == "support";
@@ -115,7 +116,8 @@ Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles
     const auto part_of = [&](int particle) {
         return static_cast<std::size_t>(particles.part[static_cast<std::size_t>(particle)]);
     };
-    for (const Bond& bond : particles.bonds) bonds[part_of(bond.a)].add(bond.stiffness);
+    for (const Bond& bond : particles.bonds)
+        if (part_of(bond.a) == part_of(bond.b)) bonds[part_of(bond.a)].add(bond.stiffness);
     for (const Hinge& hinge : particles.hinges) hinges[part_of(hinge.centre)].add(hinge.stiffness);
     for (const Dihedral& dihedral : particles.dihedrals) dihedrals[part_of(dihedral.b)].add(dihedral.stiffness);
     for (std::size_t n = 0; n < particles.parts.size(); ++n) {
@@ -143,8 +145,8 @@ std::vector<std::string> values_behind_particles(const Scene& scene) {
         if (equals == std::string::npos) continue;
         const std::string key = line.substr(0, equals);
         if (!matters(table, key)) continue;
-        // A part's first key is its name, and a selection's.
-        const bool is_named = table == "part" || table == "select";
+        // A part's first key is its name, as a selection's and a join's.
+        const bool is_named = table == "part" || table == "select" || table == "join";
         if (is_named && key == "name") {
             part = line.substr(equals + 4, line.size() - equals - 5);
             continue;

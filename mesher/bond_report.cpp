@@ -19,7 +19,10 @@ void count_bonds(MeshResult& result) {
     const ParticleSet& set = result.particles;
     const std::vector<int> bonds = valence(set);
     DisjointSets pieces(set.size());
-    for (const Bond& bond : set.bonds) pieces.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
+    for (const Bond& bond : set.bonds) {
+        const auto a = static_cast<std::size_t>(bond.a), b = static_cast<std::size_t>(bond.b);
+        if (set.part[a] == set.part[b]) pieces.join(a, b);
+    }
     for (MeshReport::SpringLine& line : result.report.springs)
         for (std::size_t i = 0; i < set.size(); ++i) {
             if (set.parts[static_cast<std::size_t>(set.part[i])].name != line.part) continue;

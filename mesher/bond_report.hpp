@@ -8,7 +8,8 @@ namespace dmp {
 /// Bonds of each node of a particle set.
 std::vector<int> valence(const ParticleSet& set);
 
-/// Adds to the report's spring parts how many nodes have how many bonds, and how many pieces bonds make of them.
+/// Adds to the report's spring parts how many nodes have how many bonds, and how many pieces their own bonds make of
+/// them.
 void count_bonds(MeshResult& result);
 
 }  // namespace dmp

@@ -9,6 +9,7 @@
 #include "base/length_text.hpp"
 #include "mesher/bond_report.hpp"
 #include "mesher/disorder.hpp"
+#include "mesher/join_parts.hpp"
 #include "mesher/names.hpp"
 #include "mesher/particle_builder.hpp"
 #include "mesher/quality.hpp"
@@ -75,6 +76,7 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     watch.lap("fit");
     MeshResult result = builder.finish();
     measure_quality(result, scene);
+    join_parts(result, scene);
     count_bonds(result);
     watch.lap("quality");
     std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
@@ -117,6 +119,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     watch.lap("moves");
     measure_quality(result, scene);
+    join_parts(result, scene);
     count_bonds(result);
     watch.lap("quality");
     std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));

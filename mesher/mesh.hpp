@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +67,14 @@ struct MeshReport {
         double particle_mass = 0;          ///< [kg]
         std::vector<std::size_t> valence;  ///< nodes by their number of bonds
         int pieces = 0;                    ///< of nodes that bonds join
+    };
+    /// Bonds between parts (mesher/join_parts.hpp).
+    struct JoinLine {
+        std::string name;
+        std::array<std::string, 2> parts;
+        std::size_t bonds = 0, across_gaps = 0;  ///< made; left out, as something is between
+        double stiffness = 0;                    ///< k_b [N/m]
+        double shortest = 0, longest = 0;        ///< [m]
     };
     struct SpheresLine {
         std::string part;
@@ -134,6 +143,7 @@ struct MeshReport {
     std::optional<RestLine> at_rest;  ///< where it was tried
     Cost cost;
     std::vector<SpringLine> springs;
+    std::vector<JoinLine> joins;
     std::vector<SpheresLine> spheres;
     std::vector<WallLine> walls;  ///< for spheres
     std::size_t touching = 0;     ///< pairs of spheres that touch

@@ -135,6 +135,14 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                        line.bending_stiffness, line.axial_stiffness, line.shear_stiffness, line.particle_mass);
 }
 
+std::string join_text(const MeshReport::JoinLine& line) {
+    std::string text = fmt::format("join {}: {} bonds of k_b = {:.4g} N/m between {} and {}, {} to {} long", line.name,
+                                   line.bonds, line.stiffness, line.parts[0], line.parts[1], length_text(line.shortest),
+                                   length_text(line.longest));
+    if (line.across_gaps > 0) text += fmt::format("; {} left out, across a gap", line.across_gaps);
+    return text + "\n";
+}
+
 std::string valence_text(const MeshReport::SpringLine& line) {
     std::string text;
     for (std::size_t bonds = 0; bonds < line.valence.size(); ++bonds)
@@ -188,6 +196,7 @@ std::string MeshReport::text() const {
             text += fmt::format("  {} {}; bonds: {}\n", line.pieces, line.pieces == 1 ? "piece" : "pieces",
                                 valence_text(line));
     }
+    for (const JoinLine& line : joins) text += join_text(line);
     text += cost_text(*this);
     for (const std::string& note : notes) text += "note: " + note + "\n";
     return text;

@@ -103,6 +103,16 @@ Json json_of(const MeshReport::SpringLine& line) {
     return json;
 }
 
+Json json_of(const MeshReport::JoinLine& line) {
+    return {{"name", line.name},
+            {"parts", line.parts},
+            {"bonds", line.bonds},
+            {"left_out_across_gaps", line.across_gaps},
+            {"stiffness_N_per_m", line.stiffness},
+            {"shortest_m", line.shortest},
+            {"longest_m", line.longest}};
+}
+
 Json json_of(const MeshReport::SpheresLine& line) {
     return {{"part", line.part},
             {"spheres", line.spheres},
@@ -139,6 +149,7 @@ std::string MeshReport::json() const {
                            {"largest_move_in_spacings", at_rest->largest_move},
                            {"fault", at_rest->fault}};
     if (!springs.empty()) json["springs"] = list(springs);
+    if (!joins.empty()) json["joins"] = list(joins);
     if (!spheres.empty()) json["spheres"] = list(spheres);
     Json seconds = Json::object();
     for (const Stage& stage : cost.stages)

@@ -121,6 +121,7 @@ std::string problem_with(const ParticleSet& set) {
         if (outside(bond.a) || outside(bond.b)) return of("bond", n) + " ends at a particle that is not there";
         if (!finite(bond.rest_length) || !finite(bond.stiffness))
             return of("bond", n) + ": its rest_length or stiffness is not finite";
+        if (bond.join < -1) return of("bond", n) + ": its join is number " + std::to_string(bond.join);
     }
     for (std::size_t n = 0; n < set.hinges.size(); ++n) {
         const Hinge& hinge = set.hinges[n];
@@ -222,6 +223,8 @@ void write_springs(Hdf5Writer& to, const ParticleSet& set) {
     to.write_array<std::int32_t>("bonds/b", column(set.bonds, &Bond::b));
     to.write_array<double>("bonds/rest_length", column(set.bonds, &Bond::rest_length));
     to.write_array<double>("bonds/stiffness", column(set.bonds, &Bond::stiffness));
+    if (std::ranges::any_of(set.bonds, [](const Bond& bond) { return bond.join >= 0; }))
+        to.write_array<std::int32_t>("bonds/join", column(set.bonds, &Bond::join));
     to.write_array<std::int32_t>("hinges/a", column(set.hinges, &Hinge::a));
     to.write_array<std::int32_t>("hinges/centre", column(set.hinges, &Hinge::centre));
     to.write_array<std::int32_t>("hinges/b", column(set.hinges, &Hinge::b));
@@ -336,6 +339,7 @@ void read_springs(const Hdf5Reader& from, ParticleSet& set) {
     read_column(from, "bonds/b", set.bonds, &Bond::b);
     read_column(from, "bonds/rest_length", set.bonds, &Bond::rest_length);
     read_column(from, "bonds/stiffness", set.bonds, &Bond::stiffness);
+    if (from.has("bonds/join")) read_column(from, "bonds/join", set.bonds, &Bond::join);
     set.hinges.resize(from.length("hinges/a"));
     read_column(from, "hinges/a", set.hinges, &Hinge::a);
     read_column(from, "hinges/centre", set.hinges, &Hinge::centre);

@@ -18,6 +18,7 @@ struct Bond {
     int a = 0, b = 0;
     double rest_length = 0;  ///< [m]
     double stiffness = 0;    ///< k_b [N/m]
+    int join = -1;           ///< the scene's [[join]] that made it, of those between enabled parts; -1: its part
 };
 
 /// A hinge, U = stiffness (theta - rest_angle)^2 (no 1/2); theta in 2-D the signed angle from centre->a to centre->b,
@@ -88,7 +89,7 @@ struct ParticleSet : ParticleSpace {
     std::vector<double> volume;         ///< volume it stands for in the SPH sums [m^2 x 1 m]
     std::vector<double> mass;           ///< inertial mass [kg]
     std::vector<int> part;              ///< index into parts
-    std::vector<int> body;              ///< connected piece of a springs part, counted over all parts; -1: none
+    std::vector<int> body;              ///< connected piece of springs parts, by way of walls too; -1: none
     std::vector<std::uint8_t> fixed;    ///< 1: never moves (rigid walls, anchored ends)
     std::vector<std::uint8_t> seated;   ///< 1: drawn touching a wall, so that the wall does not push it away
     std::vector<Vec> wall_normal;       ///< rigid: unit vector from the surface into the fluid; else 0

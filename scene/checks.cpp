@@ -8,6 +8,7 @@
 
 #include "base/nearest_name.hpp"
 #include "scene/driving_keys.hpp"
+#include "scene/join_keys.hpp"
 #include "scene/quantity.hpp"
 #include "scene/schema.hpp"
 #include "scene/solidify_checks.hpp"
@@ -339,6 +340,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.parts, "part");
     refuse_equal_names(scene.selections, "select");
     for (const auto& selection : scene.selections) check_selection(scene, selection);
+    refuse_equal_names(scene.joins, "join");
     refuse_equal_names(scene.species, "species");
     refuse_equal_names(scene.regions, "region");
     refuse_equal_names(scene.measures, "measure");
@@ -367,6 +369,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     check_species(scene);
     for (const auto& region : scene.regions) check_region(scene, region);
     check_springs(scene);
+    check_joins(scene);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
     check_solidify(scene);
 }

@@ -129,10 +129,19 @@ struct Solidify {
 /// [[break]]: bonds that break under tension.
 struct Breaking {
     Value<std::string> name;
-    Value<std::string> part;           ///< whose bonds: a springs part's or a [[solidify]]'s
+    Value<std::string> part;           ///< whose bonds: a springs part's, a [[solidify]]'s or a [[join]]'s
     Value<double> force_above = 0.0;   ///< [N]; 0: not by force
     Value<double> strain_above = 0.0;  ///< [-]; 0: not by strain
     Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
+};
+
+/// [[join]]: bonds between the particles of two parts, or between pieces of one, as they are drawn (docs/springs.md).
+struct Join {
+    Value<std::string> name;
+    Value<std::array<std::string, 2>> parts;  ///< two springs parts, the same twice, or a springs and a rigid part
+    Value<double> within;                     ///< longest bond [m]; not given: 1.5 spacings
+    Value<double> stiffness = 0.0;            ///< k_b [N/m]; 0 = "auto": as stiff as the parts' own bonds, in series
+    Value<double> damping = 0.01;             ///< dashpot, fraction of critical [-]
 };
 
 /// [[select]]: faces of a drawing in space by where they lie, for what the drawing gives no name. All that is given

@@ -186,6 +186,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     }
     scene.selections = read_items(document, "select", schema().select, *scene.quality);
     scene.parts = read_items(document, "part", schema().part, *scene.quality);
+    scene.joins = read_items(document, "join", schema().join, *scene.quality);
     scene.species = read_items(document, "species", schema().species, *scene.quality);
     scene.contact_pairs = read_items(document, "contact_pair", schema().contact_pair, *scene.quality);
     scene.forces = read_items(document, "force", schema().force, *scene.quality);

@@ -40,6 +40,7 @@ std::string resolved_scene(const Scene& scene) {
     }
     write_items(text, scene.selections, "select", schema().select);
     write_items(text, scene.parts, "part", schema().part);
+    write_items(text, scene.joins, "join", schema().join);
     write_items(text, scene.species, "species", schema().species);
     write_items(text, scene.contact_pairs, "contact_pair", schema().contact_pair);
     write_items(text, scene.forces, "force", schema().force);

@@ -309,6 +309,17 @@ std::size_t Scene::species_of(const Measure& measure) const {
     throw std::out_of_range("no species '" + *measure.species + "'");
 }
 
+std::vector<const Join*> Scene::joins_of_enabled() const {
+    const auto is_enabled = [this](const std::string& name) {
+        const Part* part = part_named(name);
+        return part != nullptr && *part->enabled;
+    };
+    std::vector<const Join*> found;
+    for (const Join& join : joins)
+        if (std::ranges::all_of(*join.parts, is_enabled)) found.push_back(&join);
+    return found;
+}
+
 const Part* Scene::part_named(const std::string& name) const {
     const auto found = std::ranges::find_if(parts, [&](const Part& part) { return *part.name == name; });
     return found == parts.end() ? nullptr : &*found;

@@ -112,6 +112,7 @@ struct Scene {
         Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
     } box;
 
+    std::vector<Join> joins;
     std::vector<ContactPair> contact_pairs;
     std::vector<ForceOnPart> forces;
     std::vector<MovingShape> moving_shapes;
@@ -126,6 +127,8 @@ struct Scene {
     [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
     /// Whether there may be spring bodies at some time.
     [[nodiscard]] bool may_have_springs() const { return !solidify.empty() || !parts_of(PartKind::springs).empty(); }
+    /// The joins between parts that are enabled, in order.
+    [[nodiscard]] std::vector<const Join*> joins_of_enabled() const;
     /// The part of that name, enabled or not; null where there is none.
     [[nodiscard]] const Part* part_named(const std::string& name) const;
     /// The part that particles name; throws InputError where there is none, as they are of another scene then.

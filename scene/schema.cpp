@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/driving_keys.hpp"
+#include "scene/join_keys.hpp"
 #include "scene/measure_keys.hpp"
 #include "scene/solidify_keys.hpp"
 #include "scene/sphere_keys.hpp"
@@ -298,6 +299,7 @@ Schema whole_schema() {
     for (auto& row : sphere_part_keys()) parts.push_back(std::move(row));
     schema.select = each_item("select", select_keys());
     schema.part = each_item("part", std::move(parts));
+    schema.join = each_item("join", join_keys());
     schema.species = each_item("species", species_keys());
     schema.contact_pair = each_item("contact_pair", contact_pair_keys());
     schema.force = each_item("force", force_keys());
@@ -317,8 +319,8 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"select",       "part",   "species", "contact_pair", "force",
-                                                "moving_shape", "region", "measure", "solidify",     "break"};
+    static const std::vector<std::string> names{"select",       "part",   "join",    "species",  "contact_pair", "force",
+                                                "moving_shape", "region", "measure", "solidify", "break"};
     return names;
 }
 
@@ -331,6 +333,7 @@ std::vector<KeyFacts> Schema::facts() const {
         if (section_of(key.facts.path) == "box" && section_of(facts.back().path) == "particles") {
             for (const auto& part_key : part)
                 facts.push_back(part_key.facts);  // after [particles], as scenes are written
+            for (const auto& join_key : join) facts.push_back(join_key.facts);
             for (const auto& pair_key : contact_pair) facts.push_back(pair_key.facts);
         }
         facts.push_back(key.facts);

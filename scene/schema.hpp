@@ -132,6 +132,7 @@ struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Selection>> select;
     std::vector<Key<Part>> part;
+    std::vector<Key<Join>> join;
     std::vector<Key<Species>> species;
     std::vector<Key<ContactPair>> contact_pair;
     std::vector<Key<ForceOnPart>> force;

@@ -103,7 +103,8 @@ void check_activity(const Solidify& rule) {
 }
 
 void check_breaking(const Scene& scene, const Breaking& rule) {
-    need_solid(scene, rule.part, "break", *rule.name);
+    const auto is_it = [&](const Join& join) { return *join.name == *rule.part; };
+    if (std::ranges::none_of(scene.joins, is_it)) need_solid(scene, rule.part, "break", *rule.name);
     if (rule.force_above.given() == rule.strain_above.given())
         throw InputError(rule.force_above.given() ? rule.strain_above.place : rule.name.place,
                          "break '" + *rule.name + "' has " +

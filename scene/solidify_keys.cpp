@@ -52,7 +52,7 @@ std::vector<Key<Solidify>> solidify_keys() {
 std::vector<Key<Breaking>> breaking_keys() {
     return {
         {"name", &Breaking::name, name(), required, "What the rule is called."},
-        {"part", &Breaking::part, name(), required, "The springs part or [[solidify]] whose bonds may break."},
+        {"part", &Breaking::part, name(), required, "The springs part, [[solidify]] or [[join]] whose bonds may break."},
         {"force_above", &Breaking::force_above, quantity("1 mN", positive), not_given,
          "Tension 2 k_b (r - r0) beyond which a bond breaks; or give strain_above."},
         {"strain_above", &Breaking::strain_above, number(positive), not_given,

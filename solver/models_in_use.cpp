@@ -212,6 +212,10 @@ void Models::add_springs(const SpringBodies& springs) {
         if (others[number].dihedrals) add("dihedrals", "U = k_d (phi - phi0)^2; Blondel & Karplus 1996", where);
         if (part.drag > 0) add("lab-frame drag", "F = -k_v v", because(part.drag, "drag"));
     }
+    for (const Join* join : scene_.joins_of_enabled())
+        add("bonds of '" + *join->name + "'",
+            "U = k_b (r - r0)^2 between '" + (*join->parts)[0] + "' and '" + (*join->parts)[1] + "'",
+            "join '" + *join->name + "' at " + join->name.place.text());
     if (scene_.may_have_springs())
         add(springs.implicit() ? "implicit springs" : "sub-cycled springs",
             springs.implicit() ? "implicit midpoint, with the fluid's kicks: Stern & Grinspun 2009"

@@ -26,6 +26,7 @@ class Warnings {
         about_springs();
         about_species();
         about_solidify();
+        about_joins();
         about_measures();
         about_output();
         return std::move(found_);
@@ -162,6 +163,15 @@ class Warnings {
                 add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
                     "lower it, or run for longer");
         }
+    }
+
+    void about_joins() {
+        for (const Join& join : scene_.joins)
+            for (const std::string& name : *join.parts)
+                if (const Part* part = scene_.part_named(name); part != nullptr && !*part->enabled)
+                    add("join." + *join.name + ".parts", join.parts.place,
+                        "'" + name + "' is left out (enabled = false), and so is the join",
+                        "leave the join out, or enable the part");
     }
 
     void about_measures() {

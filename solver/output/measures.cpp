@@ -10,6 +10,7 @@
 #include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/species_measures.hpp"
+#include "solver/time/body_change.hpp"
 
 namespace dmp {
 
@@ -63,20 +64,6 @@ std::vector<std::string> column_endings(const Scene& scene, FluidField field, in
     return endings;
 }
 
-/// A gap is between bodies.
-void check_two_bodies(const Measure& measure, const ParticleSet& set) {
-    int body = -1;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.parts[set.part[i]].name != measure.part.value) continue;
-        if (body >= 0 && set.body[i] != body) return;
-        body = set.body[i];
-    }
-    throw InputError(measure.part.place,
-                     "'" + measure.part.value + "' is one body, and the gap '" + measure.name.value +
-                         "' is measured between two of one part",
-                     "leave the measure out, or draw the part as two curves");
-}
-
 /// Units of a probe's columns; of concentrations each species has its own.
 std::string unit_of_column(const Scene& scene, FluidField field, std::size_t column) {
     return field == FluidField::concentration ? scene.species[column].concentration_unit() : unit_of(field);
@@ -106,7 +93,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
                 column(name, "m^3/s");
                 break;
             case MeasureKind::gap:
-                check_two_bodies(measure, set);
+                gaps_.try_emplace(&measure, measure, set);
                 column(name, "m");
                 break;
             case MeasureKind::largest_speed:
@@ -141,7 +128,7 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
                 row.push_back(flux(*measure, particles));
                 break;
             case MeasureKind::gap:
-                row.push_back(gap(*measure, fluid.springs()));
+                row.push_back(gaps_.at(measure).smallest(fluid.springs()));
                 break;
             case MeasureKind::largest_speed:
                 row.push_back(fluid.extremes().largest_speed);
@@ -183,22 +170,13 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
 
 void Measures::archive(Archive& file) { archive_series(file, series_); }
 
-Vec Measures::nearest(Vec offset) const {
-    for (int axis = 0; axis < space_.dimension; ++axis) {
-        if (!space_.periodic[axis]) continue;
-        const double period = space_.box.high[axis] - space_.box.low[axis];
-        offset[axis] -= period * std::round(offset[axis] / period);
-    }
-    return offset;
-}
-
 template <class Visit>
 void Measures::for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const {
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         Vec offset = Vec::Zero();
         for (int axis = 0; axis < space_.dimension; ++axis)
             offset[axis] = fluid.data(Field::position, axis)[i] - from[axis];
-        visit(i, nearest(offset));
+        visit(i, nearest_image(offset, space_));
     }
 }
 
@@ -238,19 +216,6 @@ double Measures::kinetic_energy(const ParticleGroup& fluid) const {
         sum.add(0.5 * fluid.data(Field::mass)[i] * square);
     }
     return over_all_ranks(sum);
-}
-
-double Measures::gap(const Measure& measure, const SpringBodies& springs) const {
-    std::vector<const SpringBody*> bodies;
-    for (const auto& body : springs.bodies())
-        if (body->part() == measure.part.value) bodies.push_back(body.get());
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t a = 0; a < bodies.size(); ++a)
-        for (std::size_t b = a + 1; b < bodies.size(); ++b)
-            for (std::size_t i = 0; i < bodies[a]->nodes(); ++i)
-                for (std::size_t j = 0; j < bodies[b]->nodes(); ++j)
-                    smallest = std::min(smallest, nearest(bodies[a]->place(i) - bodies[b]->place(j)).squaredNorm());
-    return std::sqrt(smallest);
 }
 
 bool Measures::need_neighbours() const {

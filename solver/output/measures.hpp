@@ -1,8 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
+#include "solver/output/gap_measure.hpp"
 #include "solver/output/measure_series.hpp"
 #include "solver/time/fluid_step.hpp"
 
@@ -11,7 +15,7 @@ namespace dmp {
 /// Follows the scene's measures over time.
 ///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];
 ///                  particles count with a hat of one support radius across the line, so the sum does not jump
-///   gap            smallest distance between centres of particles of different bodies of a springs part [m]
+///   gap            smallest distance between centres of particles of different pieces of a springs part [m]
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
@@ -31,15 +35,12 @@ class Measures {
     [[nodiscard]] bool need_neighbours() const;
 
   private:
-    /// The shortest of an offset's periodic images.
-    [[nodiscard]] Vec nearest(Vec offset) const;
     /// Calls visit(i, nearest offset from `from`) for this rank's fluid.
     template <class Visit>
     void for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const;
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
-    [[nodiscard]] double gap(const Measure& measure, const SpringBodies& springs) const;
     /// A value a column of the probe.
     [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,
                                             const FluidStep& step) const;
@@ -49,6 +50,7 @@ class Measures {
     PairSettings settings_;
     const Ranks& ranks_;
     std::vector<const Measure*> measures_;
+    std::map<const Measure*, GapMeasure> gaps_;
     MeasureSeries series_;
 };
 

@@ -15,34 +15,78 @@ std::vector<std::string> body_names(const Scene& scene) {
     std::vector<std::string> names;
     for (const Part* part : scene.parts_of(PartKind::springs)) names.push_back(*part->name);
     for (const Solidify& rule : scene.solidify) names.push_back(*rule.name);
+    for (const Join* join : scene.joins_of_enabled()) names.push_back(*join->name);
     return names;
 }
 
-BodyParts drawn_body(const ParticleSet& set, const Part& part, int body, int origin, double contact_range) {
+DrawnSprings::DrawnSprings(const ParticleSet& set, const Scene& scene) : of_part(set.parts.size()) {
+    const auto parts = scene.parts_of(PartKind::springs);
+    for (std::size_t number = 0; number < set.parts.size(); ++number) {
+        const auto& [name, kind] = set.parts[number];
+        if (kind != ParticleKind::springs) continue;
+        const auto part = std::ranges::find(parts, name, [](const Part* each) { return *each->name; });
+        if (part == parts.end())
+            throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
+                             "mesh the scene again");
+        of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag};
+    }
+    const auto joins = scene.joins_of_enabled();
+    const auto before = static_cast<int>(body_names(scene).size() - joins.size());
+    for (const Bond& bond : set.bonds)
+        if (bond.join >= static_cast<int>(joins.size()))
+            throw InputError("the particles have bonds of a [[join]] that the scene does not know",
+                             "mesh the scene again");
+    for (const Join* join : joins) of_join.push_back({before + static_cast<int>(of_join.size()), join->damping, 0});
+}
+
+DrawnSprings::DrawnSprings(const ParticleSet& set, const Part& part)
+    : of_part(set.parts.size(), {0, part.bond_damping, part.drag}) {}
+
+namespace {
+
+/// The particles of a body by their ids, with those of walls that it is bonded to.
+std::vector<int> nodes_of(const ParticleSet& set, int body) {
+    std::vector<int> ids;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.body[i] == body) ids.push_back(static_cast<int>(i));
+    for (const Bond& bond : set.bonds) {
+        if (set.body[bond.a] == body && set.body[bond.b] < 0) ids.push_back(bond.b);
+        if (set.body[bond.b] == body && set.body[bond.a] < 0) ids.push_back(bond.a);
+    }
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+    return ids;
+}
+
+}  // namespace
+
+BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body, double contact_range) {
     BodyParts parts;
     std::unordered_map<int, int> local;
     std::vector<Vec> places;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.body[i] != body) continue;
-        local[static_cast<int>(i)] = static_cast<int>(parts.nodes.size());
+    for (const int id : nodes_of(set, body)) {
+        local[id] = static_cast<int>(parts.nodes.size());
+        const DrawnSprings::Source& source = drawn.of_part[set.part[id]];
         BodyParts::Node node;
-        node.id = static_cast<int>(i);
-        node.fixed = set.fixed[i] != 0;
-        node.origin = origin;
-        node.mass = set.mass[i];
-        node.drag = part.drag;
-        node.place = node.place_before = node.place_at_rest = set.position[i];
+        node.id = id;
+        node.of_wall = set.body[id] < 0;
+        node.fixed = set.fixed[id] != 0;
+        node.origin = source.origin;
+        node.mass = set.mass[id];
+        node.drag = source.drag;
+        node.place = node.place_before = node.place_at_rest = set.position[id];
         parts.nodes.push_back(node);
-        places.push_back(set.position[i]);
+        places.push_back(set.position[id]);
     }
 
-    const double damping = part.bond_damping;
     double longest = 0;
     for (const Bond& bond : set.bonds) {
-        if (set.body[bond.a] != body) continue;
-        const Spring spring(bond.stiffness, damping, reduced_mass(set.mass[bond.a], set.mass[bond.b]));
+        if (set.body[bond.a] != body && set.body[bond.b] != body) continue;
+        const DrawnSprings::Source& source =
+            bond.join >= 0 ? drawn.of_join.at(bond.join) : drawn.of_part[set.part[bond.a]];
+        const Spring spring(bond.stiffness, source.damping, reduced_mass(set.mass[bond.a], set.mass[bond.b]));
         parts.bonds.push_back(
-            {{local.at(bond.a), local.at(bond.b)}, bond.rest_length, spring.stiffness, spring.dashpot, origin});
+            {{local.at(bond.a), local.at(bond.b)}, bond.rest_length, spring.stiffness, spring.dashpot, source.origin});
         longest = std::max(longest, bond.rest_length);
     }
     for (const Hinge& hinge : set.hinges) {
@@ -50,29 +94,32 @@ BodyParts drawn_body(const ParticleSet& set, const Part& part, int body, int ori
         const auto inertia = [&](int end) {
             return set.mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
         };
-        const Spring spring(hinge.stiffness, damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
+        const DrawnSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
+        const Spring spring(hinge.stiffness, source.damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
         parts.hinges.push_back({{local.at(hinge.a), local.at(hinge.centre), local.at(hinge.b)},
                                 hinge.rest_angle,
                                 spring.stiffness,
                                 spring.dashpot,
-                                origin});
+                                source.origin});
     }
     for (const Dihedral& dihedral : set.dihedrals) {
         if (set.body[dihedral.b] != body) continue;
         if (set.dimension != 3)
-            throw InputError("'" + part.name.value + "' has dihedrals, and there are none in the plane",
-                             "write dimension = 3, or leave them out");
+            throw InputError(
+                "'" + set.parts[set.part[dihedral.b]].name + "' has dihedrals, and there are none in the plane",
+                "write dimension = 3, or leave them out");
         const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
         const auto inertia = [&](int end) {
             return set.mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
         };
-        const Spring spring(dihedral.stiffness, damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));
+        const DrawnSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
+        const Spring spring(dihedral.stiffness, source.damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));
         parts.dihedrals.push_back(
             {{local.at(dihedral.a), local.at(dihedral.b), local.at(dihedral.c), local.at(dihedral.d)},
              dihedral.rest_angle,
              spring.stiffness,
              spring.dashpot,
-             origin});
+             source.origin});
     }
     if (contact_range > 0)
         parts.held_apart = pairs_within(places, set.dimension, neighbourhood_of_contact(contact_range, longest));

@@ -42,12 +42,29 @@ struct BodyParts {
     std::vector<std::pair<int, int>> held_apart;
 };
 
-/// What nodes and bonds may come from, by number: the enabled springs parts of the scene, then its [[solidify]].
+/// What nodes and bonds may come from, by number: the enabled springs parts of the scene, its [[solidify]], and its
+/// [[join]] of enabled parts.
 std::vector<std::string> body_names(const Scene& scene);
 
-/// The body of this number as it was drawn, with the springs that are among its nodes. `contact_range` [m], 0: none.
-/// Throws InputError for one in the plane that has dihedrals.
-BodyParts drawn_body(const ParticleSet& set, const Part& part, int body, int origin, double contact_range);
+/// What a scene says of the springs that were drawn for it.
+struct DrawnSprings {
+    struct Source {
+        int origin = 0;      ///< body_names
+        double damping = 0;  ///< dashpots, fraction of critical [-]
+        double drag = 0;     ///< lab-frame drag of a node [kg/s]
+    };
+    std::vector<Source> of_part;  ///< by part of the particle set
+    std::vector<Source> of_join;  ///< by Bond::join
+
+    /// Throws InputError for particles of a springs part that the scene does not have.
+    DrawnSprings(const ParticleSet& set, const Scene& scene);
+    /// Of a set whose springs are all of one part.
+    DrawnSprings(const ParticleSet& set, const Part& part);
+};
+
+/// The body of this number as it was drawn, with the springs among its nodes and those of walls that bonds join it to.
+/// `contact_range` [m], 0: none. Throws InputError for one in the plane that has dihedrals.
+BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body, double contact_range);
 
 /// Bodies on their way into a checkpoint or out of one.
 void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bodies);

@@ -20,18 +20,9 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
       implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit),
       step_factor_(scene.accuracy.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
-    const auto parts = scene.parts_of(PartKind::springs);
-    for (int body = 0; body < count; ++body) {
-        const auto node = std::find(set.body.begin(), set.body.end(), body) - set.body.begin();
-        const std::string& name = set.parts[set.part[node]].name;
-        const auto part =
-            std::find_if(parts.begin(), parts.end(), [&](const Part* p) { return p->name.value == name; });
-        if (part == parts.end())
-            throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
-                             "mesh the scene again");
-        bodies_.push_back(made_of(
-            drawn_body(set, **part, body, static_cast<int>(part - parts.begin()), contact.on() ? contact.range : 0)));
-    }
+    const DrawnSprings drawn(set, scene);
+    for (int body = 0; body < count; ++body)
+        bodies_.push_back(made_of(drawn_body(set, drawn, body, contact.on() ? contact.range : 0)));
     note_step_limits();
     number_nodes();
 }

@@ -22,8 +22,8 @@ std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
-    : SpringNetwork(drawn_body(set, part, body, 0, contact.on() ? contact.range : 0), part.name, set.spacing, contact) {
-}
+    : SpringNetwork(drawn_body(set, DrawnSprings(set, part), body, contact.on() ? contact.range : 0), part.name,
+                    set.spacing, contact) {}
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,

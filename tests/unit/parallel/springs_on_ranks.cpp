@@ -122,6 +122,38 @@ TEST(SpringsInSpace, are_the_same_bits_on_any_number_of_ranks) {
     }
 }
 
+/// A bond from each node of the solid to each of the shell within some spacings: one body.
+SceneAndParticles joined() {
+    SceneAndParticles made = solid_and_shell_in_water();
+    Join join;
+    join.name = std::string("seam");
+    join.parts = std::array<std::string, 2>{"solid", "shell"};
+    made.scene.joins = {join};
+    ParticleSet& set = made.particles;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        for (std::size_t j = 0; j < set.size(); ++j) {
+            const double apart = (set.position[i] - set.position[j]).norm();
+            if (set.part[i] == 1 && set.part[j] == 2 && apart < 2 * spacing)
+                set.bonds.push_back({static_cast<int>(i), static_cast<int>(j), apart, 1e4, 0});
+        }
+    for (int& body : set.body) body = std::min(body, 0);
+    return made;
+}
+
+TEST(JoinedInSpace, are_the_same_bits_on_any_number_of_ranks) {
+    const SceneAndParticles made = joined();
+    ASSERT_GE(made.particles.bonds.back().join, 0);
+    const Ranks ranks = Ranks::world();
+    const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, ranks),
+                     apart = run_on(solid_and_shell_in_water(), Ranks::alone());
+    EXPECT_LT(shared.momentum_residual, 1e-9);
+    EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
+    if (ranks.is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+        EXPECT_NE(shared.state_hash, apart.state_hash);
+    }
+}
+
 TEST(PlanInSpace, names_hinges_and_dihedrals_of_the_bodies_that_have_them) {
     SceneAndParticles made = solid_and_shell_in_water();
     const Ranks ranks = Ranks::world();
