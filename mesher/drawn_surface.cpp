@@ -82,13 +82,21 @@ void sample_triangle(const Vec& a, const Vec& b, const Vec& c, double area, std:
 
 }  // namespace
 
+std::vector<const Part*> fitted_parts(const Scene& scene) {
+    std::vector<const Part*> parts = scene.parts_of(PartKind::springs);
+    std::erase_if(parts, [](const Part* part) { return !part->bonds_within.given(); });
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    parts.insert(parts.end(), fluids.begin(), fluids.end());
+    return parts;
+}
+
 DrawnSurface::DrawnSurface(const Geometry& geometry, const Scene& scene, const ParticleSpace& space, const Part& fluid,
                            double reach)
     : space_(space), reach_(reach) {
     if (space.dimension == 3)
         sample_solids(geometry, scene, fluid);
     else
-        sample_curves(geometry, fluid, scene.parts_of(PartKind::fluid));
+        sample_curves(geometry, fluid, fitted_parts(scene));
 }
 
 bool DrawnSurface::is_on_a_side(const Vec& point) const {
@@ -159,7 +167,7 @@ void DrawnSurface::sample_solids(const Geometry& geometry, const Scene& scene, c
     std::vector<const TriangleSurface*> before;
     for (const Part* part : scene.parts_of(PartKind::rigid))
         if (const Solid* solid = geometry.solid(part->name)) before.push_back(&solid->surface);
-    for (const Part* part : scene.parts_of(PartKind::fluid)) {
+    for (const Part* part : fitted_parts(scene)) {
         if (part == &fluid) break;
         before.push_back(&geometry.solid(part->name)->surface);
     }

@@ -12,8 +12,13 @@
 
 namespace dmp {
 
-/// The surface that the drawing gives one fluid: where the fluid ends at a wall or at another fluid. Sides of the box
-/// that are periodic or planes of symmetry are none, nor is what lies in a body or a fluid that has the room before it.
+/// What moves until it follows the drawing, by who has the room first: solids of springs with bonds_within, then
+/// fluids.
+[[nodiscard]] std::vector<const Part*> fitted_parts(const Scene& scene);
+
+/// The surface that the drawing gives one fluid, or a solid with bonds_within: where the fluid ends at a wall or at
+/// another fluid. Sides of the box that are periodic or planes of symmetry are none, nor is what lies in a body or a
+/// fluid that has the room before it.
 class DrawnSurface {
   public:
     /// A place on the surface that stands for a piece of it.

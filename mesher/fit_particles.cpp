@@ -42,12 +42,12 @@ class Surfaces {
   public:
     Surfaces(const ParticleSet& set, const Geometry& geometry, const Scene& scene, const FitBounds& bounds)
         : set_(set), bounds_(bounds), borders_(set.parts.size()) {
-        const auto fluids = scene.parts_of(PartKind::fluid);
-        if (fluids.size() < 2) return;
+        const auto fitted = fitted_parts(scene);
+        if (fitted.size() < 2) return;
         for (std::size_t part = 0; part < set.parts.size(); ++part)
-            for (const Part* fluid : fluids)
-                if (*fluid->name == set.parts[part].name)
-                    borders_[part].emplace(geometry, scene, set, *fluid, reach * set.spacing);
+            for (const Part* each : fitted)
+                if (*each->name == set.parts[part].name)
+                    borders_[part].emplace(geometry, scene, set, *each, reach * set.spacing);
     }
 
     [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& place) const {
@@ -63,6 +63,7 @@ class Surfaces {
         if (!at_wall) return std::nullopt;
         if (found.distance > on_surface * set_.spacing)
             return SurfaceHold{found.point, (place - found.point).normalized()};
+        if (set_.kind(i) == ParticleKind::springs) return std::nullopt;
         const Vec into_fluid = bounds_.into_fluid(place, found);
         return SurfaceHold{found.point, set_.kind(i) == ParticleKind::fluid ? into_fluid : Vec(-into_fluid)};
     }
@@ -70,19 +71,23 @@ class Surfaces {
   private:
     const ParticleSet& set_;
     const FitBounds& bounds_;
-    std::vector<std::optional<DrawnSurface>> borders_;  ///< by part; of fluids, where there are several
+    std::vector<std::optional<DrawnSurface>> borders_;  ///< by part; of what is fitted, where there is more than one
 };
 
 /// By particle: 1 stays where it is. What stands still behind the layers asked for fills the kernels of the last one.
-std::vector<std::uint8_t> held_particles(const ParticleSet& set, const FitBounds& bounds) {
+std::vector<std::uint8_t> held_particles(const ParticleSet& set, const Scene& scene, const FitBounds& bounds) {
     std::vector<std::uint8_t> held(set.size(), 0);
+    std::vector<std::uint8_t> is_fitted(set.parts.size(), 0);
+    for (const Part* part : fitted_parts(scene))
+        if (const int number = set.part_named(*part->name); number >= 0)
+            is_fitted[static_cast<std::size_t>(number)] = 1;
     std::vector<double> held_behind(set.parts.size(), 0);  // by part
     for (const FitBounds::Wall& wall : bounds.walls)
         if (const int part = set.part_named(wall.part->name); part >= 0)
             held_behind[static_cast<std::size_t>(part)] = (wall.part->layers + 0.5) * set.spacing;
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.kind(i) == ParticleKind::springs)
-            held[i] = 1;
+            held[i] = is_fitted[static_cast<std::size_t>(set.part[i])] == 0 ? 1 : 0;
         else if (set.kind(i) == ParticleKind::rigid)
             held[i] = set.wall_distance[i] > held_behind[static_cast<std::size_t>(set.part[i])] ? 1 : 0;
     return held;
@@ -118,7 +123,8 @@ std::size_t pin_features(ParticleSet& set, const FitBounds& bounds, std::vector<
                                      taken = taken || (at + moved[j] - place).norm() < pins_apart * set.spacing;
                                      return;
                                  }
-                                 if (held[j] != 0 || square_of_distance >= best) return;
+                                 if (held[j] != 0 || set.kind(j) == ParticleKind::springs || square_of_distance >= best)
+                                     return;
                                  if ((set.kind(j) == ParticleKind::fluid) != feature.in_fluid) return;
                                  best = square_of_distance;
                                  nearest = j;
@@ -171,7 +177,7 @@ void update_lines(MeshResult& result, const FitBounds& bounds) {
 void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& scene, const FitBounds& bounds) {
     ParticleSet& set = result.particles;
     const Surfaces surfaces(set, geometry, scene, bounds);
-    std::vector<std::uint8_t> held = held_particles(set, bounds);
+    std::vector<std::uint8_t> held = held_particles(set, scene, bounds);
     const std::size_t pinned = pin_features(set, bounds, held);
     const Fit fit = fit_to_surfaces(
         set, scene.accuracy.support * set.spacing, held,

@@ -42,8 +42,9 @@ struct FitBounds {
 
 /// particles.fill = "relaxed" or "sampled": takes the nearest particles to the places at corners and edges, where they
 /// stay, and moves fluid and walls until they follow the walls' surfaces and the borders of fluids
-/// (fit_to_surfaces.hpp); cuts walls to the layers asked for, by where their particles are then. Spring bodies stay
-/// where they are. Without bodies the particles of each fluid share its volume equally.
+/// and of solids with bonds_within (fit_to_surfaces.hpp); cuts walls to the layers asked for, by where their particles
+/// are then. Other spring bodies stay where they are. Without bodies the particles of each fluid share its volume
+/// equally.
 void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& scene, const FitBounds& bounds);
 
 }  // namespace dmp

@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "base/disjoint_sets.hpp"
 #include "base/length_text.hpp"
+#include "mesher/bonded_solids.hpp"
 #include "particles/cell_grid.hpp"
 
 namespace dmp {
@@ -168,28 +168,6 @@ class Joining {
     Places places_;
     std::set<std::pair<int, int>> bonded_;
 };
-
-/// Bodies are what bonds hold together, by way of walls too, in the order of their first nodes.
-void number_bodies(ParticleSet& set) {
-    DisjointSets together(set.size());
-    std::vector<std::size_t> first_of(set.body.empty() ? 0 : 1 + *std::ranges::max_element(set.body), set.size());
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.body[i] < 0) continue;
-        std::size_t& first = first_of[static_cast<std::size_t>(set.body[i])];
-        if (first == set.size()) first = i;
-        together.join(first, i);
-    }
-    for (const Bond& bond : set.bonds)
-        together.join(static_cast<std::size_t>(bond.a), static_cast<std::size_t>(bond.b));
-    std::vector<int> body_of(set.size(), -1);  // by the lowest particle, of a wall or not
-    int bodies = 0;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.body[i] < 0) continue;
-        int& body = body_of[together.find(i)];
-        if (body < 0) body = bodies++;
-        set.body[i] = body;
-    }
-}
 
 }  // namespace
 

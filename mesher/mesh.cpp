@@ -8,6 +8,7 @@
 
 #include "base/length_text.hpp"
 #include "mesher/bond_report.hpp"
+#include "mesher/bonded_solids.hpp"
 #include "mesher/disorder.hpp"
 #include "mesher/join_parts.hpp"
 #include "mesher/names.hpp"
@@ -68,14 +69,16 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     cost.candidates = builder.candidates();
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
     if (*scene.particles.fill == FillKind::sampled) builder.sample();
-    if (*scene.particles.fill != FillKind::lattice)
+    if (*scene.particles.fill != FillKind::lattice) {
         builder.fit();
-    else
+        mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);  // walls and solids moved
+    } else
         relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
                             [&](std::size_t, const Vec& point) { return builder.may_stand(point); });
     watch.lap("fit");
     MeshResult result = builder.finish();
     measure_quality(result, scene);
+    bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);
     watch.lap("quality");
@@ -109,9 +112,10 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
     if (*scene.particles.fill == FillKind::sampled) builder.sample();
-    if (*scene.particles.fill != FillKind::lattice)
+    if (*scene.particles.fill != FillKind::lattice) {
         builder.fit();
-    else
+        mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);  // walls and solids moved
+    } else
         relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
                             [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     cost.candidates = builder.candidates();
@@ -119,6 +123,7 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
     watch.lap("moves");
     measure_quality(result, scene);
+    bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);
     watch.lap("quality");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
+#include "mesher/bond_network.hpp"
 #include "mesher/cell_lattice.hpp"
 #include "mesher/shell_lattice.hpp"
 #include "particles/particle_set.hpp"
@@ -55,6 +56,7 @@ struct MeshReport {
         };
         std::optional<Cells> cells;
         std::optional<Shell> shell;
+        std::optional<NetworkConstants> network;  ///< of a solid with bonds_within
         // of a strip in the plane
         double bond_stiffness = 0;         ///< k_b [N/m]
         double hinge_stiffness = 0;        ///< k_a [J]

@@ -26,11 +26,12 @@ void ParticleBuilder::claim_solids() {
     for (const Part* part : scene_.parts_of(PartKind::springs)) {
         const Region* region = geometry_.region(part->name);
         if (region == nullptr) continue;
-        if (*scene_.particles.arrangement != Arrangement::square)
+        const bool on_cells = !part->bonds_within.given();
+        if (on_cells && *scene_.particles.arrangement != Arrangement::square)
             throw InputError(
                 scene_.particles.arrangement.place,
-                "'" + part->name.value + "' is a solid of springs, which are built on the square lattice only",
-                "write particles.arrangement = \"square\"");
+                "'" + part->name.value + "' is a solid of springs, whose cells are built on the square lattice only",
+                "write particles.arrangement = \"square\", or give the part bonds_within");
         SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}});
         // Of points on the border those on its low sides: as many rows as spacings.
         const Vec a_little = 1e-6 * spacing_ * Vec(1, 0.618, 0);
@@ -42,7 +43,7 @@ void ParticleBuilder::claim_solids() {
         for (const Vec& point : lattice_.points(0))
             if (is_in(point) && !nodes_.any_near(point, 0.5 * spacing_)) solid.points.push_back(point);
         const std::size_t there = solid.points.size();
-        if (there > 0) {
+        if (on_cells && there > 0) {
             const std::vector<bool> whole = in_whole_cells(solid.points, lattice_step(), 2);
             std::size_t k = 0;
             std::erase_if(solid.points, [&](const Vec&) { return !whole[k++]; });
@@ -50,7 +51,8 @@ void ParticleBuilder::claim_solids() {
         if (solid.points.empty())
             throw InputError(
                 part->name.place,
-                "'" + part->name.value + "' is too thin for a solid of springs: no cell of the lattice fits in it",
+                "'" + part->name.value + "' is too thin for a solid of springs: no " + (on_cells ? "cell" : "point") +
+                    " of the lattice fits in it",
                 "refine particles.spacing to a third of its thickness, or draw its middle line as a curve, with "
                 "mass_per_length");
         if (solid.points.size() < there)
@@ -62,19 +64,31 @@ void ParticleBuilder::claim_solids() {
 }
 
 void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line) {
+    const std::vector<bool> clamped = anchored_nodes(*solid.part, solid.points);
+    line.anchored = static_cast<std::size_t>(std::ranges::count(clamped, true));
+    if (solid.part->bonds_within.given()) return add_unbonded(solid, part_number, clamped, line);
     const SolidBody body = solid_body(*solid.part, solid.points, lattice_step(), 2);
     line.cells = {body.constants, body.stiffened};
     line.particle_mass = body.mass.front();
     const std::size_t first = result_.particles.size();
     const int bodies_before = bodies_;
     const std::vector<int> piece = pieces_of(body.lattice, bodies_);
-    const std::vector<bool> clamped = anchored_nodes(*solid.part, solid.points);
     for (std::size_t node = 0; node < solid.points.size(); ++node)
         add_particle(part_number, {solid.points[node], body.volume[node], body.mass[node], piece[node], clamped[node],
                                    Vec::Zero(), 0});
     line.bodies = bodies_ - bodies_before;
-    line.anchored = static_cast<std::size_t>(std::ranges::count(clamped, true));
     add_springs_of(body.lattice, first, result_.particles, line);
+}
+
+/// Nodes that bond_solids() is to bond once they are where they stay.
+void ParticleBuilder::add_unbonded(const SpringSolid& solid, int part_number, const std::vector<bool>& clamped,
+                                   MeshReport::SpringLine& line) {
+    const double volume = lattice_.cell_area();
+    line.particle_mass = volume * solid.part->density;
+    for (std::size_t node = 0; node < solid.points.size(); ++node)
+        add_particle(part_number,
+                     {solid.points[node], volume, line.particle_mass, bodies_, clamped[node], Vec::Zero(), 0});
+    ++bodies_;
 }
 
 /// Of a solid: those next to the named points or the curve, and the one nearest to each point.

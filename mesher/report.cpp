@@ -116,6 +116,13 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                    constants.poisson_ratio(), line.particle_mass, stiffened,
                    constants.dimension == 3 ? "volume" : "area", stiffened);
     }
+    if (line.network)
+        return head +
+               fmt::format(
+                   " of k_b = {:.4g} to {:.4g} N/m{}  give E = {:.4g} Pa, nu = {:.3g} in an even strain; {:.2g} of "
+                   "their stiffness depends on direction; {:.4g} kg a node\n",
+                   line.network->softest, line.network->stiffest, clamped, line.network->youngs_modulus,
+                   NetworkConstants::poisson_ratio, line.network->anisotropy, line.particle_mass);
     if (line.shell) {
         const ShellConstants& shell = line.shell->constants;
         return head + fmt::format(

@@ -81,6 +81,14 @@ Json json_of(const MeshReport::SpringLine& line) {
                      {"youngs_modulus_Pa", constants.youngs_modulus()},
                      {"poisson_ratio", constants.poisson_ratio()},
                      {"stiffened", stiffened}});
+    } else if (line.network) {
+        json.update({{"form", "network"},
+                     {"softest_bond_N_per_m", line.network->softest},
+                     {"stiffest_bond_N_per_m", line.network->stiffest},
+                     {"exponent", line.network->exponent},
+                     {"anisotropy", line.network->anisotropy},
+                     {"youngs_modulus_Pa", line.network->youngs_modulus},
+                     {"poisson_ratio", NetworkConstants::poisson_ratio}});
     } else if (line.shell) {
         const auto& [constants, asked] = *line.shell;
         json.update({{"form", "shell"},

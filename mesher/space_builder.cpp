@@ -67,7 +67,8 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
         walls_.push_back({part, surface, solid != nullptr, thickness});
     }
     for (const Part* part : scene.parts_of(PartKind::springs))
-        if (const Solid* solid = geometry.solid(part->name); solid != nullptr && !take_as_sheet(*part, *solid))
+        if (const Solid* solid = geometry.solid(part->name);
+            solid != nullptr && (part->bonds_within.given() || !take_as_sheet(*part, *solid)))
             claim_springs(*part, *solid);
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;

@@ -60,10 +60,12 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
 
 /// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.
 void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
-    if (*scene_.particles.arrangement != Arrangement::square)
-        throw InputError(scene_.particles.arrangement.place,
-                         "'" + part.name.value + "' is a solid of springs, which are built on the cubic lattice only",
-                         "write particles.arrangement = \"square\"");
+    const bool on_cells = !part.bonds_within.given();
+    if (on_cells && *scene_.particles.arrangement != Arrangement::square)
+        throw InputError(
+            scene_.particles.arrangement.place,
+            "'" + part.name.value + "' is a solid of springs, whose cells are built on the cubic lattice only",
+            "write particles.arrangement = \"square\", or give the part bonds_within");
     const std::int16_t owner = owner_of_wall(walls_.size() + spring_solids_.size());
     claim(solid.surface, owner);
     SpringSolid& taken = spring_solids_.emplace_back(SpringSolid{&part, {}});
@@ -81,7 +83,8 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
         }
         ++index;
     });
-    const std::vector<bool> whole = in_whole_cells(taken.points, lattice_step());
+    const std::vector<bool> whole =
+        on_cells ? in_whole_cells(taken.points, lattice_step()) : std::vector<bool>(taken.points.size(), true);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < place.size(); ++k)
         if (whole[k]) {
@@ -92,11 +95,11 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
         }
     taken.points.resize(kept);
     if (kept == 0)
-        throw InputError(
-            part.name.place,
-            "'" + part.name.value + "' is too thin for a solid of springs: no cell of the lattice fits in it",
-            "refine particles.spacing to a third of its thickness, or draw it as a surface, with "
-            "`thickness`, to make it a shell");
+        throw InputError(part.name.place,
+                         "'" + part.name.value + "' is too thin for a solid of springs: no " +
+                             (on_cells ? "cell" : "point") + " of the lattice fits in it",
+                         "refine particles.spacing to a third of its thickness, or draw it as a surface, with "
+                         "`thickness`, to make it a shell");
     if (kept < place.size())
         result_.report.notes.push_back(part.name.value + ": " + std::to_string(place.size() - kept) +
                                        " lattice points in it belong to no whole cell of springs and are left out");
@@ -144,7 +147,12 @@ void SpaceBuilder::add_springs(const Part& part) {
     line.part = part.name;
     const std::size_t first = set.size();
     const auto solid = std::ranges::find(spring_solids_, &part, &SpringSolid::part);
-    if (solid != spring_solids_.end()) {
+    if (solid != spring_solids_.end() && part.bonds_within.given()) {
+        // bond_solids() bonds them once they are where they stay.
+        line.particle_mass = lattice_->cell_volume() * part.density;
+        for (const Vec& point : solid->points) add_particle(point, number, part.density);
+        std::fill(set.body.begin() + static_cast<std::ptrdiff_t>(first), set.body.end(), bodies_++);
+    } else if (solid != spring_solids_.end()) {
         const SolidBody body = solid_body(part, solid->points, lattice_step(), 3);
         line.cells = {body.constants, body.stiffened};
         line.particle_mass = body.mass.front();

@@ -45,6 +45,7 @@ struct Part {
     Value<double> poisson_ratio = 0.0;         ///< with youngs_modulus: that of a strip held in its depth; 0: not held
     Value<bool> lower_axial_stiffness = true;  ///< change EA where the lattice cannot hold EI and EA at this spacing
     Value<bool> cross_bonds = false;           ///< both diagonals of each cell instead of hinges at its corners
+    Value<double> bonds_within;                ///< of a solid: bonds of all particles so near, not cells [m]
     Value<double> mass_per_length;             ///< [kg/m]
     Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
     Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical [-]

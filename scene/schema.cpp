@@ -139,6 +139,8 @@ std::vector<Key<Part>> part_keys() {
          "Lower EA, or a shell's E h (with cross_bonds: raise it), where the lattice cannot also hold EI, or D, at this spacing; false makes that an error."},
         {"cross_bonds", springs, &Part::cross_bonds, boolean(), "false",
          "Bonds along both diagonals of each cell in place of hinges at its corners; for EA of 5 EI / spacing^2 and more."},
+        {"bonds_within", springs, &Part::bonds_within, quantity("0.15 mm", positive), not_given,
+         "Of a solid: bonds between all its particles no further apart, of a Poisson ratio of 0.25, in place of the springs of lattice cells; for every arrangement and fill."},
         {"mass_per_length", springs, &Part::mass_per_length, quantity("0.4 kg/m", positive), not_given,
          "Mass of a strip 1 m deep along its length; needed in the plane for a curve."},
         {"anchor", springs, &Part::anchor, text_not_empty(), not_given,

@@ -34,6 +34,21 @@ void need_one_stiffness(const Part& part) {
                                    : "give bending_stiffness and axial_stiffness, or youngs_modulus and thickness");
 }
 
+/// Bonds between all that is near are of solids, and have one Poisson ratio.
+void check_bonds_within(const Scene& scene, const Part& part) {
+    if (!part.bonds_within.given()) return;
+    const std::string part_name = "part '" + *part.name + "'";
+    const bool is_strip = scene.dimension == 2 && !part.density.given();
+    if (is_strip || part.thickness.given())
+        throw InputError(part.bonds_within.place,
+                         part_name + ": bonds_within is of a solid, and this is a " + (is_strip ? "strip" : "shell"),
+                         "leave it out, or draw " + std::string(scene.dimension == 2 ? "an area" : "a volume"));
+    if (part.poisson_ratio.given() && *part.poisson_ratio != 0.25)
+        throw InputError(part.poisson_ratio.place,
+                         part_name + ": bonds between all that is near give a Poisson ratio of 0.25 and no other",
+                         "write poisson_ratio = 0.25, or leave out bonds_within");
+}
+
 void refuse_what_strips_have(const Part& part, const std::string& why, const std::string& what_to_do) {
     const auto refuse = [&](const auto& value, const char* key) {
         if (value.given()) throw InputError(value.place, "part '" + *part.name + "': " + key + " " + why, what_to_do);
@@ -85,7 +100,10 @@ void need_what_springs_are_made_of(const Scene& scene, const Part& part) {
 
 void check_springs(const Scene& scene) {
     for (const Part& part : scene.parts)
-        if (*part.kind == PartKind::springs) need_what_springs_are_made_of(scene, part);
+        if (*part.kind == PartKind::springs) {
+            check_bonds_within(scene, part);
+            need_what_springs_are_made_of(scene, part);
+        }
 }
 
 }  // namespace dmp

@@ -53,5 +53,17 @@ TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cros
                 HasSubstr("shear_stiffness is of a strip in the plane"));
 }
 
+TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {
+    const std::string area = "density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\nbonds_within = \"0.15 mm\"";
+    EXPECT_NEAR(*read_text(scene_with(strip, area)).parts[2].bonds_within, 1.5e-4, 1e-18);
+    EXPECT_EQ(*read_text(scene_with(strip, area + "\npoisson_ratio = 0.25")).parts[2].poisson_ratio, 0.25);
+    EXPECT_THAT(fault_of(scene_with(strip, area + "\npoisson_ratio = 0.2")),
+                AllOf(HasSubstr("give a Poisson ratio of 0.25 and no other"), HasSubstr("poisson_ratio = 0.25")));
+    EXPECT_THAT(fault_of(scene_with(strip, strip + "\nbonds_within = \"0.15 mm\"")),
+                AllOf(HasSubstr("bonds_within is of a solid, and this is a strip"), HasSubstr("draw an area")));
+    EXPECT_THAT(fault_of(in_space(area + "\nthickness = \"0.3 mm\"")),
+                AllOf(HasSubstr("this is a shell"), HasSubstr("draw a volume")));
+}
+
 }  // namespace
 }  // namespace dmp
