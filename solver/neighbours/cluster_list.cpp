@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/neighbours/search_grid.hpp"
+#include "solver/parallel/each_of.hpp"
 #include "solver/sweeps/lanes.hpp"
 
 namespace dmp {
@@ -82,16 +83,16 @@ void ClusterList::find_for(const ParticleStore& particles, const std::vector<Sea
                 grids[static_cast<std::size_t>(other)].append_near<D>(bounds.low, bounds.high, reach, entries);
                 drop_far<D>(group, clusters[c], others, reach, entries, first);
             }
-            const auto found = entries.begin() + static_cast<std::ptrdiff_t>(first);
+            const auto found = [&entries, first] { return entries.begin() + static_cast<std::ptrdiff_t>(first); };
             if (own == ParticleKind::springs && other == own) {
                 const std::int32_t body = group.tags()[clusters[c].first].body;
                 const bool within = pairs == Pairs::within_solids;
                 const auto not_of_list = [&](std::int32_t j) { return (group.tags()[j].body == body) != within; };
-                entries.erase(std::remove_if(found, entries.end(), not_of_list), entries.end());
+                entries.erase(std::remove_if(found(), entries.end(), not_of_list), entries.end());
             }
             const auto owned = static_cast<std::int32_t>(others.owned());
             if (others.total() > others.owned() &&
-                std::any_of(found, entries.end(), [=](auto j) { return j >= owned; }))
+                std::any_of(found(), entries.end(), [=](auto j) { return j >= owned; }))
                 list.at_border[c] = 1;
             list.count[3 * c + static_cast<std::size_t>(other)] = static_cast<std::int32_t>(entries.size() - first);
         }
@@ -112,18 +113,21 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
     for (const ParticleKind own : all_kinds) {
         const std::size_t clusters = clusters_[static_cast<std::size_t>(own)].size();
         List& list = lists_[static_cast<std::size_t>(own)];
-        list.of_thread.resize(static_cast<std::size_t>(threads));
+        list.of_run.resize(static_cast<std::size_t>(threads));
         list.first.resize(3 * clusters);
         list.count.resize(3 * clusters);
         list.near.resize(3 * clusters);
         list.at_border.resize(clusters);
         // As many runs of clusters as threads, each listed on its own.
-        const auto run = [&](int t) {
-            return clusters * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
+        const auto begin = [&](std::ptrdiff_t run) {
+            return clusters * static_cast<std::size_t>(run) / static_cast<std::size_t>(threads);
         };
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-        for (int t = 0; t < threads; ++t)
-            find_for<D>(particles, grids, own, run(t), run(t + 1), reach, pairs, list.of_thread[t]);
+        each_of(threads, threads, [&](std::ptrdiff_t run) {
+            // In a vector of this thread's: it grows all the time, and those of the runs lie side by side.
+            Entries entries = std::move(list.of_run[run]);
+            find_for<D>(particles, grids, own, begin(run), begin(run + 1), reach, pairs, entries);
+            list.of_run[run] = std::move(entries);
+        });
         for (const std::int32_t count : list.count) longest = std::max(longest, count);
     }
     longest_ = static_cast<std::size_t>(longest);
@@ -144,18 +148,8 @@ void ClusterList::build(const ParticleStore& particles, std::array<std::vector<C
 std::size_t ClusterList::size() const {
     std::size_t entries = 0;
     for (const List& list : lists_)
-        for (const Entries& found : list.of_thread) entries += found.size();
+        for (const Entries& found : list.of_run) entries += found.size();
     return entries;
-}
-
-std::size_t ClusterList::bytes() const {
-    std::size_t bytes = 0;
-    for (const List& list : lists_) {
-        for (const Entries& found : list.of_thread) bytes += found.capacity() * sizeof(std::int32_t);
-        bytes += (list.count.capacity() + list.near.capacity()) * sizeof(std::int32_t) +
-                 list.first.capacity() * sizeof(std::int32_t*) + list.at_border.capacity();
-    }
-    return bytes;
 }
 
 }  // namespace dmp

@@ -66,13 +66,12 @@ class ClusterList {
     [[nodiscard]] bool empty() const { return !built_; }
     /// Listed entries in all, near or not.
     [[nodiscard]] std::size_t size() const;
-    [[nodiscard]] std::size_t bytes() const;
 
   private:
-    /// What one thread found, for a run of clusters.
+    /// What is listed for a run of clusters; one thread lists it.
     using Entries = Uninitialized<std::int32_t>;
     struct List {
-        std::vector<Entries> of_thread;
+        std::vector<Entries> of_run;
         std::vector<std::int32_t*> first;     ///< in them, by cluster and kind
         std::vector<std::int32_t> count;      ///< of entries, by cluster and kind
         std::vector<std::int32_t> near;       ///< how many of them are near, from the first on

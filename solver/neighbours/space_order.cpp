@@ -8,6 +8,7 @@
 #include <span>
 
 #include "solver/neighbours/sort_by_cell.hpp"
+#include "solver/parallel/each_of.hpp"
 #include "solver/parallel/low_and_high.hpp"
 
 namespace dmp {
@@ -144,9 +145,9 @@ std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int thr
     }
     begin.push_back(owned);
     std::vector<std::vector<Cluster>> parts(static_cast<std::size_t>(threads));
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int t = 0; t < threads; ++t)
+    each_of(threads, threads, [&](std::ptrdiff_t t) {
         parts[t] = cut_strips(order, begin[t], begin[t + 1], strips, spacing * cluster_size);
+    });
     std::vector<Cluster> clusters = std::move(parts[0]);
     for (int t = 1; t < threads; ++t) clusters.insert(clusters.end(), parts[t].begin(), parts[t].end());
     group.reorder(order, threads);

@@ -73,7 +73,7 @@ class ParticleGroup {
     ParticleKind kind_;
     int dimension_;
     std::size_t owned_ = 0;
-    Uninitialized<ParticleTag> tags_;
+    Uninitialized<ParticleTag> tags_;  ///< written by the threads that will read them
     std::array<int, static_cast<std::size_t>(Field::count)> declared_{};             ///< arrays; 0: none
     std::array<std::vector<Array>, static_cast<std::size_t>(Field::count)> arrays_;  ///< three or more each
     Array moved_;  ///< where an array is put in a new order

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <set>
+
+#include "solver/parallel/each_of.hpp"
 
 namespace dmp {
 
@@ -162,18 +163,9 @@ SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int th
     const int steps = implicit_ ? 0 : substeps(dt);
     const std::vector<Vec> force = collected(particles, Field::force);
     std::vector<SpringImpulses> impulses(bodies_.size());
-    std::vector<std::exception_ptr> errors(bodies_.size());  // must not leave the parallel loop
-    const auto count = static_cast<std::ptrdiff_t>(bodies_.size());
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (std::ptrdiff_t b = 0; b < count; ++b) {
-        try {
-            impulses[b] = bodies_[b]->advance(std::span(force).subspan(first_node_[b]), dt, steps);
-        } catch (...) {
-            errors[b] = std::current_exception();
-        }
-    }
-    for (const auto& error : errors)
-        if (error) std::rethrow_exception(error);
+    each_of(static_cast<std::ptrdiff_t>(bodies_.size()), threads, [&](std::ptrdiff_t b) {
+        impulses[b] = bodies_[b]->advance(std::span(force).subspan(first_node_[b]), dt, steps);
+    });
     SpringImpulses sum;
     for (const auto& impulse : impulses)
         for (int axis = 0; axis < 3; ++axis) {

@@ -14,6 +14,7 @@
 #include "solver/neighbours/search_grid.hpp"
 #include "solver/neighbours/sort_by_cell.hpp"
 #include "solver/neighbours/space_order.hpp"
+#include "solver/parallel/each_of.hpp"
 
 namespace dmp {
 namespace {
@@ -166,7 +167,7 @@ TEST(SpaceOrder, of_particles_in_one_place_is_full_clusters) {
 
 TEST(SortByCell, puts_cells_in_order_and_keeps_the_order_within_them) {
     std::mt19937 random(4);
-    for (const std::size_t count : {0U, 1U, 7U, 5000U})
+    for (const std::size_t count : {0U, 7U, 5000U, 30000U})
         for (const int cells : {1, 2, 90, 2000}) {
             std::vector<int> cell(count);
             // Crowded below, as where a liquid stands in the bottom of its box.
@@ -180,9 +181,40 @@ TEST(SortByCell, puts_cells_in_order_and_keeps_the_order_within_them) {
                 EXPECT_THAT(sorted.order, testing::ElementsAreArray(expected)) << threads << " threads";
                 ASSERT_EQ(sorted.start.size(), static_cast<std::size_t>(cells) + 1);
                 for (int c = 0; c <= cells; ++c)
-                    EXPECT_EQ(sorted.start[c], std::ranges::count_if(cell, [c](int of) { return of < c; })) << c;
+                    EXPECT_EQ(sorted.start[c],
+                              std::ranges::lower_bound(expected, c, {}, [&](std::int32_t i) { return cell[i]; }) -
+                                  expected.begin())
+                        << c;
             }
         }
+}
+
+TEST(SortByCell, refuses_a_cell_that_is_none) {
+    std::vector<int> cell(30000, 5);
+    for (const int wrong : {-1, 9}) {
+        cell[17] = wrong;
+        for (const int threads : {1, 2})
+            EXPECT_THROW(sort_by_cell(std::span<const int>(cell), 9, threads), std::logic_error);
+    }
+}
+
+TEST(EachOf, does_all_and_throws_what_the_lowest_threw) {
+    for (const int threads : {1, 2, 3}) {
+        std::vector<int> done(7);
+        each_of(7, threads, [&](std::ptrdiff_t k) { ++done[k]; });
+        EXPECT_THAT(done, testing::Each(1));
+        try {
+            each_of(7, threads, [&](std::ptrdiff_t k) {
+                ++done[k];
+                if (k > 2) throw std::runtime_error(std::to_string(k));
+            });
+            FAIL() << "nothing thrown";
+        } catch (const std::runtime_error& error) {
+            EXPECT_STREQ(error.what(), "3");
+        }
+        EXPECT_THAT(done, testing::Each(2)) << "what one throws does not stop the others";
+    }
+    each_of(0, 2, [](std::ptrdiff_t) { FAIL(); });
 }
 
 /// Squared distance of particle i from the box [low, high].
