@@ -18,6 +18,7 @@
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/near_sweep.hpp"
+#include "solver/sweeps/species_along.hpp"
 #include "solver/sweeps/species_sweep.hpp"
 #include "solver/sweeps/summation_sweep.hpp"
 #include "solver/sweeps/transport_sweep.hpp"
@@ -43,13 +44,13 @@ class Sweeps final : public PairSweeps {
     explicit Sweeps(const PairSettings& settings)
         : settings_(settings),
           kernel_(settings.support),
+          steepest_(steepest()),
           diffusion_(settings.density_diffusion, settings.support, settings.sound_speed),
           shifting_(settings.shifting, settings.support, settings.spacing, kernel_),
           repulsion_{settings.repulsion_strength},
           force_rounding_(largest_force()),
-          density_rounding_{OrderFree(settings.density * volume() * steepest() * settings.sound_speed),
-                            OrderFree(1.2 * volume() * steepest()),
-                            OrderFree(volume() * steepest() * settings.support)},
+          density_rounding_{OrderFree(settings.density * volume() * steepest_ * settings.sound_speed),
+                            OrderFree(1.2 * volume() * steepest_), OrderFree(volume() * steepest_ * settings.support)},
           summation_rounding_(settings.density * volume() * kernel_.value(0.0)),
           correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate} {}
 
@@ -80,48 +81,44 @@ class Sweeps final : public PairSweeps {
     }
 
     void density_rates(ParticleStore& particles, const ClusterList& list,
-                       const std::array<double, 3>& body_acceleration, ClusterChoice choice) const override {
+                       const std::array<double, 3>& body_acceleration, ClusterChoice choice,
+                       const SpeciesSums* along) const override {
         const StratifiedDiffusion<D> stratified_diffusion(settings_.density_diffusion, settings_.support,
                                                           settings_.sound_speed, narrowed(body_acceleration));
-        const auto run = [&]<class Solid, DensityTerms with>() {
-            DensitySweep<L, D, Kernel, Solid, with>(particles, list, kernel_, diffusion_, stratified_diffusion,
-                                                    shifting_, density_rounding_, settings_.threads)
+        const auto run_with = [&]<class Solid, DensityTerms with>(const auto& species) {
+            DensitySweep<L, D, Kernel, Solid, with, std::decay_t<decltype(species)>>(
+                particles, list, kernel_, diffusion_, stratified_diffusion, shifting_, density_rounding_, species,
+                settings_.threads)
                 .run(choice);
         };
-        if (settings_.density_by_summation) {
-            constexpr DensityTerms shifts{.rate = false, .shifting = true, .stratified = true};
-            if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
-            return;
-        }
-        if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
+        const auto run = [&]<class Solid, DensityTerms with>() {
+            run_with.template operator()<Solid, with>(NoSpecies{});
+        };
+        if (along != nullptr) {  // comes with diffusion, of whatever strength
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.stratified, [&](auto stratified) {
                     constexpr DensityTerms with{.diffusion = true,
                                                 .shifting = decltype(shifting)::value,
-                                                .stratified = decltype(stratified)::value};
-                    run.template operator()<ExtrapolatedSolid<D, true>, with>();
+                                                .stratified = decltype(stratified)::value,
+                                                .species = true};
+                    const SpeciesAlong<L, D, with.shifting> species(particles, *along, volume(), -kernel_.slope(0.0),
+                                                                    steepest_);
+                    run_with.template operator()<ExtrapolatedSolid<D>, with>(species);
                 });
             });
-            return;
+        } else {
+            with_density_terms(run);
         }
-        with_flag(settings_.density_diffusion > 0 || settings_.stratified, [&](auto diffusion) {
-            with_flag(settings_.shifting > 0, [&](auto shifting) {
-                with_flag(settings_.stratified, [&](auto stratified) {
-                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
-                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
-                        constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
-                                                    .shifting = decltype(shifting)::value,
-                                                    .stratified = decltype(stratified)::value};
-                        // What is stratified comes with diffusion, of strength 0 where there is none.
-                        if constexpr (with.diffusion || !with.stratified) run.template operator()<Solid, with>();
-                    });
-                });
-            });
-        });
         if (settings_.gradient_correction) {
             const auto solid = extrapolated(body_acceleration);
             corrected(particles, list, solid).rates(choice);
         }
+    }
+
+    [[nodiscard]] bool takes_along(const SpeciesSums& sums) const override {
+        return sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_springs &&
+               (settings_.shifting > 0) == (sums.shift_per_sum != 0) && settings_.walls == WallModel::extrapolated &&
+               !settings_.slip_walls && !settings_.density_by_summation && !settings_.transport_velocity;
     }
 
     void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,
@@ -143,7 +140,7 @@ class Sweeps final : public PairSweeps {
     }
 
     void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
-        const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest() / settings_.spacing);
+        const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest_ / settings_.spacing);
         with_viscous_sweep(particles, list, rounding, Field::velocity, 0, [&](auto sweep) { sweep.diagonal(choice); });
     }
 
@@ -191,6 +188,41 @@ class Sweeps final : public PairSweeps {
             case ViscousForce::none:
                 return then(NoViscosity{});
         }
+    }
+
+    /// Calls run<Solid, terms>() with what the density rates of these settings are summed of.
+    template <class Run>
+    void with_density_terms(const Run& run) const {
+        if (settings_.density_by_summation) {
+            constexpr DensityTerms shifts{.rate = false, .shifting = true, .stratified = true};
+            if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
+            return;
+        }
+        if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
+            with_flag(settings_.shifting > 0, [&](auto shifting) {
+                with_flag(settings_.stratified, [&](auto stratified) {
+                    constexpr DensityTerms with{.diffusion = true,
+                                                .shifting = decltype(shifting)::value,
+                                                .stratified = decltype(stratified)::value};
+                    run.template operator()<ExtrapolatedSolid<D, true>, with>();
+                });
+            });
+            return;
+        }
+        with_flag(settings_.density_diffusion > 0 || settings_.stratified, [&](auto diffusion) {
+            with_flag(settings_.shifting > 0, [&](auto shifting) {
+                with_flag(settings_.stratified, [&](auto stratified) {
+                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
+                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
+                        constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
+                                                    .shifting = decltype(shifting)::value,
+                                                    .stratified = decltype(stratified)::value};
+                        // What is stratified comes with diffusion, of strength 0 where there is none.
+                        if constexpr (with.diffusion || !with.stratified) run.template operator()<Solid, with>();
+                    });
+                });
+            });
+        });
     }
 
     template <class Run>
@@ -249,12 +281,13 @@ class Sweeps final : public PairSweeps {
         const double c0 = settings_.sound_speed;
         const double pressure = 0.1 * settings_.density * c0 * c0 + settings_.background_pressure;
         const double viscous = settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
-        return std::max(2 * (pressure + viscous) * volume() * volume() * steepest(),
+        return std::max(2 * (pressure + viscous) * volume() * volume() * steepest_,
                         10 * settings_.repulsion_strength / settings_.spacing);
     }
 
     PairSettings settings_;
     Kernel kernel_;
+    double steepest_;  ///< largest |dW/dr| [1/m^(D+1)]
     DensityDiffusion diffusion_;
     Shifting<Kernel> shifting_;
     Repulsion repulsion_;

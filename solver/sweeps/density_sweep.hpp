@@ -15,19 +15,27 @@ struct DensityRounding {
     OrderFree rate, shift, divergence;
 };
 
+/// Where no species is summed.
+struct NoSpecies {
+    struct Sum {};
+    static Sum around(const Cluster&) { return {}; }
+};
+
 /// What a density sweep sums. `stratified`: a body force or a free surface is there, see StratifiedDiffusion and
-/// Shifting.
+/// Shifting. `species`: diffusion of one on the way.
 struct DensityTerms {
-    bool rate = true, diffusion = false, shifting = false, stratified = false;
+    bool rate = true, diffusion = false, shifting = false, stratified = false, species = false;
 };
 
 /// Sums the density rate and the shifting vector over the neighbours of each cluster, L of its particles at a time.
-template <class L, int D, class Kernel, class Solid, DensityTerms with>
+/// `Species` is SpeciesAlong, or NoSpecies.
+template <class L, int D, class Kernel, class Solid, DensityTerms with, class Species>
 class DensitySweep {
   public:
     DensitySweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
                  const DensityDiffusion& diffusion, const StratifiedDiffusion<D>& stratified,
-                 const Shifting<Kernel>& shifting, const DensityRounding& order_free, int threads)
+                 const Shifting<Kernel>& shifting, const DensityRounding& order_free, const Species& species,
+                 int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
@@ -35,6 +43,7 @@ class DensitySweep {
           stratified_(stratified),
           shifting_(shifting),
           order_free_(order_free),
+          species_(species),
           threads_(threads),
           fluid_(particles.fluid()),
           rigid_(particles.of(ParticleKind::rigid)),
@@ -53,19 +62,16 @@ class DensitySweep {
         L rate;
         Vector<L, D> shift;
         L divergence;
+        typename Species::Sum species;
     };
 
     void fluid(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
         for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const Sum sum = around_fluid(near);
-            if constexpr (with.shifting && with.stratified) {
-                const L kept = Shifting<Kernel>::template kept<D>(sum.divergence);
-                store<L, D>(kept * sum.shift, group, Field::shift, near.cluster);
-            } else if constexpr (with.shifting) {
-                store<L, D>(sum.shift, group, Field::shift, near.cluster);
-            }
+            if constexpr (with.shifting) store<L, D>(sum.shift, group, Field::shift, near.cluster);
             if constexpr (with.rate) store_rate(sum.rate, group, near.cluster);
+            if constexpr (with.species) species_.store(sum.species, sum.shift, near.cluster);
         });
     }
 
@@ -79,8 +85,8 @@ class DensitySweep {
     // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Sum sum{0.0, Vector<L, D>::zero(), 0.0};
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum);
+        Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(near.cluster)};
+        for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum, index);
         for (const std::int32_t index : near.of(ParticleKind::rigid)) {
             if constexpr (Solid::needs_motion) {
                 const auto wall = rigid_(index);
@@ -90,6 +96,8 @@ class DensitySweep {
             }
         }
         for (const std::int32_t index : near.of(ParticleKind::springs)) add<false>(i, springs_(index), sum);
+        if constexpr (with.shifting && with.stratified)
+            sum.shift = Shifting<Kernel>::template kept<D>(sum.divergence) * sum.shift;
         return sum;
     }
 
@@ -112,7 +120,7 @@ class DensitySweep {
     }
 
     template <bool BothFluid, class I, class J>
-    void add(const I& i, const J& j, Sum& sum) const {
+    void add(const I& i, const J& j, Sum& sum, [[maybe_unused]] std::int32_t index = -1) const {
         const auto separation = i.position - j.position;
         const L distance = sqrt(dot(separation, separation));
         const L slope = kernel_.slope(distance);
@@ -127,6 +135,8 @@ class DensitySweep {
         if constexpr (with.shifting) sum.shift += order_free_.shift(slope * shifting_.law(pair, kernel_));
         if constexpr (with.shifting && with.stratified)
             sum.divergence += order_free_.divergence(slope * Shifting<Kernel>::divergence(pair));
+        if constexpr (BothFluid && with.species)
+            species_.add(i.volume * j.volume, index, separation, slope, sum.species);
     }
 
     ParticleStore& particles_;
@@ -136,6 +146,7 @@ class DensitySweep {
     const StratifiedDiffusion<D>& stratified_;
     const Shifting<Kernel>& shifting_;
     const DensityRounding& order_free_;
+    const Species& species_;
     int threads_;
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_motion, Solid::needs_motion> rigid_;

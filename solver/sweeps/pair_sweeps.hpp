@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
+#include <type_traits>
 
 #include "scene/scene.hpp"
 #include "solver/neighbours/cluster_list.hpp"
@@ -76,6 +78,17 @@ struct SpeciesSums {
     double shift_per_sum = 0;                       ///< displacement for a unit of Field::shift [m^2]; 0: none
     double longest_shift = 0;                       ///< [m]
     double diffusivity = -1;                        ///< of all fluid particles [m^2/s]; negative: by particle
+
+    /// By how much particles are about to be moved, from their sum of the shifting law [m].
+    template <class V>
+    [[nodiscard]] V displacement(const V& shift_sum) const {
+        using std::min;
+        using std::sqrt;
+        using T = std::decay_t<decltype(shift_sum[0])>;
+        constexpr double smallest = 1e-300;
+        const V shift = T(shift_per_sum) * shift_sum;
+        return min(T(1.0), longest_shift / sqrt(dot(shift, shift) + smallest)) * shift;
+    }
 };
 
 /// The sweeps over all pairs that one step makes: two, and one more for each that a scene asks for. Each sweep visits
@@ -91,10 +104,14 @@ class PairSweeps {
                         ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m]. Fluid
-    /// particles; with plain walls the solids' density rate too.
+    /// particles; with plain walls the solids' density rate too. `along`: a species whose diffusion is summed on the
+    /// way.
     virtual void density_rates(ParticleStore& particles, const ClusterList& list,
                                const std::array<double, 3>& body_acceleration,
-                               ClusterChoice choice = ClusterChoice::all) const = 0;
+                               ClusterChoice choice = ClusterChoice::all, const SpeciesSums* along = nullptr) const = 0;
+    /// Whether density_rates can do so: no solid takes part, all the fluid has one diffusivity, and walls and densities
+    /// are those of most scenes.
+    [[nodiscard]] virtual bool takes_along(const SpeciesSums& sums) const = 0;
 
     /// viscous_force [N] alone, of fluid and spring bodies, and, where walls move, of walls.
     virtual void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,

@@ -142,11 +142,8 @@ class SpeciesSweep {
     template <class I>
     [[nodiscard]] L with_shift(const Neighbourhood& near, const I& i, std::span<const std::int32_t> others,
                                const SpeciesReader<L, D, ParticleKind::fluid>& reader) const {
-        Vector<L, D> shift =
-            L(sums_.shift_per_sum) * load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster);
-        constexpr double smallest = 1e-300;
-        const L length = sqrt(dot(shift, shift) + smallest);
-        shift = min(L(1.0), sums_.longest_shift / length) * shift;
+        const Vector<L, D> shift =
+            sums_.displacement(load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster));
         L sum = 0.0;
         for (const std::int32_t index : others) {
             const auto j = read<ParticleKind::fluid>(reader, index);

@@ -85,15 +85,18 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     timer_.timed("springs", [&] { advance_springs(dt); });
     walls_.show_velocities(particles_);
     FieldList at_rates{Field::velocity};
+    std::optional<SpeciesSums> along;
     if (species_) {
         timer_.timed("species", [&] { species_->show(particles_, t + dt / 2); });
         at_rates.push_back(Field::concentration);
+        along = species_->along(*sweeps_, dt, shift_step(dt));
     }
-    sweep("density", at_rates, [this, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
-        sweeps_->density_rates(particles_, neighbours_.list(), g, clusters);
+    sweep("density", at_rates, [&, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
+        sweeps_->density_rates(particles_, neighbours_.list(), g, clusters, along ? &*along : nullptr);
     });
     if (species_)
-        timer_.timed("species", [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt)); });
+        timer_.timed("species",
+                     [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt), along); });
     FluidExtremes extremes;
     timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
     bodies_ahead_ = dt / 2;

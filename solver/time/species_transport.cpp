@@ -212,28 +212,52 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
     }
 }
 
-void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
-                               const ShiftStep& shift) {
+bool SpeciesTransport::stays(const CarriedSpecies& species, const ShiftStep& shift) {
+    return species.largest_diffusivity == 0 && !species.with_rigid && shift.per_sum == 0;
+}
+
+/// Where nothing is shifted.
+SpeciesSums SpeciesTransport::sums_of(const CarriedSpecies& species, double dt) {
+    SpeciesSums sums;
+    sums.species = sums.array_of_values = sums.array_of_result = species.number;
+    sums.adds = true;
+    sums.time = dt;
+    sums.largest_term = species.largest_amount;
+    sums.with_rigid = species.with_rigid;
+    sums.with_springs = species.with_springs;
+    sums.diffusivity = species.diffusivity;
+    return sums;
+}
+
+void SpeciesTransport::add_shift(const ShiftStep& shift, SpeciesSums& sums) {
+    if (shift.per_sum == 0) return;
+    sums.adds = false;
+    sums.result = Field::species_change;
+    sums.array_of_result = 0;
+    sums.shift_per_sum = shift.per_sum;
+    sums.longest_shift = shift.longest;
+}
+
+std::optional<SpeciesSums> SpeciesTransport::along(const PairSweeps& sweeps, double dt, const ShiftStep& shift) const {
+    if (implicit_) return {};
     for (const CarriedSpecies& species : species_) {
-        const bool stays = species.largest_diffusivity == 0 && !species.with_rigid && shift.per_sum == 0;
-        if (stays) continue;
-        SpeciesSums sums;
-        sums.species = sums.array_of_values = sums.array_of_result = species.number;
-        sums.adds = true;
-        sums.time = dt;
-        sums.largest_term = species.largest_amount;
-        sums.with_rigid = species.with_rigid;
-        sums.with_springs = species.with_springs;
-        sums.diffusivity = species.diffusivity;
+        if (stays(species, shift)) continue;
+        SpeciesSums sums = sums_of(species, dt);
+        add_shift(shift, sums);
+        if (sweeps.takes_along(sums)) return sums;
+    }
+    return {};
+}
+
+void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
+                               const ShiftStep& shift, const std::optional<SpeciesSums>& along) {
+    if (along && shift.per_sum != 0) hand_over(species_[static_cast<std::size_t>(along->species)], particles);
+    for (const CarriedSpecies& species : species_) {
+        if (stays(species, shift) || (along && along->species == species.number)) continue;
+        SpeciesSums sums = sums_of(species, dt);
         // What acts in the end is the flux of the solution, which keeps the amount whatever the tolerance.
         if (implicit_) solve(species, particles, neighbours, sweeps, sums);
-        if (shift.per_sum != 0) {
-            sums.adds = false;
-            sums.result = Field::species_change;
-            sums.array_of_result = 0;
-            sums.shift_per_sum = shift.per_sum;
-            sums.longest_shift = shift.longest;
-        }
+        add_shift(shift, sums);
         sweeps.species(particles, {neighbours.list(), neighbours.within_solids()}, sums);
         if (shift.per_sum != 0) hand_over(species, particles);
     }
@@ -252,7 +276,11 @@ void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& p
         sum[1] += std::abs(change[i]);
     });
     for (ParticleGroup& group : particles.groups()) {
-        if (group.kind() == ParticleKind::fluid || !group.has(Field::species_change)) continue;
+        // Those that take no part hold the change of another species.
+        if (!(group.kind() == ParticleKind::rigid     ? species.with_rigid
+              : group.kind() == ParticleKind::springs ? species.with_springs
+                                                      : false))
+            continue;
         for (std::size_t i = 0; i < group.owned(); ++i) {
             const double taken = group.data(Field::species_change)[i];
             group.data(Field::species_amount, species.number)[i] += taken;

@@ -60,10 +60,12 @@ class SpeciesTransport {
     [[nodiscard]] bool conducts_in_solids() const { return conducts_in_solids_; }
     /// Concentrations of owned particles from their amounts; of walls those at time t.
     void show(ParticleStore& particles, double t) const;
+    /// What the sweep of density rates, which is to come before advance(), sums for a species on its way, if anything.
+    [[nodiscard]] std::optional<SpeciesSums> along(const PairSweeps& sweeps, double dt, const ShiftStep& shift) const;
     /// Diffusion during dt, from the concentrations shown, of which copies know; and, where particles are about to be
-    /// shifted, what stays behind of them.
+    /// shifted, what stays behind of them. `along`: what density rates were told to sum.
     void advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
-                 const ShiftStep& shift);
+                 const ShiftStep& shift, const std::optional<SpeciesSums>& along);
 
     [[nodiscard]] std::size_t count() const { return species_.size(); }
     /// Volume at rest of an owned particle [m^3].
@@ -82,6 +84,9 @@ class SpeciesTransport {
 
   private:
     void declare(const Scene& scene, ParticleStore& particles);
+    [[nodiscard]] static bool stays(const CarriedSpecies& species, const ShiftStep& shift);
+    [[nodiscard]] static SpeciesSums sums_of(const CarriedSpecies& species, double dt);
+    static void add_shift(const ShiftStep& shift, SpeciesSums& sums);
     void hand_over(const CarriedSpecies& species, ParticleStore& particles);
     void fill(const Species& species, const ParticleSet& set, const std::vector<const Part*>& parts,
               ParticleStore& particles, CarriedSpecies& carried);

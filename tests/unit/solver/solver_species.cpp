@@ -261,6 +261,21 @@ TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     EXPECT_EQ(run.species[0].end, run.species[0].start);
 }
 
+TEST(Species, that_walls_are_closed_to_do_not_feel_others_that_walls_hold) {
+    testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
+    made.scene.species[1].concentration.all = testing_solver::placed("0.7");
+    KeptFrames frames;
+    Simulation simulation(made.scene, made.particles, 1);
+    RunOptions options;
+    options.sink = &frames;
+    const RunSummary run = simulation.run(options);
+    EXPECT_GT(std::abs(run.species[0].from_walls), 0);
+    const std::string field = "concentration_marker";
+    for (const float value :
+         testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), field)->values)
+        EXPECT_NEAR(value, 0.7F, 1e-7);
+}
+
 TEST(Species, go_on_from_a_checkpoint_to_the_same_bits) {
     for (const SpeciesStepping stepping : {SpeciesStepping::explicitly, SpeciesStepping::implicitly}) {
         const auto folder = std::filesystem::path(testing::TempDir()) / "dmp_species";

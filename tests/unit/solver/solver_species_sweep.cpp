@@ -292,6 +292,64 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
     }
 }
 
+TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
+    const auto [dimension, alike] = GetParam();
+    for (const bool stratified : {false, true})
+        for (const double shifting : {0.0, 4.0})
+            for (const VectorUnit unit : available_vector_units()) {
+                SCOPED_TRACE(std::string(word(unit)) + (shifting > 0 ? ", shifted" : "") +
+                             (stratified ? ", stratified" : ""));
+                settings.shifting = shifting;
+                settings.stratified = stratified;
+                Crowd made(set, settings, unit, 2, alike);
+                SpeciesSums wanted = sums(alike, 1e-6);
+                EXPECT_FALSE(made.sweeps->takes_along(wanted)) << "solids take part";
+                wanted.with_rigid = wanted.with_springs = false;
+                EXPECT_EQ(made.sweeps->takes_along(wanted), alike && shifting == 0);
+                if (shifting > 0) {
+                    wanted.shift_per_sum = -3e-4;
+                    wanted.longest_shift = 0.008;  // of which some want more
+                    EXPECT_EQ(made.sweeps->takes_along(wanted), alike);
+                }
+                if (!alike) continue;
+                const ById by_id(made.particles);
+                for (std::size_t id = 0; id < set.size(); ++id)
+                    for (int axis = 0; axis < dimension; ++axis)
+                        by_id.value(Field::velocity, id, axis) = std::sin(static_cast<double>(7 * id + axis));
+                made.neighbours.exchange(made.particles, {Field::velocity});
+                const std::array<double, 3> g{0.1, -2, 0.3};
+                const auto found = [&](Field field, int array) {
+                    std::vector<double> values;
+                    for (std::size_t id = 0; id < set.size(); ++id)
+                        if (set.kind(id) == ParticleKind::fluid && by_id.group(id).has(field))
+                            values.push_back(by_id.value(field, id, array));
+                    return values;
+                };
+                made.sweeps->density_rates(made.particles, made.neighbours.list(), g);
+                const auto rates = found(Field::density_rate, 0), shifts = found(Field::shift, 1);
+                made.sweeps->species(made.particles, {made.neighbours.list(), nullptr}, wanted);
+                const auto alone = found(Field::species_amount, species);
+                for (const bool adds : {false, true}) {
+                    wanted.adds = adds;
+                    for (const ClusterChoice choice : {ClusterChoice::inner, ClusterChoice::border})
+                        made.sweeps->density_rates(made.particles, made.neighbours.list(), g, choice, &wanted);
+                    EXPECT_EQ(found(Field::density_rate, 0), rates);
+                    EXPECT_EQ(found(Field::shift, 1), shifts);
+                    const auto along = found(Field::species_amount, species);
+                    double largest = 0;
+                    for (const double value : alone) largest = std::max(largest, std::abs(value));
+                    ASSERT_GT(largest, 0);
+                    for (std::size_t k = 0; k < alone.size(); ++k) {
+                        const double expected = (adds ? 2 : 1) * alone[k];
+                        if (shifting > 0)
+                            EXPECT_NEAR(along[k], expected, 1e-11 * largest) << k;
+                        else
+                            EXPECT_EQ(along[k], expected) << k;
+                    }
+                }
+            }
+}
+
 INSTANTIATE_TEST_SUITE_P(Solver, SpeciesSweepOf, testing::Combine(testing::Values(2, 3), testing::Bool()),
                          [](const auto& variant) {
                              return (std::get<0>(variant.param) == 3 ? std::string("space") : std::string("plane")) +

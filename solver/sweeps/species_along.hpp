@@ -1,0 +1,68 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/sweeps/order_free.hpp"
+#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/sweeps/point_reader.hpp"
+
+namespace dmp {
+
+/// Sums the diffusion of a species between fluid particles of one diffusivity (SpeciesDiffusion) on the way of a sweep
+/// that has the kernel's slope already, L of a cluster's particles at a time.
+/// Where particles are about to be shifted, by d that follows from that sweep itself, SpeciesDiffusion::law_with_shift
+/// is taken apart into what does not depend on d: with w_ij = V_i V_j (c_i - c_j) (1/r dW/dr),
+///   dw_i = (2 D dt + d^2) SUM_j w_ij - d . SUM_j w_ij x_ij
+template <class L, int D, bool Shifting>
+class SpeciesAlong {
+  public:
+    /// @param largest_slope of the kernel, |1/r dW/dr| [1/m^(D+2)]
+    /// @param steepest of the kernel, |dW/dr| [1/m^(D+1)]
+    SpeciesAlong(ParticleStore& particles, const SpeciesSums& sums, double volume, double largest_slope,
+                 double steepest)
+        : sums_(sums),
+          concentration_(particles.fluid().data(sums.values, sums.array_of_values)),
+          result_(particles.fluid().data(sums.result, sums.array_of_result)),
+          whole_(sums.largest_term),
+          differences_(sums.largest_term * volume * largest_slope),
+          moments_(sums.largest_term * volume * steepest) {}
+
+    /// What a cluster's particles have summed so far.
+    struct Sum {
+        L concentration;  ///< of the particles themselves
+        L taken = 0.0;    ///< the amount, or SUM w_ij
+        Vector<L, D> moment = Vector<L, D>::zero();
+    };
+    [[nodiscard]] Sum around(const Cluster& cluster) const { return {load<L>(concentration_, cluster)}; }
+
+    /// A neighbour.
+    void add(const L& volumes, std::int32_t neighbour, const Vector<L, D>& separation, const L& slope, Sum& sum) const {
+        const L difference = sum.concentration - concentration_[neighbour];
+        if constexpr (Shifting) {
+            const L weighted = (slope * volumes) * difference;
+            sum.taken += differences_(weighted);
+            sum.moment += moments_(weighted * separation);
+        } else {
+            sum.taken += whole_(slope * (sums_.time * (volumes * (2 * sums_.diffusivity) * difference)));
+        }
+    }
+
+    /// @param shift_sum SUM of the shifting law; ignored where nothing is shifted
+    void store(const Sum& sum, const Vector<L, D>& shift_sum, const Cluster& cluster) const {
+        double* to = result_ + cluster.first;
+        L amount = sum.taken;
+        if constexpr (Shifting) {
+            const Vector<L, D> shift = sums_.displacement(shift_sum);
+            amount =
+                whole_((2 * sums_.diffusivity * sums_.time + dot(shift, shift)) * sum.taken - dot(shift, sum.moment));
+        }
+        (sums_.adds ? L::load(to) + amount : amount).store(to, static_cast<std::size_t>(cluster.count));
+    }
+
+  private:
+    const SpeciesSums& sums_;
+    const double* concentration_;
+    double* result_;
+    OrderFree whole_, differences_, moments_;
+};
+
+}  // namespace dmp
