@@ -1,8 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/bond_network.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,96 +10,43 @@ namespace dmp {
 
 namespace {
 
-/// Lengths are told apart to a part in so many of their range: shells of a lattice all are.
-constexpr int bins = 256;
-constexpr double even_enough = 0.02;
-constexpr double largest_exponent = 8;
+/// No bond is made weaker than this by its direction, over what it would be without.
+constexpr double least_factor = 0.1;
 
-/// SUM r^2 n n n n of some bonds: all 81 components, of which a few are unlike.
-class FourthMoment {
-  public:
-    void add(const Vec& apart) {
-        const Vec n = apart.normalized();
-        const double square = apart.squaredNorm();
-        std::size_t at = 0;
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b)
-                for (int c = 0; c < 3; ++c)
-                    for (int d = 0; d < 3; ++d) component_[at++] += square * n[a] * n[b] * n[c] * n[d];
-        trace_ += square;
-    }
-    void add(const FourthMoment& other, double times) {
-        for (std::size_t at = 0; at < component_.size(); ++at) component_[at] += times * other.component_[at];
-        trace_ += times * other.trace_;
-    }
-    /// The square of what is left of it without its isotropic part, a multiple of dd + dd + dd, over its own.
-    [[nodiscard]] double anisotropy(int dimension) const {
-        double square = 0;
-        for (const double each : component_) square += each * each;
-        const double isotropic = 3 * trace_ * trace_ / (dimension * (dimension + 2.0));
-        return square > 0 ? std::sqrt(std::max(0.0, 1 - isotropic / square)) : 0;
-    }
-    /// SUM r^2.
-    [[nodiscard]] double trace() const { return trace_; }
+/// The fourth powers n_a n_b n_c n_d of a direction, those that are unlike, each times the root of how often it is
+/// among the 81: products of such vectors are those of the whole tensors.
+using FourthPowers = Eigen::Matrix<double, 15, 1>;
 
-  private:
-    std::array<double, 81> component_{};
-    double trace_ = 0;
-};
-
-/// The moments of bonds of about one length, by length over the shortest.
-class MomentsByLength {
-  public:
-    MomentsByLength(const std::vector<Bond>& bonds, const std::vector<Vec>& place) {
-        const auto [shortest, longest] = std::ranges::minmax(bonds, {}, &Bond::rest_length);
-        shortest_ = shortest.rest_length;
-        const double width = std::max(longest.rest_length - shortest_, 1e-9 * shortest_) / bins;
-        for (const Bond& bond : bonds) {
-            const auto bin =
-                std::min<std::size_t>(bins - 1, static_cast<std::size_t>((bond.rest_length - shortest_) / width));
-            moment_[bin].add(place[static_cast<std::size_t>(bond.a)] - place[static_cast<std::size_t>(bond.b)]);
-            length_[bin] += bond.rest_length / shortest_;
-            ++count_[bin];
+/// Calls visit(k, i, j, l, root of how often) for x^i y^j z^l, k its number.
+template <class Visit>
+void for_each_power(const Visit& visit) {
+    constexpr std::array<double, 5> factorial{1, 1, 2, 6, 24};
+    int k = 0;
+    for (int i = 4; i >= 0; --i)
+        for (int j = 4 - i; j >= 0; --j) {
+            const int l = 4 - i - j;
+            visit(k++, i, j, l, std::sqrt(24 / (factorial.at(i) * factorial.at(j) * factorial.at(l))));
         }
-    }
-    [[nodiscard]] double shortest() const { return shortest_; }
+}
 
-    /// Of all bonds, with stiffness that falls with this power of their length.
-    [[nodiscard]] double anisotropy(double exponent, int dimension) const {
-        FourthMoment all;
-        for (std::size_t bin = 0; bin < bins; ++bin)
-            if (count_[bin] > 0)
-                all.add(moment_[bin], std::pow(length_[bin] / static_cast<double>(count_[bin]), -exponent));
-        return all.anisotropy(dimension);
-    }
+FourthPowers fourth_powers(const Vec& n) {
+    FourthPowers powers;
+    for_each_power([&](int k, int i, int j, int l, double root) {
+        powers[k] = root * std::pow(n.x(), i) * std::pow(n.y(), j) * std::pow(n.z(), l);
+    });
+    return powers;
+}
 
-  private:
-    double shortest_ = 0;
-    std::array<FourthMoment, bins> moment_;
-    std::array<double, bins> length_{};
-    std::array<std::size_t, bins> count_{};
-};
-
-/// The exponent that leaves the least anisotropy: the best of some, then by halving around it.
-double best_exponent(const MomentsByLength& moments, int dimension) {
-    const auto at = [&](double exponent) { return moments.anisotropy(exponent, dimension); };
-    if (at(0) <= even_enough) return 0;
-    double step = 0.5, best = 0, least = at(0);
-    const auto look = [&](double exponent) {
-        if (std::abs(exponent) > largest_exponent) return;
-        if (const double here = at(exponent); here < least) {
-            least = here;
-            best = exponent;
-        }
-    };
-    for (double exponent = -largest_exponent; exponent <= largest_exponent; exponent += step) look(exponent);
-    for (int halving = 0; halving < 40; ++halving) {
-        step /= 2;
-        const double middle = best;
-        look(middle - step);
-        look(middle + step);
-    }
-    return best;
+/// The mean of a direction's fourth powers over all directions.
+FourthPowers even_directions(int dimension) {
+    FourthPowers powers = FourthPowers::Zero();
+    for_each_power([&](int k, int i, int j, int l, double root) {
+        const bool in_plane = dimension == 3 || l == 0;
+        const bool vanishes = !in_plane || i % 2 + j % 2 + l % 2 > 0;
+        const double of_one = std::max({i, j, l}) == 4 ? 3 : 1;  // <x^4> is three times <x^2 y^2>
+        powers[k] = vanishes ? 0 : root * of_one / (dimension * (dimension + 2));
+    });
+    return powers;
 }
 
 }  // namespace
@@ -108,16 +55,41 @@ NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>&
                                double volume, int dimension) {
     NetworkConstants constants;
     if (bonds.empty()) return constants;
-    const MomentsByLength moments(bonds, place);
     constants.youngs_modulus = youngs_modulus;
-    constants.exponent = best_exponent(moments, dimension);
-    constants.anisotropy = moments.anisotropy(constants.exponent, dimension);
-    double sum = 0;
-    for (Bond& bond : bonds) {
-        bond.stiffness = std::pow(bond.rest_length / moments.shortest(), -constants.exponent);
-        sum += bond.stiffness * bond.rest_length * bond.rest_length;
+    const auto powers_of = [&](const Bond& bond) {
+        return fourth_powers(
+            (place[static_cast<std::size_t>(bond.a)] - place[static_cast<std::size_t>(bond.b)]).normalized());
+    };
+    Eigen::Matrix<double, 15, 15> products = Eigen::Matrix<double, 15, 15>::Zero();
+    FourthPowers moment = FourthPowers::Zero();
+    double squares = 0;
+    for (const Bond& bond : bonds) {
+        const double square = bond.rest_length * bond.rest_length;
+        const FourthPowers powers = powers_of(bond);
+        products += square * powers * powers.transpose();
+        moment += square * powers;
+        squares += square;
     }
-    const double unit = 0.2 * dimension * (dimension + 2) * youngs_modulus * volume / sum;
+    const FourthPowers even = even_directions(dimension);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 15, 15>> solver;
+    solver.setThreshold(1e-9);  // directions that no bond has
+    const FourthPowers weight = solver.compute(products).solve(squares * even - moment);
+    double least = 1;
+    for (Bond& bond : bonds) {
+        bond.stiffness = 1 + weight.dot(powers_of(bond));
+        least = std::min(least, bond.stiffness);
+    }
+    const double kept = least < least_factor ? (1 - least_factor) / (1 - least) : 1;
+    moment.setZero();
+    squares = 0;
+    for (Bond& bond : bonds) {
+        bond.stiffness = 1 + kept * (bond.stiffness - 1);
+        const double term = bond.stiffness * bond.rest_length * bond.rest_length;
+        moment += term * powers_of(bond);
+        squares += term;
+    }
+    constants.anisotropy = (moment - squares * even).norm() / moment.norm();
+    const double unit = 0.2 * dimension * (dimension + 2) * youngs_modulus * volume / squares;
     constants.softest = std::numeric_limits<double>::infinity();
     for (Bond& bond : bonds) {
         bond.stiffness *= unit;

@@ -7,11 +7,14 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/length_text.hpp"
-#include "geometry/inside_test.hpp"
-#include "geometry/winding_number.hpp"
+#include "geometry/exact_predicates.hpp"
+#include "geometry/nearest_curve.hpp"
+#include "geometry/segments.hpp"
+#include "geometry/triangle_tree.hpp"
 #include "mesher/bond_network.hpp"
 #include "particles/cell_grid.hpp"
 
@@ -19,32 +22,38 @@ namespace dmp {
 
 namespace {
 
-/// A bond is looked at as often whether it is in the solid [spacings].
-constexpr double looks_apart = 0.2;
-
 /// A part's drawn area or volume.
 class DrawnSolid {
   public:
-    DrawnSolid(const Geometry& geometry, const Part& part, double spacing) : step_(looks_apart * spacing) {
-        if (const Region* region = geometry.region(part.name))
-            region_.emplace(*region);
-        else
-            winding_.emplace(geometry.solid(part.name)->surface);
-    }
-    /// Whether all that is between two places in it is in it, too.
-    [[nodiscard]] bool holds_between(const Vec& a, const Vec& b) const {
-        const auto looks = static_cast<int>(std::ceil((b - a).norm() / step_));
-        for (int look = 1; look < looks; ++look) {
-            const Vec place = a + static_cast<double>(look) / looks * (b - a);
-            if (region_ ? region_->side_of(place) == Side::outside : !winding_->inside(place)) return false;
+    /// @param reach the longest bond that is asked for [m]
+    DrawnSolid(const Geometry& geometry, const Part& part, double reach) {
+        const Region* region = geometry.region(part.name);
+        if (region == nullptr) {
+            surface_.emplace(geometry.solid(part.name)->surface);
+            return;
         }
-        return true;
+        CurveSet outline;
+        for_each_segment(*region, [&](const Vec& a, const Vec& b) { outline.pieces.push_back({{a, b}, false}); });
+        edge_.emplace(outline, reach);
+        outline_ = std::move(outline);
+    }
+    /// Whether a bond of two places in it goes out of it on its way.
+    [[nodiscard]] bool is_left_between(const Vec& a, const Vec& b) const {
+        if (surface_) {
+            const auto hit = surface_->first_hit(a, b - a, [](int) { return true; });
+            return hit && hit->distance < 1;
+        }
+        const auto nearest = edge_->nearest(0.5 * (a + b));
+        if (!nearest || nearest->distance > 0.5 * (b - a).norm()) return false;
+        return std::ranges::any_of(outline_.pieces, [&](const Polyline& piece) {
+            return segments_cross(a, b, piece.points[0], piece.points[1]);
+        });
     }
 
   private:
-    double step_;
-    std::optional<InsideTest> region_;
-    std::optional<WindingNumber> winding_;
+    CurveSet outline_;                     ///< in the plane, a piece a segment
+    std::optional<NearestCurve> edge_;     ///< of it
+    std::optional<TriangleTree> surface_;  ///< in space
 };
 
 /// The particles of a part, by number.
@@ -69,7 +78,7 @@ std::vector<Bond> bonds_among(const ParticleSet& set, const std::vector<std::siz
         grid.for_each_near({here.x(), here.y(), here.z()}, reach, [&](int k) {
             const std::size_t j = members[static_cast<std::size_t>(k)];
             if (j > i && (set.position[j] - here).norm() <= (1 + 1e-9) * reach &&
-                solid.holds_between(here, set.position[j]))
+                !solid.is_left_between(here, set.position[j]))
                 partners.insert(static_cast<int>(j));
         });
         for (const int j : partners)
@@ -101,7 +110,7 @@ void bond_solids(MeshResult& result, const Geometry& geometry, const Scene& scen
         any = true;
         const std::vector<std::size_t> members = members_of(set, set.part_named(part->name));
         std::vector<Bond> bonds =
-            bonds_among(set, members, part->bonds_within, DrawnSolid(geometry, *part, set.spacing));
+            bonds_among(set, members, part->bonds_within, DrawnSolid(geometry, *part, part->bonds_within));
         need_bonds_of_all(set, members, bonds, *part);
         double volume = 0;
         for (const std::size_t i : members) volume += set.volume[i];

@@ -9,6 +9,7 @@
 #include "geometry/inside_test.hpp"
 #include "geometry/segments.hpp"
 #include "geometry/surface_crossings.hpp"
+#include "particles/kernels.hpp"
 #include "particles/periodic_images.hpp"
 
 namespace dmp {
@@ -97,6 +98,24 @@ DrawnSurface::DrawnSurface(const Geometry& geometry, const Scene& scene, const P
         sample_solids(geometry, scene, fluid);
     else
         sample_curves(geometry, fluid, fitted_parts(scene));
+    Coordinates points;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const Sample& sample : samples_) points[axis].push_back(sample.point[static_cast<Eigen::Index>(axis)]);
+    grid_ = CellGrid(points, samples_.size(), space.dimension, space.spacing);
+}
+
+std::optional<Vec> DrawnSurface::way_out(const Vec& point) const {
+    const Vec here = back_in_box(point);
+    double best = square(space_.spacing);
+    const Sample* nearest = nullptr;
+    grid_.for_each_near({here.x(), here.y(), here.z()}, space_.spacing, [&](int k) {
+        const Sample& sample = samples_[static_cast<std::size_t>(k)];
+        const double apart = (sample.point - here).squaredNorm();
+        if (apart >= best) return;
+        best = apart;
+        nearest = &sample;
+    });
+    return nearest == nullptr ? std::nullopt : std::optional(nearest->normal);
 }
 
 bool DrawnSurface::is_on_a_side(const Vec& point) const {

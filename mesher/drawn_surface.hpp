@@ -7,6 +7,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/nearest_curve.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "particles/cell_grid.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 
@@ -38,6 +39,9 @@ class DrawnSurface {
 
     /// The nearest point of the surface, across periodic sides too; nothing where it is further than the reach.
     [[nodiscard]] std::optional<Projection> nearest(const Vec& point) const;
+    /// Of a point on the surface, the way out of the fluid: the normal of the nearest sample, if one is within a
+    /// spacing.
+    [[nodiscard]] std::optional<Vec> way_out(const Vec& point) const;
 
   private:
     void sample_curves(const Geometry& geometry, const Part& fluid, const std::vector<const Part*>& fluids);
@@ -49,6 +53,7 @@ class DrawnSurface {
     const ParticleSpace& space_;
     double reach_;
     std::vector<Sample> samples_;
+    CellGrid grid_;  ///< of the samples
     std::optional<NearestCurve> curves_;
     std::optional<NearestTriangle> triangles_;
 };

@@ -57,18 +57,23 @@ class Surfaces {
         const auto& border = borders_[static_cast<std::size_t>(set_.part[i])];
         const auto other = border ? border->nearest(place) : std::nullopt;
         if (other && (!at_wall || other->distance < found.distance)) {
-            if (other->distance <= on_surface * set_.spacing) return std::nullopt;  // neither side is the wrong one
+            if (other->distance <= on_surface * set_.spacing) return into_part(*border, other->point);
             return SurfaceHold{other->point, (place - other->point).normalized()};
         }
         if (!at_wall) return std::nullopt;
         if (found.distance > on_surface * set_.spacing)
             return SurfaceHold{found.point, (place - found.point).normalized()};
-        if (set_.kind(i) == ParticleKind::springs) return std::nullopt;
+        if (set_.kind(i) == ParticleKind::springs) return border ? into_part(*border, found.point) : std::nullopt;
         const Vec into_fluid = bounds_.into_fluid(place, found);
         return SurfaceHold{found.point, set_.kind(i) == ParticleKind::fluid ? into_fluid : Vec(-into_fluid)};
     }
 
   private:
+    static std::optional<SurfaceHold> into_part(const DrawnSurface& border, const Vec& point) {
+        const auto out = border.way_out(point);
+        return out ? std::optional(SurfaceHold{point, -*out}) : std::nullopt;
+    }
+
     const ParticleSet& set_;
     const FitBounds& bounds_;
     std::vector<std::optional<DrawnSurface>> borders_;  ///< by part; of what is fitted, where there is more than one

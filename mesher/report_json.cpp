@@ -85,7 +85,6 @@ Json json_of(const MeshReport::SpringLine& line) {
         json.update({{"form", "network"},
                      {"softest_bond_N_per_m", line.network->softest},
                      {"stiffest_bond_N_per_m", line.network->stiffest},
-                     {"exponent", line.network->exponent},
                      {"anisotropy", line.network->anisotropy},
                      {"youngs_modulus_Pa", line.network->youngs_modulus},
                      {"poisson_ratio", NetworkConstants::poisson_ratio}});

@@ -82,7 +82,7 @@ TEST(JoinedParts, are_bonded_to_their_neighbours_and_are_one_body) {
     for (std::size_t i = 0; i < set.size(); ++i) EXPECT_EQ(set.body[i], set.kind(i) == ParticleKind::springs ? 0 : -1);
     for (const auto& springs : meshed.report.springs) EXPECT_EQ(springs.pieces, 1) << springs.part;
     EXPECT_THAT(meshed.report.text(), AllOf(HasSubstr("join seam: 22 bonds of k_b = "),
-                                            HasSubstr("between left and right, 125 mm to 176.777 mm long")));
+                                            HasSubstr("between left and right, 125 mm to 176.8 mm long")));
     EXPECT_THAT(meshed.report.json(), HasSubstr("\"joins\""));
 }
 

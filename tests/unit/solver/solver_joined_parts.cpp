@@ -58,7 +58,7 @@ struct TwoBlocks {
 
 TEST(JoinedParts, are_drawn_apart_by_a_load_as_far_as_their_bonds_yield) {
     constexpr double stiffness = 10, load = 1e-4;
-    const TwoBlocks blocks(stiffness);
+    const TwoBlocks blocks(stiffness, 1e5);
     const BodyParts parts = drawn_body(blocks.set(), DrawnSprings(blocks.set(), blocks.scene), 0, 0);
     ASSERT_EQ(parts.nodes.size(), 32U);
     const SpringNetwork<2> body(parts, "both", spacing, {});
@@ -66,11 +66,11 @@ TEST(JoinedParts, are_drawn_apart_by_a_load_as_far_as_their_bonds_yield) {
     for (std::size_t n = 0; n < 32; ++n)
         if (blocks.set().position[n].x() > 6.9 * spacing) pull[n][0] = load / 4;
     const auto at = statics(body, blocks.set(), pull);
-    // Four bonds straight on, each of 2 k_b, and six at 45 degrees, each of k_b; the blocks are 1e6 times stiffer.
+    // Four bonds straight on, each of 2 k_b, and six at 45 degrees, each of k_b; the blocks are 1e4 times stiffer.
     const double opened = load / (2 * stiffness * 4 + stiffness * 6);
     for (std::size_t n = 0; n < 32; ++n) {
         const double moved = at[n][0] - blocks.set().position[n].x();
-        EXPECT_NEAR(moved, blocks.set().part[n] == 1 ? opened : 0, 1e-4 * opened);
+        EXPECT_NEAR(moved, blocks.set().part[n] == 1 ? opened : 0, 5e-3 * opened);
     }
 }
 
