@@ -109,7 +109,7 @@ class Sweeps final : public PairSweeps {
         } else {
             with_density_terms(run);
         }
-        if (settings_.gradient_correction) {
+        if (settings_.gradient_correction && !settings_.density_by_summation) {
             const auto solid = extrapolated(body_acceleration);
             corrected(particles, list, solid).rates(choice);
         }

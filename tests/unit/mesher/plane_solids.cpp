@@ -190,7 +190,7 @@ TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {
     EXPECT_THAT(fault_of(block.with("poisson_ratio = 0.25", "poisson_ratio = 0.4")),
                 HasSubstr("cannot have a Poisson ratio of more than 0.25"));
     EXPECT_THAT(fault_of(block.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"hexagonal\"")),
-                HasSubstr("which are built on the square lattice only"));
+                HasSubstr("whose cells are built on the square lattice only"));
     EXPECT_THAT(fault_of(block.with("density = \"1200 kg/m^3\"", "mass_per_length = \"5 kg/m\"\nthickness = \"1 m\"")),
                 HasSubstr("'block' is a surface in the drawing, a solid of springs, which has no mass_per_length"));
     EXPECT_THAT(fault_of(block.with("Physical Surface(\"block\") = {2}", "Physical Curve(\"block\") = {11}")),

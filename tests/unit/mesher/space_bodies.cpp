@@ -267,9 +267,11 @@ TEST(SpaceBodies, a_thick_shell_holds_both_stiffnesses) {
 
 TEST(SpaceBodies, wrong_ones_are_refused_with_what_to_do) {
     const auto replaced = [](const char* found, const char* by) { return fault_of(column.with(found, by)); };
-    EXPECT_THAT(replaced("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\""),
-                AllOf(HasSubstr("scene.toml:7:15: 'body' is a solid of springs, which are built on the cubic lattice"),
-                      HasSubstr("arrangement = \"square\"")));
+    EXPECT_THAT(
+        replaced("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\""),
+        AllOf(
+            HasSubstr("scene.toml:7:15: 'body' is a solid of springs, whose cells are built on the cubic lattice only"),
+            HasSubstr("arrangement = \"square\"")));
     EXPECT_THAT(replaced("poisson_ratio = 0.25", "poisson_ratio = 0.3"), HasSubstr("more than 0.25"));
     EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.25, 0.1, 0.75, 0.1}"),
                 AllOf(HasSubstr("'body' is thinner than two spacings"), HasSubstr("draw the surface in its middle")));

@@ -366,7 +366,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:30:2: unknown key 'foo'\n"
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [[select]], "
               "[particles], "
-              "[[part]], [[contact_pair]], [box], "
+              "[[part]], [[join]], [[contact_pair]], [box], "
               "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
               "[[measure]], [[solidify]], [[break]]"}}),
     name_of);

@@ -91,12 +91,12 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(fault_of("spacing"), "unknown key 'spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("part.blood.densty"), "unknown key 'part.blood.densty'\n  did you mean 'part.*.density'?");
     EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration', 'threads' and 'until_still'");
-    EXPECT_EQ(
-        fault_of("zzz"),
-        "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
-        "[geometry], [[select]], [particles], "
-        "[[part]], [[contact_pair]], [box], [flow], [contact], [accuracy], [run], [output], [[species]], [[force]], "
-        "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
+    EXPECT_EQ(fault_of("zzz"),
+              "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
+              "[geometry], [[select]], [particles], "
+              "[[part]], [[join]], [[contact_pair]], [box], [flow], [contact], [accuracy], [run], [output], "
+              "[[species]], [[force]], "
+              "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
 }
 
 TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
