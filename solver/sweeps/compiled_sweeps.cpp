@@ -103,7 +103,10 @@ class Sweeps final : public PairSweeps {
                                                 .species = true};
                     const SpeciesAlong<L, D, with.shifting> species(particles, *along, volume(), -kernel_.slope(0.0),
                                                                     steepest_);
-                    run_with.template operator()<ExtrapolatedSolid<D>, with>(species);
+                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
+                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
+                        run_with.template operator()<Solid, with>(species);
+                    });
                 });
             });
         } else {
@@ -117,8 +120,8 @@ class Sweeps final : public PairSweeps {
 
     [[nodiscard]] bool takes_along(const SpeciesSums& sums) const override {
         return sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_springs &&
-               (settings_.shifting > 0) == (sums.shift_per_sum != 0) && settings_.walls == WallModel::extrapolated &&
-               !settings_.slip_walls && !settings_.density_by_summation && !settings_.transport_velocity;
+               (settings_.shifting > 0) == (sums.shift_per_sum != 0) && !settings_.slip_walls &&
+               !settings_.density_by_summation && !settings_.transport_velocity;
     }
 
     void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,

@@ -150,19 +150,22 @@ TEST(MeshErrors, AWallWithFluidOnBothSides) {
 }
 
 TEST(MeshErrors, BodiesOnTopOfEachOther) {
+    const std::string what_to_do =
+        "  refine particles.spacing, or draw them further apart: a springs part's rows stand half a spacing beside "
+        "what is drawn, so that two of them want 218.8 mm from one to the other";
     const Texts crossing =
         flap_channel.with("Physical Curve(\"flap\") = {10}",
                           "Point(20) = {1.5, 0.5, 0};\nPoint(21) = {2.5, 0.5, 0};\nLine(20) = {20, 21};\n"
                           "Physical Curve(\"flap\") = {10, 20}");
     EXPECT_EQ(fault_of(crossing),
-              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1.9375, 0.375) m\n  draw "
-              "them further apart: the rows of a springs part stand half a particle spacing beside its curve");
+              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1.9375, 0.375) m\n" +
+                  what_to_do);
     const Texts folded =
         flap_channel.with("Physical Curve(\"flap\") = {10}",
                           "Point(12) = {2.05, 0, 0};\nLine(11) = {11, 12};\nPhysical Curve(\"flap\") = {10, 11}");
     EXPECT_EQ(fault_of(folded),
-              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1.9375, 0.12508) m\n  "
-              "draw them further apart: the rows of a springs part stand half a particle spacing beside its curve");
+              "scene.toml:22:8: particles of 'flap' and 'flap' stand on top of each other at (1.9375, 0.12508) m\n" +
+                  what_to_do);
 }
 
 TEST(MeshErrors, SpringsThatCannotBeBothSoftAndStiff) {

@@ -294,13 +294,14 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
 
 TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
     const auto [dimension, alike] = GetParam();
-    for (const bool stratified : {false, true})
-        for (const double shifting : {0.0, 4.0})
+    for (const WallModel walls : {WallModel::extrapolated, WallModel::plain})
+        for (const auto& [stratified, shifting] : {std::pair(false, 0.0), {false, 4.0}, {true, 0.0}, {true, 4.0}})
             for (const VectorUnit unit : available_vector_units()) {
-                SCOPED_TRACE(std::string(word(unit)) + (shifting > 0 ? ", shifted" : "") +
-                             (stratified ? ", stratified" : ""));
+                SCOPED_TRACE(std::string(word(unit)) + ", " + std::string(word(walls)) +
+                             (shifting > 0 ? ", shifted" : "") + (stratified ? ", stratified" : ""));
                 settings.shifting = shifting;
                 settings.stratified = stratified;
+                settings.walls = walls;
                 Crowd made(set, settings, unit, 2, alike);
                 SpeciesSums wanted = sums(alike, 1e-6);
                 EXPECT_FALSE(made.sweeps->takes_along(wanted)) << "solids take part";
