@@ -99,7 +99,7 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                         origin_text(accuracy.step_factor, "accuracy.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
-    for (const auto& [part, constants] : origin.springs) list.add("springs " + part, constants);
+    for (const auto& [what, constants] : origin.springs) list.add(what, constants);
     for (const Part* part : scene.parts_of(PartKind::springs)) {
         list.add(
             "damping " + *part->name,

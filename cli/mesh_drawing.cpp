@@ -29,6 +29,11 @@ std::string springs_text(const MeshReport::SpringLine& line) {
                            cells.poisson_ratio(), quantity_text(line.cells->stiffened * cells.edge_stiffness, "N/m"),
                            quantity_text(line.cells->stiffened * cells.diagonal_stiffness, "N/m"));
     }
+    if (line.network)
+        return fmt::format("a solid of E {}, nu {:.3g}; {} of k_b {} to {}",
+                           quantity_text(line.network->youngs_modulus, "Pa"), NetworkConstants::poisson_ratio,
+                           count_text(line.bonds, "bond"), quantity_text(line.network->softest, "N/m"),
+                           quantity_text(line.network->stiffest, "N/m"));
     if (line.shell) {
         const ShellConstants& shell = line.shell->constants;
         return fmt::format("a shell of D {}, E h {}{}; k_b {}, k_d {}", quantity_text(shell.bending_stiffness(), "N m"),
@@ -148,7 +153,11 @@ MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail) {
 
 Origin origin_of(const Scene& scene, const MeshReport& report) {
     Origin origin{is_of_spheres(scene) ? "spheres" : "drawing", scene.geometry.file, {}, report.notes};
-    for (const auto& line : report.springs) origin.springs.emplace_back(line.part, springs_text(line));
+    for (const auto& line : report.springs) origin.springs.emplace_back("springs " + line.part, springs_text(line));
+    for (const auto& line : report.joins)
+        origin.springs.emplace_back("join " + line.name,
+                                    fmt::format("{} of k_b {} between {} and {}", count_text(line.bonds, "bond"),
+                                                quantity_text(line.stiffness, "N/m"), line.parts[0], line.parts[1]));
     return origin;
 }
 

@@ -110,22 +110,35 @@ struct Range {
     }
 };
 
-Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles) {
+Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles,
+                 const std::vector<const Join*>& joins) {
     Origin origin{"from", file.string(), {}, {}};
     std::vector<Range> bonds(particles.parts.size()), hinges(bonds), dihedrals(bonds);
     const auto part_of = [&](int particle) {
         return static_cast<std::size_t>(particles.part[static_cast<std::size_t>(particle)]);
     };
     for (const Bond& bond : particles.bonds)
-        if (part_of(bond.a) == part_of(bond.b)) bonds[part_of(bond.a)].add(bond.stiffness);
+        if (bond.join < 0 && part_of(bond.a) == part_of(bond.b)) bonds[part_of(bond.a)].add(bond.stiffness);
     for (const Hinge& hinge : particles.hinges) hinges[part_of(hinge.centre)].add(hinge.stiffness);
     for (const Dihedral& dihedral : particles.dihedrals) dihedrals[part_of(dihedral.b)].add(dihedral.stiffness);
     for (std::size_t n = 0; n < particles.parts.size(); ++n) {
         if (particles.parts[n].kind != ParticleKind::springs) continue;
         const std::string folds = particles.dihedrals.empty() ? "" : ", k_d " + dihedrals[n].text("J");
         origin.springs.emplace_back(
-            particles.parts[n].name,
+            "springs " + particles.parts[n].name,
             fmt::format("k_b {}, k_a {}{}, from the file", bonds[n].text("N/m"), hinges[n].text("J"), folds));
+    }
+    for (std::size_t join = 0; join < joins.size(); ++join) {
+        Range stiffness;
+        std::size_t count = 0;
+        for (const Bond& bond : particles.bonds) {
+            if (bond.join != static_cast<int>(join)) continue;
+            stiffness.add(bond.stiffness);
+            ++count;
+        }
+        origin.springs.emplace_back(
+            "join " + *joins[join]->name,
+            fmt::format("{} of k_b {}, from the file", count_text(count, "bond"), stiffness.text("N/m")));
     }
     return origin;
 }
@@ -166,7 +179,7 @@ ParticlesWithOrigin particles_from_file(const std::filesystem::path& file, const
     if (!differs.empty())
         throw InputError(Place{file.string(), 0, 0}, "the particles were made for another scene:" + differs,
                          "Make them anew, with the same --set as this run has: dmp mesh SCENE --particles FILE.h5");
-    Origin origin = origin_of(file, stored.particles);
+    Origin origin = origin_of(file, stored.particles, scene.joins_of_enabled());
     return {std::move(stored.particles), std::move(origin)};
 }
 

@@ -18,7 +18,7 @@ namespace dmp::cli {
 struct Origin {
     std::string what;  ///< "drawing", "spheres" (file empty) or "from"
     std::string file;
-    std::vector<std::pair<std::string, std::string>> springs;  ///< constants of each springs part, by its name
+    std::vector<std::pair<std::string, std::string>> springs;  ///< constants, by "springs PART" or "join NAME"
     std::vector<std::string> notes;                            ///< what was adapted
 };
 

@@ -83,11 +83,14 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
         list.add("diffusion",
                  fmt::format("{:.3g} iterations a solve on average, {} at most",
                              summary.species_solves.mean_iterations(), summary.species_solves.most_iterations));
-    for (const Aggregate& of : summary.aggregates)
+    for (const Aggregate& of : summary.aggregates) {
+        const std::string bonds = fmt::format("{} bonds made, {} broken", of.bonds_made, of.bonds_broken);
         list.add(of.name,
-                 fmt::format("{} in {}, {} bonds made, {} broken",
-                             count_text(static_cast<std::size_t>(of.particles), "particle"),
-                             count_text(static_cast<std::size_t>(of.pieces), "piece"), of.bonds_made, of.bonds_broken));
+                 of.particles == 0
+                     ? bonds  // a join, or a rule that bound nobody
+                     : fmt::format("{} in {}, {}", count_text(static_cast<std::size_t>(of.particles), "particle"),
+                                   count_text(static_cast<std::size_t>(of.pieces), "piece"), bonds));
+    }
     const double mass_change = summary.start.mass > 0 ? summary.end.mass / summary.start.mass - 1 : 0;
     list.add("mass", fmt::format("{} kg moving, changed by {:.2g} of it", fmt::format("{:.6g}", summary.end.mass),
                                  mass_change));

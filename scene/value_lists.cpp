@@ -91,7 +91,7 @@ ValueType<std::vector<std::string>> names() {
 }
 
 ValueType<std::array<std::string, 2>> two_names() {
-    const std::string description = R"(a list of two parts' names such as ["carrier", "floor"], or "any")";
+    const std::string description = R"(a list of two parts' names such as ["carrier", "floor"])";
     return {description,
             [description](const TomlNode& node, const std::string& path) {
                 const auto& items = detail::list_items(node, path, description);
