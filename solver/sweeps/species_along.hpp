@@ -11,7 +11,8 @@ namespace dmp {
 /// that has the kernel's slope already, L of a cluster's particles at a time.
 /// Where particles are about to be shifted, by d that follows from that sweep itself, SpeciesDiffusion::law_with_shift
 /// is taken apart into what does not depend on d: with w_ij = V_i V_j (c_i - c_j) (1/r dW/dr),
-///   dw_i = (2 D dt + d^2) SUM_j w_ij - d . SUM_j w_ij x_ij
+///   dw_i = 2 D dt SUM_j w_ij + d^2 SUM_j w_ij - d . SUM_j w_ij x_ij
+/// The first sum is of whole quanta, so that what one particle takes, the other gives.
 template <class L, int D, bool Shifting>
 class SpeciesAlong {
   public:
@@ -29,7 +30,9 @@ class SpeciesAlong {
     /// What a cluster's particles have summed so far.
     struct Sum {
         L concentration;  ///< of the particles themselves
-        L taken = 0.0;    ///< the amount, or SUM w_ij
+        L taken = 0.0;    ///< by diffusion
+        // Where particles are shifted, of w_ij and of w_ij x_ij:
+        L difference = 0.0;
         Vector<L, D> moment = Vector<L, D>::zero();
     };
     [[nodiscard]] Sum around(const Cluster& cluster) const { return {load<L>(concentration_, cluster)}; }
@@ -37,12 +40,11 @@ class SpeciesAlong {
     /// A neighbour.
     void add(const L& volumes, std::int32_t neighbour, const Vector<L, D>& separation, const L& slope, Sum& sum) const {
         const L difference = sum.concentration - concentration_[neighbour];
+        sum.taken += whole_(slope * (sums_.time * (volumes * (2 * sums_.diffusivity) * difference)));
         if constexpr (Shifting) {
             const L weighted = (slope * volumes) * difference;
-            sum.taken += differences_(weighted);
+            sum.difference += differences_(weighted);
             sum.moment += moments_(weighted * separation);
-        } else {
-            sum.taken += whole_(slope * (sums_.time * (volumes * (2 * sums_.diffusivity) * difference)));
         }
     }
 
@@ -52,8 +54,7 @@ class SpeciesAlong {
         L amount = sum.taken;
         if constexpr (Shifting) {
             const Vector<L, D> shift = sums_.displacement(shift_sum);
-            amount =
-                whole_((2 * sums_.diffusivity * sums_.time + dot(shift, shift)) * sum.taken - dot(shift, sum.moment));
+            amount += whole_(dot(shift, shift) * sum.difference - dot(shift, sum.moment));
         }
         (sums_.adds ? L::load(to) + amount : amount).store(to, static_cast<std::size_t>(cluster.count));
     }

@@ -348,6 +348,13 @@ TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
                             EXPECT_EQ(along[k], expected) << k;
                     }
                 }
+                if (shifting == 0) continue;
+                wanted.shift_per_sum = -1e-30;
+                wanted.adds = false;
+                made.sweeps->density_rates(made.particles, made.neighbours.list(), g, ClusterChoice::all, &wanted);
+                double all = 0;
+                for (const double value : found(Field::species_amount, species)) all += value;
+                EXPECT_EQ(all, 0) << "what diffuses is kept to the bit";
             }
 }
 
