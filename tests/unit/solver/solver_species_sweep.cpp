@@ -349,6 +349,7 @@ TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
                     }
                 }
                 if (shifting == 0) continue;
+                for (const double value : alone) wanted.largest_term = std::max(wanted.largest_term, std::abs(value));
                 wanted.shift_per_sum = -1e-30;
                 wanted.adds = false;
                 made.sweeps->density_rates(made.particles, made.neighbours.list(), g, ClusterChoice::all, &wanted);
