@@ -101,8 +101,7 @@ class Sweeps final : public PairSweeps {
                                                 .shifting = decltype(shifting)::value,
                                                 .stratified = decltype(stratified)::value,
                                                 .species = true};
-                    const SpeciesAlong<L, D, with.shifting> species(particles, *along, volume(), -kernel_.slope(0.0),
-                                                                    steepest_);
+                    const SpeciesAlong<L, D, with.shifting> species(particles, *along, volume(), steepest_);
                     with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
                         using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                         run_with.template operator()<Solid, with>(species);

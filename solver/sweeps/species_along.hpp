@@ -11,40 +11,43 @@ namespace dmp {
 /// that has the kernel's slope already, L of a cluster's particles at a time.
 /// Where particles are about to be shifted, by d that follows from that sweep itself, SpeciesDiffusion::law_with_shift
 /// is taken apart into what does not depend on d: with w_ij = V_i V_j (c_i - c_j) (1/r dW/dr),
-///   dw_i = 2 D dt SUM_j w_ij + d^2 SUM_j w_ij - d . SUM_j w_ij x_ij
-/// The first sum is of whole quanta, so that what one particle takes, the other gives.
+///   dw_i = (2 D dt + d^2) SUM_j w_ij - d . SUM_j w_ij x_ij
+/// The terms of the first sum are rounded as 2 D dt w_ij, the amounts that diffuse, so that what one particle takes,
+/// the other gives. Where next to nothing diffuses that would be too coarse for d^2; they are then rounded as d^2 w_ij
+/// with the longest d.
 template <class L, int D, bool Shifting>
 class SpeciesAlong {
   public:
-    /// @param largest_slope of the kernel, |1/r dW/dr| [1/m^(D+2)]
     /// @param steepest of the kernel, |dW/dr| [1/m^(D+1)]
-    SpeciesAlong(ParticleStore& particles, const SpeciesSums& sums, double volume, double largest_slope,
-                 double steepest)
+    SpeciesAlong(ParticleStore& particles, const SpeciesSums& sums, double volume, double steepest)
         : sums_(sums),
           concentration_(particles.fluid().data(sums.values, sums.array_of_values)),
           result_(particles.fluid().data(sums.result, sums.array_of_result)),
           whole_(sums.largest_term),
-          differences_(sums.largest_term * volume * largest_slope),
-          moments_(sums.largest_term * volume * steepest) {}
+          moments_(sums.largest_term * volume * steepest) {
+        const double diffuses = 2 * sums.diffusivity * sums.time, shifts = sums.longest_shift * sums.longest_shift;
+        exactly_ = diffuses > shifts / 1024;
+        factor_ = exactly_ ? diffuses : shifts;
+        left_ = exactly_ ? 0 : diffuses;
+    }
 
     /// What a cluster's particles have summed so far.
     struct Sum {
-        L concentration;  ///< of the particles themselves
-        L taken = 0.0;    ///< by diffusion
-        // Where particles are shifted, of w_ij and of w_ij x_ij:
-        L difference = 0.0;
-        Vector<L, D> moment = Vector<L, D>::zero();
+        L concentration;                             ///< of the particles themselves
+        L taken = 0.0;                               ///< by diffusion; where particles are shifted, SUM factor w_ij
+        Vector<L, D> moment = Vector<L, D>::zero();  ///< SUM w_ij x_ij
     };
     [[nodiscard]] Sum around(const Cluster& cluster) const { return {load<L>(concentration_, cluster)}; }
 
     /// A neighbour.
     void add(const L& volumes, std::int32_t neighbour, const Vector<L, D>& separation, const L& slope, Sum& sum) const {
         const L difference = sum.concentration - concentration_[neighbour];
-        sum.taken += whole_(slope * (sums_.time * (volumes * (2 * sums_.diffusivity) * difference)));
         if constexpr (Shifting) {
             const L weighted = (slope * volumes) * difference;
-            sum.difference += differences_(weighted);
+            sum.taken += whole_(factor_ * weighted);
             sum.moment += moments_(weighted * separation);
+        } else {
+            sum.taken += whole_(slope * (sums_.time * (volumes * (2 * sums_.diffusivity) * difference)));
         }
     }
 
@@ -54,7 +57,8 @@ class SpeciesAlong {
         L amount = sum.taken;
         if constexpr (Shifting) {
             const Vector<L, D> shift = sums_.displacement(shift_sum);
-            amount += whole_(dot(shift, shift) * sum.difference - dot(shift, sum.moment));
+            const L rest = (dot(shift, shift) + left_) * (1 / factor_) * sum.taken - dot(shift, sum.moment);
+            amount = exactly_ ? amount + whole_(rest) : whole_(rest);
         }
         (sums_.adds ? L::load(to) + amount : amount).store(to, static_cast<std::size_t>(cluster.count));
     }
@@ -63,7 +67,9 @@ class SpeciesAlong {
     const SpeciesSums& sums_;
     const double* concentration_;
     double* result_;
-    OrderFree whole_, differences_, moments_;
+    OrderFree whole_, moments_;
+    bool exactly_;
+    double factor_, left_;  ///< of SUM w_ij: what the terms have; what is to be added with d^2 [m^2]
 };
 
 }  // namespace dmp
