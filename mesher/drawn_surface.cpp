@@ -4,11 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/inside_test.hpp"
+#include "geometry/points_inside.hpp"
 #include "geometry/segments.hpp"
-#include "geometry/surface_crossings.hpp"
 #include "particles/kernels.hpp"
 #include "particles/periodic_images.hpp"
 
@@ -22,25 +21,6 @@ constexpr double beside_surface = 0.01;  // how far to both sides of the surface
 
 using Sample = DrawnSurface::Sample;
 
-/// Which of many points lie inside a closed surface.
-std::vector<bool> inside(const TriangleSurface& surface, const std::vector<Vec>& points) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::size_t k) { return points[k].z(); });
-    std::vector<LineRow> rows;
-    rows.reserve(points.size());
-    for (const std::size_t k : order) rows.push_back({points[k].z(), points[k].y(), 1.0, 1});
-    const SurfaceCrossings crossings(surface, rows);
-    std::vector<bool> is_inside(points.size());
-    for (std::size_t row = 0; row < order.size(); ++row) {
-        int depth = 0;
-        for (const Crossing& crossing : crossings.of(row, 0))
-            if (crossing.x <= points[order[row]].x()) depth += crossing.direction;
-        is_inside[order[row]] = depth > 0;
-    }
-    return is_inside;
-}
-
 /// Drops the samples that lie, seen a little to one side (+1: along the normal), in the solid or outside it.
 void drop(std::vector<Sample>& samples, std::vector<int>& triangle, const TriangleSurface& solid, double step,
           bool where_inside) {
@@ -48,7 +28,7 @@ void drop(std::vector<Sample>& samples, std::vector<int>& triangle, const Triang
     std::vector<Vec> points;
     points.reserve(samples.size());
     for (const Sample& sample : samples) points.emplace_back(sample.point + step * sample.normal);
-    const std::vector<bool> is_inside = inside(solid, points);
+    const std::vector<bool> is_inside = points_inside(solid, points);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
         if (is_inside[k] == where_inside) continue;

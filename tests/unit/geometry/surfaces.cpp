@@ -10,6 +10,7 @@
 #include "base/closest_point.hpp"
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/orient_surface.hpp"
+#include "geometry/points_inside.hpp"
 #include "geometry/surface_crossings.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
@@ -71,6 +72,48 @@ TEST(SurfaceCrossings, a_surface_with_a_hole_is_unbalanced) {
     TriangleSurface surface = box({0, 0, 0}, {1, 1, 1});
     surface.triangles.erase(surface.triangles.begin() + 8, surface.triangles.begin() + 10);  // x = 0
     EXPECT_GT(SurfaceCrossings(surface, rows_over(0.05, 0.1, 10)).unbalanced(), 50U);
+}
+
+TEST(PointsInside, are_those_of_crossings_on_faces_edges_and_corners_too) {
+    TriangleSurface surface = box({0, 0, 0}, {1, 2, 1});
+    append(surface, box({0.25, 0.5, -1}, {2, 1.75, 3}));
+    std::vector<Vec> points;
+    for (int i = -2; i <= 18; ++i)
+        for (int j = -2; j <= 18; ++j)
+            for (int k = -10; k <= 26; ++k) points.emplace_back(0.125 * i, 0.125 * j, 0.125 * k);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> anywhere(-1.2, 3.2);
+    for (int k = 0; k < 5000; ++k) points.emplace_back(anywhere(random), anywhere(random), anywhere(random));
+    const std::vector<bool> inside = points_inside(surface, points);
+    int found = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const Vec& p = points[k];
+        // Of both boxes' lower sides, as the side that follows counts.
+        const auto within = [&](const Vec& low, const Vec& high) {
+            return ((p - low).array() >= 0).all() && ((high - p).array() > 0).all();
+        };
+        const bool expected = within({0, 0, 0}, {1, 2, 1}) || within({0.25, 0.5, -1}, {2, 1.75, 3});
+        ASSERT_EQ(inside[k], expected) << p.transpose();
+        const SurfaceCrossings line(surface, {{p.z(), p.y(), 1, 1}});
+        int depth = 0;
+        for (const Crossing& crossing : line.of(0, 0))
+            if (crossing.x <= p.x()) depth += crossing.direction;
+        ASSERT_EQ(inside[k], depth > 0) << p.transpose();
+        found += inside[k] ? 1 : 0;
+    }
+    EXPECT_GT(found, 1000);
+}
+
+TEST(PointsInside, none_one_and_many_on_one_line) {
+    const TriangleSurface surface = box({0, 0, 0}, {1, 1, 1});
+    EXPECT_TRUE(points_inside(surface, {}).empty());
+    EXPECT_EQ(points_inside(surface, {Vec(0.5, 0.5, 0.5)}), std::vector<bool>{true});
+    EXPECT_EQ(points_inside(surface, {Vec(1.5, 0.5, 0.5)}), std::vector<bool>{false});
+    std::vector<Vec> along;
+    for (int k = 0; k < 100; ++k) along.emplace_back(0.5, 0.5, 0.02 * k - 0.5 + 0.001);
+    const std::vector<bool> inside = points_inside(surface, along);
+    for (std::size_t k = 0; k < along.size(); ++k) EXPECT_EQ(inside[k], along[k].z() >= 0 && along[k].z() < 1) << k;
+    EXPECT_FALSE(points_inside({}, {Vec(0, 0, 0)}).front());
 }
 
 TEST(NearestTriangle, of_all_regions_of_a_triangle) {
