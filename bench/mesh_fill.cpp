@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "bench/icosphere.hpp"
+#include "cli/failure.hpp"
 #include "mesher/inspect.hpp"
 #include "scene/read_scene.hpp"
 
@@ -30,19 +32,31 @@ Scene scene_of(double spacing) {
     return scene;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
+struct Options {
     double particles = 1e6;
-    bool look = false;
+    bool look = false;  ///< the figures of a whole report too
+};
+
+Options options_of(int count, char** words) {
+    Options options;
     for (int k = 1; k < count; ++k) {
         const std::string word = words[k];
-        if (word == "--inspect")
-            look = true;
-        else
-            particles = std::strtod(word.c_str(), nullptr);
+        char* end = nullptr;
+        const double particles = std::strtod(word.c_str(), &end);
+        if (word == "--inspect") {
+            options.look = true;
+        } else if (*end == '\0' && particles >= 100 && particles <= 1e9) {
+            options.particles = particles;
+        } else {
+            throw InputError({}, "'" + word + "' is neither a number of particles, from 100 to 1e9, nor --inspect",
+                             "usage: dmp_bench_mesh [FLUID PARTICLES] [--inspect]");
+        }
     }
-    const double spacing = std::cbrt(4.0 / 3 * std::numbers::pi / particles);
+    return options;
+}
+
+int measure(const Options& options) {
+    const double spacing = std::cbrt(4.0 / 3 * std::numbers::pi / options.particles);
     const Scene scene = scene_of(spacing);
     Geometry geometry;
     geometry.dimension = 3;
@@ -50,7 +64,7 @@ int main(int count, char** words) {
     geometry.surfaces.push_back({"shell", geometry.solids.front().surface});
     geometry.box = {Vec::Constant(-1), Vec::Constant(1)};
     MeshResult result = mesh(geometry, scene);
-    if (look) inspect(result, geometry, scene);
+    if (options.look) inspect(result, geometry, scene);
     fmt::print("{}", result.report.text());
     // On a busy machine the processor's time says more than the clock's.
     const MeshReport& report = result.report;
@@ -65,4 +79,10 @@ int main(int count, char** words) {
                rate(report.cost.candidates, report.cost.of("lattice").processor_seconds),
                rate(report.parts[1].particles, walls), rate(result.particles.size(), filling + walls));
     return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    return cli::exit_code_of([&] { return measure(options_of(count, words)); });
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/errors.hpp"
 #include "bench/start.hpp"
 #include "cli/failure.hpp"
 #include "cli/terminal.hpp"
@@ -159,6 +160,9 @@ void print_particles(const ParticleSet& set) {
 int main(int argc, char** argv) {
     return cli::exit_code_of([&] {
         const std::string which = argc > 1 ? argv[1] : "";
+        if (argc > 2 || (argc > 1 && which != "bed" && which != "carrier" && which != "particles-of-bed"))
+            throw InputError({}, "dmp_bench_spheres measures one of bed and carrier, or both without a word",
+                             "usage: dmp_bench_spheres [bed|carrier|particles-of-bed]");
         if (which == "particles-of-bed") {
             print_particles(bed(29).set);
             return 0;
