@@ -142,7 +142,12 @@ Quantity parse_quantity(const WrittenText& text, const Dimension* wanted) {
         at = skip_spaces(all, at + 1);
     }
     const std::size_t number_end = end_of_number(all, at);
+    const auto none_reserved = [](std::string_view) { return false; };
     if (number_end == at) {
+        const auto unit = read_factor(text, at, none_reserved);
+        if (unit && skip_spaces(all, unit->end) == all.size())
+            fail(text.at(at), "found the unit \"" + text.text + "\" without a number",
+                 "write how many, such as \"1 " + std::string(all.substr(at, unit->end - at)) + "\"");
         fail(text.at(at), "expected a number in \"" + text.text + "\"",
              "write a number and its unit, such as \"0.1 mm\"");
     }
@@ -150,7 +155,6 @@ Quantity parse_quantity(const WrittenText& text, const Dimension* wanted) {
     const Place number_place = text.at(at);
     at = skip_spaces(all, number_end);
     UnitReading reading{{}, at};
-    const auto none_reserved = [](std::string_view) { return false; };
     const bool starts_with_one = at < all.size() && all[at] == '1' && end_of_number(all, at) == at + 1;
     if (starts_with_one) {  // "50 1/s"
         reading.end = at + 1;

@@ -119,6 +119,8 @@ TEST(QuantityError, unknown_units_name_the_nearest) {
 TEST(QuantityError, faults_of_form) {
     EXPECT_EQ(message_for("fast", "m/s"),
               "--until: expected a number in \"fast\"\n  write a number and its unit, such as \"0.1 mm\"");
+    EXPECT_EQ(message_for("mm", "m"),
+              "--until: found the unit \"mm\" without a number\n  write how many, such as \"1 mm\"");
     EXPECT_EQ(message_for("", "m"),
               "--until: expected a number in \"\"\n  write a number and its unit, such as \"0.1 mm\"");
     EXPECT_EQ(
