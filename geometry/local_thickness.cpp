@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "geometry/triangle_tree.hpp"
 
@@ -50,10 +52,10 @@ LocalThickness local_thickness(const TriangleSurface& surface, double distance) 
         normals.push_back((surface.corners[static_cast<std::size_t>(b)] - corner)
                               .cross(surface.corners[static_cast<std::size_t>(c)] - corner));
     }
-    for (std::size_t t = 0; t < normals.size(); ++t) {
+    // A ray inward from each of a triangle's places, to the first triangle that faces back.
+    const auto sample = [&](std::size_t t, std::vector<ThicknessSample>& samples) {
         const double twice_area = normals[t].norm();
-        if (!(twice_area > 0)) continue;
-        found.area += 0.5 * twice_area;
+        if (!(twice_area > 0)) return;
         std::array<Vec, 3> triangle;
         double longest = 0;
         for (std::size_t k = 0; k < 3; ++k)
@@ -71,10 +73,21 @@ LocalThickness local_thickness(const TriangleSurface& surface, double distance) 
             if (!hit) return;
             const Vec& facing = normals[static_cast<std::size_t>(hit->triangle)];
             const double slant = facing.cross(inward).norm() / facing.dot(inward);
-            found.samples.push_back(
+            samples.push_back(
                 {place, place + hit->distance * inward, hit->distance, 0.5 * twice_area / (parts * parts), slant});
         });
-    }
+    };
+    const auto triangles = static_cast<std::ptrdiff_t>(normals.size());
+    constexpr std::ptrdiff_t together = 256;
+    const std::ptrdiff_t shares = (triangles + together - 1) / together;
+    std::vector<std::vector<ThicknessSample>> samples(static_cast<std::size_t>(shares));
+#pragma omp parallel for schedule(dynamic)
+    for (std::ptrdiff_t share = 0; share < shares; ++share)
+        for (std::ptrdiff_t t = share * together; t < std::min(triangles, (share + 1) * together); ++t)
+            sample(static_cast<std::size_t>(t), samples[static_cast<std::size_t>(share)]);
+    for (const Vec& normal : normals) found.area += 0.5 * normal.norm();
+    for (const auto& some : samples)  // in the triangles' order, whoever looked at them
+        found.samples.insert(found.samples.end(), some.begin(), some.end());
     return found;
 }
 

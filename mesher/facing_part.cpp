@@ -2,7 +2,10 @@
 #include "mesher/facing_part.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace dmp {
 
@@ -72,14 +75,28 @@ class Cutter {
 
 TriangleSurface facing_part(const TriangleSurface& surface, double distance,
                             const std::function<bool(const Vec& place, const Vec& normal)>& counts) {
-    TriangleSurface part;
-    Cutter cutter(distance, counts, part);
-    for (const auto& [a, b, c] : surface.triangles) {
-        const auto corner = [&](int k) -> const Vec& { return surface.corners[static_cast<std::size_t>(k)]; };
-        const Vec across = (corner(b) - corner(a)).cross(corner(c) - corner(a));
-        if (across.norm() > 0) cutter.add({corner(a), corner(b), corner(c)}, across.normalized());
+    const auto triangles = static_cast<std::ptrdiff_t>(surface.triangles.size());
+    constexpr std::ptrdiff_t together = 256;
+    const std::ptrdiff_t shares = (triangles + together - 1) / together;
+    std::vector<TriangleSurface> parts(static_cast<std::size_t>(shares));
+#pragma omp parallel for schedule(dynamic)
+    for (std::ptrdiff_t share = 0; share < shares; ++share) {
+        Cutter cutter(distance, counts, parts[static_cast<std::size_t>(share)]);
+        const std::ptrdiff_t end = std::min(triangles, (share + 1) * together);
+        for (std::ptrdiff_t t = share * together; t < end; ++t) {
+            const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(t)];
+            const auto corner = [&](int k) -> const Vec& { return surface.corners[static_cast<std::size_t>(k)]; };
+            const Vec across = (corner(b) - corner(a)).cross(corner(c) - corner(a));
+            if (across.norm() > 0) cutter.add({corner(a), corner(b), corner(c)}, across.normalized());
+        }
     }
-    return part;
+    TriangleSurface whole;  // in the triangles' order, whoever looked at them
+    for (const TriangleSurface& part : parts) {
+        const auto first = static_cast<int>(whole.corners.size());
+        whole.corners.insert(whole.corners.end(), part.corners.begin(), part.corners.end());
+        for (const auto& [a, b, c] : part.triangles) whole.triangles.push_back({first + a, first + b, first + c});
+    }
+    return whole;
 }
 
 }  // namespace dmp

@@ -9,7 +9,7 @@ namespace dmp {
 
 /// The part of a surface for whose places `counts(place, normal)` holds: whole triangles where it does all over, else
 /// pieces of them. It is looked at in places about `distance` [m] apart, and cut to within a quarter of that; no piece
-/// reaches further. Triangles share no corners in it.
+/// reaches further. Triangles share no corners in it. `counts` is asked by several threads at once.
 [[nodiscard]] TriangleSurface facing_part(const TriangleSurface& surface, double distance,
                                           const std::function<bool(const Vec& place, const Vec& normal)>& counts);
 

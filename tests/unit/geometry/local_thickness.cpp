@@ -2,6 +2,7 @@
 #include "geometry/local_thickness.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "tests/unit/geometry/surface_shapes.hpp"
 
@@ -58,6 +59,21 @@ TEST(LocalThickness, of_a_ball_is_its_diameter) {
     const LocalThickness found = local_thickness(ball(16), 1);
     for (const ThicknessSample& sample : found.samples) EXPECT_NEAR(sample.thickness, 2, 0.02);
     EXPECT_EQ(found.samples.size(), 2048U);
+}
+
+TEST(LocalThickness, is_the_same_by_any_number_of_threads) {
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const LocalThickness one = local_thickness(ball(16), 0.05);
+    omp_set_num_threads(3);
+    const LocalThickness three = local_thickness(ball(16), 0.05);
+    omp_set_num_threads(before);
+    EXPECT_EQ(one.area, three.area);
+    ASSERT_EQ(one.samples.size(), three.samples.size());
+    for (std::size_t k = 0; k < one.samples.size(); ++k) {
+        ASSERT_EQ(one.samples[k].place, three.samples[k].place);
+        ASSERT_EQ(one.samples[k].thickness, three.samples[k].thickness);
+    }
 }
 
 TEST(LocalThickness, takes_blunt_edges_for_edges) {

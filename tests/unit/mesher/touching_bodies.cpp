@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include <gmock/gmock.h>
+#include <omp.h>
 
 #include "meshed_text.hpp"
 #include "mesher/facing_part.hpp"
+#include "tests/unit/geometry/surface_shapes.hpp"
 
 namespace dmp {
 namespace {
@@ -193,6 +195,23 @@ TEST(FacingPart, is_cut_where_it_begins) {
     });
     EXPECT_NEAR(disc.area(), 0.16 * 3.14159265, 0.02);
     for (const Vec& corner : disc.corners) EXPECT_LT((corner - Vec(0.5, 0.5, 0)).norm(), 0.401);
+}
+
+TEST(FacingPart, is_the_same_by_any_number_of_threads) {
+    const TriangleSurface surface = dmp::testing::ball(16);
+    const auto part = [&](int threads) {
+        const int before = omp_get_max_threads();
+        omp_set_num_threads(threads);
+        const TriangleSurface cap =
+            facing_part(surface, 0.05, [](const Vec& place, const Vec&) { return place.x() + place.y() < 0.3; });
+        omp_set_num_threads(before);
+        return cap;
+    };
+    const TriangleSurface one = part(1), three = part(3);
+    EXPECT_GT(one.triangles.size(), 1000U);
+    EXPECT_LT(one.area(), 0.9 * surface.area());
+    EXPECT_EQ(one.triangles, three.triangles);
+    EXPECT_EQ(one.corners, three.corners);
 }
 
 }  // namespace
