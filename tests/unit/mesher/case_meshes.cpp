@@ -294,6 +294,7 @@ TEST(CiliaMesh, SixCellsToAPitch) {
         EXPECT_NEAR(line_of(meshed, fluid).kernel_sum_mean, 1, 0.01) << fluid;
         EXPECT_LT(line_of(meshed, fluid).kernel_sum_spread, 0.005) << fluid;
         EXPECT_GT(line_of(meshed, fluid).nearest, 0.9) << fluid;
+        EXPECT_LT(std::abs(line_of(meshed, fluid).volume_error()), 0.01) << fluid;
     }
     ASSERT_EQ(meshed.report.springs.size(), 1U);
     const auto& cilia = meshed.report.springs[0];
