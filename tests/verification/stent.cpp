@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
 namespace dmp {
@@ -72,12 +73,10 @@ TEST(Stent, ItsProfileIsParabolicAgainInFrontOfIt) {
     constexpr double until = 0.3;
     Profile profile(until - 0.05);
     const RunSummary run = run_case("stent", {}, until, &profile);
-    RecordProperty("difference_from_a_parabola", std::to_string(profile.error()));
-    RecordProperty("difference_between_halves", std::to_string(profile.asymmetry()));
-    RecordProperty("speed_on_the_axis", std::to_string(profile.on_the_axis()));
-    EXPECT_LT(profile.error(), 0.02);
-    EXPECT_LT(profile.asymmetry(), 0.01);
-    EXPECT_GT(profile.on_the_axis(), 0.2);
+    Record record("stent", "a quarter, 20 across", run);
+    record.percent("profile in front of it, largest difference of a ring from a parabola", profile.error(), 0.02);
+    record.percent("the same beside the y and the z axis, largest difference of a ring", profile.asymmetry(), 0.01);
+    record.at_least("speed on the axis in front of it", profile.on_the_axis(), 0.2, "m/s");
     EXPECT_LT(std::abs(run.momentum_residual), 1e-12);
     EXPECT_EQ(run.end.mass, run.start.mass);
     EXPECT_EQ(run.lost, 0U);
