@@ -11,9 +11,9 @@ namespace dmp {
 namespace {
 
 /// Skins of a pair on average [mean radii]: with which a run starts, and their limits. And what a sphere may have.
-constexpr double first_skin = 0.2, least_skin = 0.04, most_skin = 0.5;
+constexpr double first_skin = 0.2, least_skin = 0.04, most_skin = 1;
 constexpr double least_near_skin = 1e-4;
-constexpr double most_of_a_sphere = 1;
+constexpr double most_of_a_sphere = 2;
 /// What spheres are taken to move in a step before one was made [mean radii].
 constexpr double first_step = 1.6e-4;
 /// Share of the wide skins after which spheres are listed anew, as what is left of them is too narrow for contacts.
@@ -23,13 +23,10 @@ constexpr double all_worn = 0.999;
 
 /// Weights that the two skins are balanced with: what a look costs against contacts that a narrow skin adds, and what a
 /// list costs against pairs that a wide one adds, in steps and mean radii. Measured on a dense bed, whose lists have
-/// six pairs a sphere. With fewer, what looks and lists cost for each sphere weighs more beside what they cost for a
-/// pair: of the bed's, some 0.15 of a look and 0.57 of a list, estimated.
+/// six pairs a sphere. Where they have fewer, skins add fewer, while looks and lists cost the same for each sphere.
 constexpr double cost_of_a_look = 0.05, cost_of_a_list = 3.3, dense_pairs = 6;
-double cost_of_a_look_at(double pairs) { return cost_of_a_look * (0.85 + 0.15 * dense_pairs / pairs); }
-double cost_of_a_list_at(double pairs) {
-    return cost_of_a_list * (0.57 + 0.43 * pairs / dense_pairs) / (0.15 + 0.85 * pairs / dense_pairs);
-}
+double cost_of_a_look_at(double pairs) { return cost_of_a_look * dense_pairs / pairs; }
+double cost_of_a_list_at(double pairs) { return cost_of_a_list * dense_pairs / pairs; }
 
 Places places_of(const SphereRows& rows) {
     const double* first = rows.motion().data()->place.c;
@@ -77,6 +74,7 @@ bool SphereNeighbours::refresh(ParticleGroup& group, SphereRows& rows, SphereWal
         renew(group, rows, walls);
         return true;
     }
+    if (looks) rows.land();
     halo_.exchange_rows(rows.motion().data()->place.c, motion_width);
     if (looks) look(group, rows, nullptr);
     return false;
@@ -89,8 +87,9 @@ void SphereNeighbours::start(Since& since, const SphereRows& rows) const {
 }
 
 /// Whether some sphere has gone that share of its skin.
-bool SphereNeighbours::beyond(Since& since, double share, const SphereRows& rows) const {
+bool SphereNeighbours::beyond(Since& since, double share, SphereRows& rows) const {
     return since.wandering.beyond(share, [&] {
+        rows.land();
         Places now = places_of(rows);
         for (std::size_t axis = 0; axis < 3; ++axis) now.common[axis] = since.time * drift_[axis];
         const SphereSkins& skins = since.skins;

@@ -71,7 +71,7 @@ class SphereNeighbours {
     };
     static std::size_t bytes(const Since& since) { return since.skins.bytes() + since.places.bytes(); }
     void start(Since& since, const SphereRows& rows) const;
-    [[nodiscard]] bool beyond(Since& since, double share, const SphereRows& rows) const;
+    [[nodiscard]] bool beyond(Since& since, double share, SphereRows& rows) const;
 
     const Ranks* ranks_;
     double reach_, largest_radius_, mean_radius_;

@@ -17,6 +17,7 @@ void SphereRows::take(const ParticleGroup& group, const std::vector<bool>& fixed
     owned_ = group.owned();
     motion_.resize(group.total() + 2);
     loads_.resize(group.total() + 2);
+    flight_.end(owned_);
     const double *mass = group.data(Field::mass), *radius = group.data(Field::radius);
     for (int axis = 0; axis < 3; ++axis) {
         const double *x = group.data(Field::position, axis), *v = group.data(Field::velocity, axis),
@@ -48,7 +49,8 @@ void SphereRows::take(const ParticleGroup& group, const std::vector<bool>& fixed
     }
 }
 
-void SphereRows::give(ParticleGroup& group) const {
+void SphereRows::give(ParticleGroup& group) {
+    land();
     for (int axis = 0; axis < 3; ++axis) {
         double *x = group.data(Field::position, axis), *v = group.data(Field::velocity, axis),
                *spin = group.data(Field::angular_velocity, axis), *force = group.data(Field::contact_force, axis),

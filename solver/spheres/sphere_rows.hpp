@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/spheres/free_flight.hpp"
 #include "solver/store/particle_group.hpp"
 
 namespace dmp {
@@ -39,13 +40,19 @@ static_assert(motion_width == 12 && load_width == 8);
 
 /// The owned spheres and, behind them, their copies, in the order of the group. While the order lasts, places and
 /// velocities are kept here and nowhere else. Two more rows stand for spheres that never touch, for lanes without a
-/// contact.
+/// contact. Places of spheres in free flight are those of the last landing.
 class SphereRows {
   public:
-    /// Takes everything from the group: owned spheres and copies.
+    explicit SphereRows(int threads = 1) : flight_(threads) {}
+
+    /// Takes everything from the group: owned spheres and copies. None flies.
     void take(const ParticleGroup& group, const std::vector<bool>& fixed_by_id);
     /// Gives places, velocities and spins of owned spheres back.
-    void give(ParticleGroup& group) const;
+    void give(ParticleGroup& group);
+
+    [[nodiscard]] FreeFlight& flight() { return flight_; }
+    [[nodiscard]] const FreeFlight& flight() const { return flight_; }
+    void land() { flight_.land(motion_); }
 
     [[nodiscard]] std::size_t owned() const { return owned_; }
     [[nodiscard]] std::size_t total() const { return motion_.size() < 2 ? 0 : motion_.size() - 2; }
@@ -63,6 +70,7 @@ class SphereRows {
     std::size_t owned_ = 0;
     std::vector<SphereMotion> motion_;
     std::vector<SphereLoad> loads_;
+    FreeFlight flight_;
 };
 
 }  // namespace dmp

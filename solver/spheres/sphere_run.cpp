@@ -32,6 +32,12 @@ double rounded_speed(double speed) {
     return speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
 }
 
+/// Steps that are alike but for their last digits become one (FreeFlight). Up, so that they do not become more.
+double equal_to_the_bit(double dt) {
+    const auto rounded = static_cast<float>(dt);
+    return rounded < dt ? std::nextafter(rounded, HUGE_VALF) : rounded;
+}
+
 const ParticleSet& only_spheres(const ParticleSet& set) {
     if (set.dimension != 3) throw InputError("spheres live in space, and the particles in a plane", "mesh a 3-D scene");
     if (set.count(ParticleKind::spheres) != set.size())
@@ -180,7 +186,8 @@ void SphereRun::advance(const RunOptions& options, double until) {
     const double change = step_.driving().next_change(time_ + 1e-6 * longest);
     const double target = std::min({until, frame_times_.next(), measure_times_.next(), change});
     // Equal steps up to the next time something has to be written.
-    const double dt = (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+    const double steps = std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+    const double dt = steps > 1 ? equal_to_the_bit((target - time_) / steps) : target - time_;
     step_.advance(time_, dt);
     time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
     ++step_count_;

@@ -3,22 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "particles/periodic_images.hpp"
+#include "solver/parallel/shares.hpp"
+#include "solver/spheres/quad.hpp"
 
 namespace dmp {
 
 namespace {
-
-using Quad [[gnu::vector_size(32)]] = double;
-
-Quad read(const Row& row) {
-    Quad quad;
-    std::memcpy(&quad, row.c, sizeof quad);
-    return quad;
-}
-void write(Row& row, Quad quad) { std::memcpy(row.c, &quad, sizeof quad); }
 
 /// How far a sphere may come towards walls before they are listed anew [mean radii].
 constexpr double skin_at_walls = 0.5;
@@ -46,7 +38,9 @@ SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const Particl
       any_fixed_(std::ranges::find(fixed_, true) != fixed_.end()),
       acceleration_(scene.flow.acceleration),
       depends_on_place_(std::ranges::any_of(acceleration_, &Expression::depends_on_place)),
+      may_fly_(std::ranges::all_of(acceleration_, &Expression::is_zero)),
       driving_(scene, set, space),
+      rows_(resources.threads),
       walls_(space, setup.wall_velocity, setup.walls),
       neighbours_(ranks_, space, setup, set.size(), resources.threads),
       deferred_(static_cast<std::size_t>(resources.threads)),
@@ -81,6 +75,7 @@ void SphereStep::start(bool with_forces, double t) {
         // Loads of the last step are the group's.
         neighbours_.start(group_, rows_, walls_);
         walls_.list(rows_, group_.tags(), setup_.reach + wall_skin_);
+        choose_who_flies();
     });
     moved_to_walls_ = 0;
     if (with_forces) {
@@ -101,11 +96,15 @@ void SphereStep::advance(double t, double dt) {
     walls_.advance(t, dt);
     timer_.timed("neighbours", [&] {
         moved_to_walls_ += dt * (largest_speed_ + walls_.largest_speed());
+        const long looks = neighbours_.looks();
         const bool renewed = neighbours_.refresh(group_, rows_, walls_);
-        if (!walls_.empty() && (renewed || moved_to_walls_ > wall_skin_)) {
+        const bool walls_too = !walls_.empty() && (renewed || moved_to_walls_ > wall_skin_);
+        if (walls_too) {
+            rows_.land();
             walls_.list(rows_, group_.tags(), setup_.reach + wall_skin_);
             moved_to_walls_ = 0;
         }
+        if (walls_too || neighbours_.looks() > looks) choose_who_flies();
     });
     find_forces(dt);
     timer_.timed("kick", [&] { kick(t + dt, 0.5 * dt); });
@@ -125,16 +124,49 @@ void push(SphereMotion& sphere, const SphereLoad& load, double half, Quad gained
 
 }  // namespace
 
+void SphereStep::Fastest::take_note(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow) {
+    const Quad v = read(sphere.velocity), in_frame = v - Quad{frame[0], frame[1], frame[2], 0};
+    const Quad v2 = v * v, frame2 = in_frame * in_frame;
+    const double square_in_frame = frame2[0] + frame2[1] + frame2[2];
+    take_note({v2[0] + v2[1] + v2[2], square_in_frame * of_wide, square_in_frame * of_narrow});
+}
+
+/// Those that are not among the contacts, at no wall, and that nothing drives. Their loads are 0.
+void SphereStep::choose_who_flies() {
+    if (!may_fly_) return;
+    const std::size_t owned = rows_.owned();
+    acted_on_.assign(rows_.total() + 2, 0);
+    neighbours_.list().for_each([&](std::size_t k, std::int16_t) {
+        acted_on_[static_cast<std::size_t>(neighbours_.list().low()[k])] = 1;
+        acted_on_[static_cast<std::size_t>(neighbours_.list().high()[k])] = 1;
+    });
+    walls_.for_each_listed([&](std::int32_t row) { acted_on_[static_cast<std::size_t>(row)] = 1; });
+    const auto tags = group_.tags();
+    for (std::size_t i = 0; i < owned; ++i) acted_on_[i] |= driven_[tags[i].part];
+    rows_.flight().begin(std::span(acted_on_).first(owned));
+    const auto wide = neighbours_.wide().inverse_squares(), narrow = neighbours_.narrow().inverse_squares();
+    flying_ = {};
+    for (const std::int32_t row : rows_.flight().flying()) {
+        const auto i = static_cast<std::size_t>(row);
+        SphereMotion& sphere = rows_.motion()[i];
+        push(sphere, {}, 0, Quad{});  // as a step does: -0 becomes 0
+        flying_.take_note(sphere, neighbours_.drift(), wide[i], narrow[i]);
+    }
+}
+
 /// Velocities and spins of free spheres for `half` by the loads there are.
 void SphereStep::kick(double t, double half) {
     const Three g = acceleration_at(t);
     const Quad gained{half * g[0], half * g[1], half * g[2], 0};
-    const auto count = static_cast<std::ptrdiff_t>(rows_.owned());
+    const auto busy = rows_.flight().busy();
     const auto motion = rows_.motion();
     const auto loads = rows_.loads();
-#pragma omp parallel for num_threads(threads_) schedule(static)
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        push(motion[static_cast<std::size_t>(i)], loads[static_cast<std::size_t>(i)], half, gained);
+    in_shares(busy.size(), threads_, [&](std::size_t first, std::size_t end) {
+        for (const std::int32_t row : busy.subspan(first, end - first)) {
+            const auto i = static_cast<std::size_t>(row);
+            push(motion[i], loads[i], half, gained);
+        }
+    });
     if (depends_on_place_) kick_by_place(t, half);
     add_impulses(t, half);
 }
@@ -198,33 +230,29 @@ void SphereStep::kick_and_drift(double t, double dt) {
     const Three g = acceleration_at(t);
     const Quad gained{half * g[0], half * g[1], half * g[2], 0};
     add_impulses(t, half);
-    const Three common = neighbours_.drift();
-    const Quad frame{common[0], common[1], common[2], 0};
-    const Quad step{dt, dt, dt, 0}, magic{quantum_.magic(), quantum_.magic(), quantum_.magic(), 0};
-    const auto count = static_cast<std::ptrdiff_t>(rows_.owned());
+    const Three frame = neighbours_.drift();
+    const double magic = quantum_.magic();
+    const auto busy = rows_.flight().busy();
     const auto motion = rows_.motion();
     const auto loads = rows_.loads();
-    std::fill(loads.begin() + count, loads.end(), SphereLoad{});
+    std::fill(loads.begin() + static_cast<std::ptrdiff_t>(rows_.owned()), loads.end(), SphereLoad{});
     const auto wide = neighbours_.wide().inverse_squares(), narrow = neighbours_.narrow().inverse_squares();
-    double fastest = 0, fastest_of_wide = 0, fastest_of_narrow = 0;
-#pragma omp parallel for num_threads(threads_) schedule(static) \
-    reduction(max                                               \
-              : fastest, fastest_of_wide, fastest_of_narrow)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        SphereMotion& sphere = motion[static_cast<std::size_t>(i)];
-        push(sphere, loads[static_cast<std::size_t>(i)], half, gained);
-        const Quad v = read(sphere.velocity), in_frame = v - frame;
-        // The way made, not the place, is rounded: it is the same in every image.
-        write(sphere.place, read(sphere.place) + ((step * v + magic) - magic));
-        loads[static_cast<std::size_t>(i)] = {};
-        const Quad v2 = v * v, frame2 = in_frame * in_frame;
-        fastest = std::max(fastest, v2[0] + v2[1] + v2[2]);
-        const double square_in_frame = frame2[0] + frame2[1] + frame2[2];
-        fastest_of_wide = std::max(fastest_of_wide, square_in_frame * wide[static_cast<std::size_t>(i)]);
-        fastest_of_narrow = std::max(fastest_of_narrow, square_in_frame * narrow[static_cast<std::size_t>(i)]);
-    }
-    std::array<double, 4> largest{std::sqrt(fastest), largest_force_, std::sqrt(fastest_of_wide),
-                                  std::sqrt(fastest_of_narrow)};
+    rows_.flight().pass(dt, quantum_, motion);
+    Fastest of_all = flying_;
+    in_shares(busy.size(), threads_, [&](std::size_t first, std::size_t end) {
+        Fastest fastest;
+        for (const std::int32_t row : busy.subspan(first, end - first)) {
+            const auto i = static_cast<std::size_t>(row);
+            push(motion[i], loads[i], half, gained);
+            write(motion[i].place, read(motion[i].place) + way_of(read(motion[i].velocity), dt, magic));
+            loads[i] = {};
+            fastest.take_note(motion[i], frame, wide[i], narrow[i]);
+        }
+#pragma omp critical
+        of_all.take_note(fastest);
+    });
+    std::array<double, 4> largest{std::sqrt(of_all.speed), largest_force_, std::sqrt(of_all.wide),
+                                  std::sqrt(of_all.narrow)};
     ranks_.largest(largest);
     largest_speed_ = largest[0];
     largest_force_ = largest[1];
@@ -251,54 +279,58 @@ double SphereStep::expected_force(double dt) const {
 void SphereStep::find_forces(double dt) {
     const ContactTime time{dt, 0.5 * dt};
     timer_.timed("contacts", [&] { sweep_contacts(time); });
-    std::array<ExactSum, 3> from_outside;
-    if (any_fixed_)
-        for (std::size_t i = 0; i < rows_.owned(); ++i)
-            if (rows_.motion()[i].fixed())
-                for (std::size_t axis = 0; axis < 3; ++axis) from_outside[axis].add(-rows_.loads()[i].force.c[axis]);
     timer_.timed("walls", [&] {
         if (!walls_.empty()) walls_.add_loads(rows_, group_.tags(), time);
     });
     if (walls_.empty() && !any_fixed_) return;
-    if (!walls_.empty())
-        for (std::size_t axis = 0; axis < 3; ++axis) from_outside[axis].add(walls_.total_force()[axis]);
+    std::array<ExactSum, 3> from_outside = walls_.total_force();
+    if (any_fixed_)
+        for (std::size_t i = 0; i < rows_.owned(); ++i)
+            if (rows_.motion()[i].fixed())
+                for (std::size_t axis = 0; axis < 3; ++axis) from_outside[axis].add(-rows_.loads()[i].force.c[axis]);
     ranks_.sum(from_outside);
     for (std::size_t axis = 0; axis < 3; ++axis) wall_force_[axis] = from_outside[axis].value();
 }
 
-void SphereStep::sweep_contacts(const ContactTime& time) {
+/// Returns the largest force along a normal [N].
+double SphereStep::sweep_contacts_of(int thread, const ContactTime& time, const OrderFree& force_rounding,
+                                     const OrderFree& torque_rounding) {
     ContactList& list = neighbours_.list();
+    auto& deferred = deferred_[static_cast<std::size_t>(thread)];
+    if (deferred.size() < list.most_deferred()) deferred.resize(list.most_deferred());
+    ContactJob job;
+    job.motion = rows_.motion().data();
+    job.loads = rows_.loads().data();
+    job.low = list.low().data();
+    job.high = list.high().data();
+    for (std::size_t n = 0; n < list.history_width(); ++n) job.history[n] = list.history(n);
+    job.time = time;
+    job.force_rounding = force_rounding;
+    job.torque_rounding = torque_rounding;
+    job.deferred = deferred.data();
+    job.first_row = list.bounds()[static_cast<std::size_t>(thread)];
+    job.end_row = threads_ == 1 ? static_cast<std::int32_t>(rows_.motion().size())
+                                : list.bounds()[static_cast<std::size_t>(thread) + 1];
+    for (const ContactSegment& segment : list.segments()) {
+        if (segment.thread != thread) continue;
+        job.first = segment.first;
+        job.end = segment.end;
+        job.constants = setup_.pairs[static_cast<std::size_t>(segment.kind)].constants;
+        sweeps_[static_cast<std::size_t>(segment.kind)](job);
+    }
+    deferred_count_[static_cast<std::size_t>(thread)] = job.deferred_count;
+    return job.largest_force;
+}
+
+void SphereStep::sweep_contacts(const ContactTime& time) {
     const double largest = room_for_sums * expected_force(time.dt);
     const OrderFree force_rounding(largest), torque_rounding(largest * setup_.largest_radius);
     double found = 0;
-#pragma omp parallel for num_threads(threads_) schedule(static, 1) reduction(max : found)
-    for (int thread = 0; thread < threads_; ++thread) {
-        auto& deferred = deferred_[static_cast<std::size_t>(thread)];
-        if (deferred.size() < list.most_deferred()) deferred.resize(list.most_deferred());
-        ContactJob job;
-        job.motion = rows_.motion().data();
-        job.loads = rows_.loads().data();
-        job.low = list.low().data();
-        job.high = list.high().data();
-        for (std::size_t n = 0; n < list.history_width(); ++n) job.history[n] = list.history(n);
-        job.time = time;
-        job.force_rounding = force_rounding;
-        job.torque_rounding = torque_rounding;
-        job.deferred = deferred.data();
-        const bool alone = threads_ == 1;
-        job.first_row = list.bounds()[static_cast<std::size_t>(thread)];
-        job.end_row = alone ? static_cast<std::int32_t>(rows_.motion().size())
-                            : list.bounds()[static_cast<std::size_t>(thread) + 1];
-        for (const ContactSegment& segment : list.segments()) {
-            if (segment.thread != thread) continue;
-            job.first = segment.first;
-            job.end = segment.end;
-            job.constants = setup_.pairs[static_cast<std::size_t>(segment.kind)].constants;
-            sweeps_[static_cast<std::size_t>(segment.kind)](job);
-        }
-        deferred_count_[static_cast<std::size_t>(thread)] = job.deferred_count;
-        found = std::max(found, job.largest_force);
-    }
+    on_each_thread(threads_, [&](int thread) {
+        const double largest_of_thread = sweep_contacts_of(thread, time, force_rounding, torque_rounding);
+#pragma omp critical
+        found = std::max(found, largest_of_thread);
+    });
     largest_force_ = found;
     if (threads_ == 1) return;
     // Whose load it is does not matter: sums of these terms are exact.

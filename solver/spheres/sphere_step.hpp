@@ -38,7 +38,11 @@ class SphereStep {
     [[nodiscard]] const SphereNeighbours& neighbours() const { return neighbours_; }
     [[nodiscard]] const SphereWalls& walls() const { return walls_; }
     [[nodiscard]] const Driving& driving() const { return driving_; }
-    [[nodiscard]] const SphereRows& rows() const { return rows_; }
+    /// Spheres in free flight have been brought to where they are.
+    [[nodiscard]] const SphereRows& rows() const {
+        rows_.land();
+        return rows_;
+    }
     [[nodiscard]] const ParticleGroup& group() const { return group_; }
     [[nodiscard]] const SphereSetup& setup() const { return setup_; }
     [[nodiscard]] const std::vector<bool>& fixed() const { return fixed_; }
@@ -48,12 +52,26 @@ class SphereStep {
   private:
     using Three = std::array<double, 3>;
     [[nodiscard]] Three acceleration_at(double t) const;
+    /// Largest squares: of speeds [m^2/s^2], and of speeds in the frame of the lists, in skins [1/s^2].
+    struct Fastest {
+        double speed = 0, wide = 0, narrow = 0;
+        void take_note(const Fastest& other) {
+            speed = std::max(speed, other.speed);
+            wide = std::max(wide, other.wide);
+            narrow = std::max(narrow, other.narrow);
+        }
+        /// Skins as 1 / skin^2 [1/m^2].
+        void take_note(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow);
+    };
+    void choose_who_flies();
     void kick(double t, double dt);
     void kick_by_place(double t, double half);
     void drive(double t, double half);
     void kick_and_drift(double t, double dt);
     void find_forces(double dt);
     void sweep_contacts(const ContactTime& time);
+    double sweep_contacts_of(int thread, const ContactTime& time, const OrderFree& force_rounding,
+                             const OrderFree& torque_rounding);
     [[nodiscard]] double expected_force(double dt) const;
     void add_impulses(double t, double half);
 
@@ -67,15 +85,18 @@ class SphereStep {
     bool any_fixed_ = false;
     std::array<Expression, 3> acceleration_;
     bool depends_on_place_;
+    bool may_fly_;  ///< nothing accelerates all
     Driving driving_;
     std::vector<std::uint8_t> driven_;  ///< by part: whether something drives it
     double free_mass_ = 0;              ///< of all ranks [kg]
     std::vector<ContactSweep> sweeps_;  ///< by kind
-    SphereRows rows_;
+    mutable SphereRows rows_;           ///< landing changes nothing that can be seen from outside
     SphereWalls walls_;
     SphereNeighbours neighbours_;
     std::vector<std::vector<DeferredLoad>> deferred_;  ///< by thread
     std::vector<std::size_t> deferred_count_;
+    std::vector<std::uint8_t> acted_on_;            ///< by row
+    Fastest flying_;                                ///< of spheres in free flight
     double largest_speed_ = 0, largest_force_ = 0;  ///< of the last step, of all ranks [m/s], [N]
     double moved_to_walls_ = 0, wall_skin_ = 0;     ///< since walls were listed; then they are listed anew [m]
     Three wall_force_{};                            ///< of walls and fixed spheres on all ranks' free ones [N]

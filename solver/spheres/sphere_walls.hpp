@@ -60,6 +60,11 @@ class SphereWalls {
 
     /// Lists what each owned sphere may touch until it or a wall has moved: surfaces less than `gap` away [m].
     void list(const SphereRows& rows, std::span<const ParticleTag> tags, double gap);
+    /// Calls visit(row) for each sphere that may touch one until then.
+    template <class Visit>
+    void for_each_listed(const Visit& visit) const {
+        for (const ListedSphere& sphere : listed_) visit(sphere.row);
+    }
     /// Adds what walls do to the owned spheres, whose pair sums are complete.
     void add_loads(SphereRows& rows, std::span<const ParticleTag> tags, const ContactTime& time);
 
