@@ -18,9 +18,9 @@ struct UninitializedAllocator : std::allocator<T> {
     };
     UninitializedAllocator() = default;
     template <class U>
-    explicit UninitializedAllocator(const UninitializedAllocator<U>&) noexcept {}
+    explicit UninitializedAllocator(const UninitializedAllocator<U>& /*other*/) noexcept {}
 
-    void construct(T*) noexcept {}
+    void construct(T* /*at*/) noexcept {}
     template <class First, class... Rest>
     void construct(T* at, First&& first, Rest&&... rest) {
         std::construct_at(at, std::forward<First>(first), std::forward<Rest>(rest)...);

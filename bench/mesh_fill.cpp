@@ -27,7 +27,7 @@ Scene scene_of(double spacing) {
                            "viscosity = \"1 Pa*s\"\n[[part]]\nname = \"shell\"\nkind = \"rigid\"\n"
                            "[flow]\nlargest_speed = \"1 m/s\"\n[run]\nduration = \"1 s\"\n[output]\nevery = \"1 s\"\n",
                            spacing));
-    const Scene scene = read_scene(file.string(), {});
+    Scene scene = read_scene(file.string(), {});
     std::filesystem::remove(file);
     return scene;
 }

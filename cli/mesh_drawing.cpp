@@ -63,12 +63,6 @@ struct Repaired {
     std::vector<std::string> changes;
 };
 
-std::vector<std::string> names_of(const std::vector<const Part*>& parts) {
-    std::vector<std::string> names;
-    for (const Part* part : parts) names.push_back(part->name);
-    return names;
-}
-
 RepairRung rung_of(RepairKind repair) {
     switch (repair) {
         case RepairKind::none:
@@ -87,7 +81,7 @@ RepairRung rung_of(RepairKind repair) {
 
 /// Closes fluids of which the drawing has an open surface, as far as that can be done.
 void repair_fluids(Repaired& drawing, const Scene& scene) {
-    const auto fluids = names_of(scene.parts_of(PartKind::fluid));
+    const auto fluids = scene.names_of_parts(PartKind::fluid);
     try {
         RepairLimits limits;
         limits.spacing = scene.particles.spacing;
@@ -110,8 +104,8 @@ Repaired repaired_drawing(const Scene& scene) {
     if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
     check_drawn_size(drawing.geometry, scene);
     if (drawing.geometry.dimension == 3) {
-        auto names = names_of(scene.parts_of(PartKind::rigid));
-        for (std::string& name : names_of(scene.parts_of(PartKind::fluid))) names.push_back(std::move(name));
+        auto names = scene.names_of_parts(PartKind::rigid);
+        for (std::string& name : scene.names_of_parts(PartKind::fluid)) names.push_back(std::move(name));
         for (const SolidMeeting& meeting : solids_that_meet_themselves(drawing.geometry, names))
             drawing.changes.push_back(meeting.text(1e-3, "mm") + ": what lies inside any part of it counts as inside");
         repair_fluids(drawing, scene);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/errors.hpp"
+#include "solver/parallel/ranks.hpp"
 
 namespace dmp::cli {
 
@@ -24,7 +25,8 @@ int descriptor(Stream stream) { return stream == Stream::output ? STDOUT_FILENO 
 
 }  // namespace
 
-bool is_terminal(Stream stream) { return isatty(descriptor(stream)) != 0; }
+/// mpirun reads its processes through terminals of its own, wherever it writes to: a job's log in the end.
+bool is_terminal(Stream stream) { return !MpiSession::started_by_mpirun() && isatty(descriptor(stream)) != 0; }
 
 bool colours_on(Stream stream) {
     const char* no_colour = std::getenv("NO_COLOR");

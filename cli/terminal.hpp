@@ -8,6 +8,7 @@ namespace dmp::cli {
 
 enum class Stream { output, error };
 
+/// Whether somebody sees it as it is written.
 [[nodiscard]] bool is_terminal(Stream stream);
 /// A terminal that shows colours, and nobody set NO_COLOR (https://no-color.org).
 [[nodiscard]] bool colours_on(Stream stream);

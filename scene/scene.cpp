@@ -338,6 +338,14 @@ std::vector<const Part*> Scene::parts_of(PartKind kind) const {
     return found;
 }
 
+std::vector<std::string> Scene::names_of_parts(PartKind kind) const {
+    const std::vector<const Part*> found = parts_of(kind);
+    std::vector<std::string> names;
+    names.reserve(found.size());
+    for (const Part* part : found) names.push_back(part->name);
+    return names;
+}
+
 const ContactPair* Scene::contact_between(const std::string& a, const std::string& b) const {
     const ContactPair* best = nullptr;
     int best_rank = -1;

@@ -135,6 +135,8 @@ struct Scene {
     [[nodiscard]] const Part& part_of_particles(const std::string& name) const;
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
+    /// Their names.
+    [[nodiscard]] std::vector<std::string> names_of_parts(PartKind kind) const;
     /// What happens where these two parts touch, in either order: the pair that names both, else one that names one of
     /// them and "any", else "any" twice; none where the scene does not say. The last pair of equal rank counts.
     [[nodiscard]] const ContactPair* contact_between(const std::string& a, const std::string& b) const;

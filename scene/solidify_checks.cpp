@@ -9,12 +9,6 @@ namespace dmp {
 
 namespace {
 
-std::vector<std::string> names_of(const std::vector<const Part*>& parts) {
-    std::vector<std::string> names;
-    for (const Part* part : parts) names.push_back(*part->name);
-    return names;
-}
-
 bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
     return std::ranges::find(names, name) != names.end();
 }
@@ -41,7 +35,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
 std::string named(const Solidify& rule) { return "solidify '" + *rule.name + "'"; }
 
 void check_liquid(const Scene& scene, const Solidify& rule) {
-    const auto liquids = names_of(scene.parts_of(PartKind::fluid));
+    const auto liquids = scene.names_of_parts(PartKind::fluid);
     if (!is_one_of(*rule.liquid, liquids))
         refuse_name(scene, rule.liquid, "liquid", named(rule), "a fluid part", liquids);
     if (const Part* same = scene.part_named(rule.name))
@@ -78,8 +72,8 @@ void check_seeds(const Scene& scene, const Solidify& rule) {
     if (of_liquid)
         throw InputError(rule.seed_part.place, named(rule) + " has seeds of a part and seeds of liquid",
                          "leave out seed_part, or write a [[solidify]] for each");
-    auto solids = names_of(scene.parts_of(PartKind::rigid));
-    for (const auto& name : names_of(scene.parts_of(PartKind::springs))) solids.push_back(name);
+    auto solids = scene.names_of_parts(PartKind::rigid);
+    for (const auto& name : scene.names_of_parts(PartKind::springs)) solids.push_back(name);
     if (!is_one_of(*rule.seed_part, solids))
         refuse_name(scene, rule.seed_part, "seed_part", named(rule), "a rigid or springs part", solids);
     for (const Part* wall : scene.parts_of(PartKind::rigid))
@@ -115,7 +109,7 @@ void check_breaking(const Scene& scene, const Breaking& rule) {
 }  // namespace
 
 void need_solid(const Scene& scene, const Value<std::string>& name, const std::string& what, const std::string& whose) {
-    auto solids = names_of(scene.parts_of(PartKind::springs));
+    auto solids = scene.names_of_parts(PartKind::springs);
     for (const Solidify& rule : scene.solidify) solids.push_back(*rule.name);
     if (!is_one_of(*name, solids))
         refuse_name(scene, name, "part", what + " '" + whose + "'", "a springs part or a [[solidify]]", solids);

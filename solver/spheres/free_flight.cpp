@@ -34,7 +34,7 @@ void FreeFlight::pass(double dt, const PositionQuantum& quantum, std::span<Spher
 
 void FreeFlight::land(std::span<SphereMotion> motion) {
     if (steps_ == 0) return;
-    const double steps = steps_, exact_within = magic_ * 4 / 3;  // 2^53 quanta
+    const double steps = static_cast<double>(steps_), exact_within = magic_ * 4 / 3;  // 2^53 quanta
     in_shares(flying_.size(), threads_, [&](std::size_t first, std::size_t end) {
         for (const std::int32_t row : std::span(flying_).subspan(first, end - first)) {
             SphereMotion& sphere = motion[static_cast<std::size_t>(row)];
@@ -45,7 +45,7 @@ void FreeFlight::land(std::span<SphereMotion> motion) {
             if (exact) [[likely]] {
                 place += all;
             } else {  // so far out that places are rounded: as if each step had looked at it
-                for (double step = 0; step < steps; ++step) place += way;
+                for (long step = 0; step < steps_; ++step) place += way;
             }
             write(sphere.place, place);
         }

@@ -35,7 +35,7 @@ class FreeFlight {
   private:
     int threads_;
     std::vector<std::int32_t> busy_, flying_;
-    double steps_ = 0;           ///< since those that fly were last brought up
+    long steps_ = 0;             ///< since those that fly were last brought up
     double dt_ = 0, magic_ = 0;  ///< of all these steps [s], and PositionQuantum's
 };
 

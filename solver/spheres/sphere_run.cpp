@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <omp.h>
 
@@ -48,8 +49,8 @@ const ParticleSet& only_spheres(const ParticleSet& set) {
 
 }  // namespace
 
-SphereRun::SphereRun(const Scene& scene, const ParticleSet& set, const Resources& resources)
-    : scene_(scene),
+SphereRun::SphereRun(Scene scene, const ParticleSet& set, const Resources& resources)
+    : scene_(std::move(scene)),
       ranks_(resources.ranks),
       resources_(with_threads(resources)),
       space_(with_whole_periods(set, PositionQuantum(set))),

@@ -12,10 +12,10 @@ namespace dmp {
 /// A scene of spheres and their walls in motion: what Simulation is for such scenes.
 class SphereRun final : public Steps {
   public:
-    SphereRun(const Scene& scene, const ParticleSet& set, const Resources& resources);
+    SphereRun(Scene scene, const ParticleSet& set, const Resources& resources);
 
     [[nodiscard]] Plan plan() const;
-    long resume(const Hdf5Reader& file);
+    long resume(const Hdf5Reader& reader);
     RunSummary run(const RunOptions& options);
 
     [[nodiscard]] double time() const override { return time_; }

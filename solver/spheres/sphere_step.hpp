@@ -64,7 +64,7 @@ class SphereStep {
         void take_note(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow);
     };
     void choose_who_flies();
-    void kick(double t, double dt);
+    void kick(double t, double half);
     void kick_by_place(double t, double half);
     void drive(double t, double half);
     void kick_and_drift(double t, double dt);

@@ -16,12 +16,13 @@ PositionQuantum::PositionQuantum(const ParticleSpace& space) {
     magic_ = 1.5 * std::ldexp(size_, 52);
 }
 
-ParticleSpace with_whole_periods(ParticleSpace space, const PositionQuantum& quantum) {
+ParticleSpace with_whole_periods(const ParticleSpace& space, const PositionQuantum& quantum) {
+    ParticleSpace whole = space;
     for (int axis = 0; axis < space.dimension; ++axis) {
-        space.box.low[axis] = quantum.round(space.box.low[axis]);
-        space.box.high[axis] = quantum.round(space.box.high[axis]);
+        whole.box.low[axis] = quantum.round(space.box.low[axis]);
+        whole.box.high[axis] = quantum.round(space.box.high[axis]);
     }
-    return space;
+    return whole;
 }
 
 }  // namespace dmp

@@ -25,6 +25,6 @@ class PositionQuantum {
 };
 
 /// The same space with its periods made whole multiples of the quantum.
-ParticleSpace with_whole_periods(ParticleSpace space, const PositionQuantum& quantum);
+ParticleSpace with_whole_periods(const ParticleSpace& space, const PositionQuantum& quantum);
 
 }  // namespace dmp

@@ -18,7 +18,7 @@ struct DensityRounding {
 /// Where no species is summed.
 struct NoSpecies {
     struct Sum {};
-    static Sum around(const Cluster&) { return {}; }
+    static Sum around(const Cluster& /*any*/) { return {}; }
 };
 
 /// What a density sweep sums. `stratified`: a body force or a free surface is there, see StratifiedDiffusion and

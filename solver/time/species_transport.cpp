@@ -136,12 +136,12 @@ void SpeciesTransport::fill(const Species& species, const ParticleSet& set, cons
 void SpeciesTransport::fill_walls(const Scene& scene, const Species& species, const ParticleSet& set,
                                   ParticleStore& particles, CarriedSpecies& carried) {
     ParticleGroup& rigid = particles.of(ParticleKind::rigid);
-    for (std::uint16_t number = 0; number < set.parts.size(); ++number)
+    for (std::size_t number = 0; number < set.parts.size(); ++number)
         for (const bool held : {true, false}) {
             const ByPart<Expression>& walls = held ? species.wall_concentration : species.wall_flux;
             const Value<Expression>* formula = walls.of(set.parts[number].name);
             if (formula == nullptr || set.parts[number].kind != ParticleKind::rigid) continue;
-            carried.walls.push_back({number, **formula, held});
+            carried.walls.push_back({static_cast<std::uint16_t>(number), **formula, held});
             constexpr int times = 16;
             for (std::size_t i = 0; i < rigid.owned(); ++i) {
                 if (rigid.tags()[i].part != number) continue;

@@ -13,7 +13,7 @@ namespace dmp {
 SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact)
     : ranks_(ranks),
       dimension_(set.dimension),
-      space_(set),
+      space_(static_cast<const ParticleSpace&>(set)),
       contact_(contact),
       names_(body_names(scene)),
       tally_(names_.size()),
@@ -74,6 +74,7 @@ void SpringBodies::change(const BodyChange& change, const ParticleSpace& space) 
     }
     for (const auto& ends : change.broken) touch(ends[0]);
     std::vector<BodyParts> before;
+    before.reserve(touched.size());
     for (const std::size_t body : touched) before.push_back(bodies_[body]->parts());
     const ChangedBodies changed = change_bodies(before, change, space);
 

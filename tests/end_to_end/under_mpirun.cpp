@@ -68,6 +68,12 @@ TEST_F(SomeRanks, RanksDoNotChangeABitAndTheFirstOneSpeaks) {
     }
 }
 
+TEST_F(SomeRanks, LeaveNoColoursInTheLogOfAJob) {
+    const auto outcome = run("out", {"--dry-run"}, {.environment = {"TERM=xterm-256color", "NO_COLOR="}, .ranks = 2});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("What will run"), testing::Not(HasSubstr("\033"))));
+}
+
 TEST_F(SomeRanks, NorDoManyOrWithThreadsAndAnotherVectorUnit) {
     ASSERT_EQ(run("whole", briefly()).code, 0);
     ASSERT_EQ(run("out", briefly(), {.ranks = 8}).code, 0);
