@@ -72,7 +72,8 @@ Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources&
         summary = simulation.run(options);
     }
     const auto steps = static_cast<double>(std::max(1L, summary.steps));
-    return {summary.steps, summary.wall_s / steps, peak_memory()};
+    const auto memory = resources.ranks.sum(static_cast<std::int64_t>(peak_memory()));
+    return {summary.steps, summary.wall_s / steps, static_cast<double>(memory)};
 }
 
 std::string dry_run_text(const Scene& scene, const Plan& plan, const Trial& trial, double until) {

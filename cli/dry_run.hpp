@@ -13,10 +13,10 @@ namespace dmp::cli {
 struct Trial {
     long steps = 0;
     double seconds_per_step = 0;
-    double peak_memory = 0;  ///< of the whole process [bytes]; 0 when the system does not say
+    double peak_memory = 0;  ///< of all ranks' processes [bytes]; 0 when the system does not say
 };
 
-/// Runs the scene for about `budget` seconds of wall time without writing, and says how fast it went.
+/// Runs the scene for about `budget` seconds of wall time without writing, and says how fast it went. All ranks together.
 [[nodiscard]] Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources& resources, double until,
                             double budget);
 

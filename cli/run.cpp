@@ -171,9 +171,13 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
 
 /// Any other rank.
 int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options) {
+    const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
     Simulation simulation(prepared.scene, prepared.particles, resources);
     prepared.particles = {};
-    if (command.dry_run) return exit_done;
+    if (command.dry_run) {
+        static_cast<void>(try_out(prepared.scene, particles, resources, options.until, trial_seconds));
+        return exit_done;
+    }
     options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
     std::string checkpoint;
     resources.ranks.broadcast(checkpoint);

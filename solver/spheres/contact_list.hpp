@@ -66,7 +66,7 @@ class ContactList {
     [[nodiscard]] double* history(std::size_t number) { return history_[number].data(); }
     [[nodiscard]] std::size_t history_width() const { return history_width_; }
 
-    /// Owned rows of each thread: from the first one's to the last one's end, then of copies the same.
+    /// Rows of each thread, owned ones and copies, from the first one's to the last one's end.
     [[nodiscard]] std::span<const std::int32_t> bounds() const { return bounds_; }
     /// Ends of contacts that lie with other threads' spheres, of one thread at most.
     [[nodiscard]] std::size_t most_deferred() const { return most_deferred_; }

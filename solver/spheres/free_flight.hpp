@@ -12,9 +12,9 @@ namespace dmp {
 struct SphereMotion;
 
 /// Which spheres a step has to look at, and which fly freely: nothing can act on them before contacts are next looked
-/// for. Velocities of those stay, and each step takes them as far as the one before; so many steps are made at once,
-/// when somebody asks where they are. Ways are whole quanta of places: the sum of many is, to the bit, that of one
-/// after the other.
+/// for, or walls listed. Velocities of those stay, and each step takes them as far as the one before; so many steps are
+/// made at once, when somebody asks where they are. Ways are whole quanta of places: the sum of many is, to the bit,
+/// that of one after the other.
 class FreeFlight {
   public:
     explicit FreeFlight(int threads) : threads_(threads) {}

@@ -18,8 +18,9 @@ ParticleGroup sphere_group(const ParticleSet& set, const PositionQuantum& quantu
         for (int axis = 0; axis < 3; ++axis) {
             const bool fixed = set.fixed[i] != 0;
             group.data(Field::position, axis)[k] = quantum.round(set.position[i][axis]);
-            group.data(Field::velocity, axis)[k] = fixed ? 0 : set.velocity[i][axis];
-            group.data(Field::angular_velocity, axis)[k] = fixed ? 0 : set.angular_velocity[i][axis];
+            // -0 becomes 0, as in the first step that adds something to it: some spheres are added nothing for long.
+            group.data(Field::velocity, axis)[k] = fixed ? 0 : set.velocity[i][axis] + 0.0;
+            group.data(Field::angular_velocity, axis)[k] = fixed ? 0 : set.angular_velocity[i][axis] + 0.0;
         }
     }
     return group;

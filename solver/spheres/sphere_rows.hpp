@@ -40,7 +40,8 @@ static_assert(motion_width == 12 && load_width == 8);
 
 /// The owned spheres and, behind them, their copies, in the order of the group. While the order lasts, places and
 /// velocities are kept here and nowhere else. Two more rows stand for spheres that never touch, for lanes without a
-/// contact. Places of spheres in free flight are those of the last landing.
+/// contact. Places of spheres in free flight are those of the last landing;
+/// their copies' on other ranks those of the last look.
 class SphereRows {
   public:
     explicit SphereRows(int threads = 1) : flight_(threads) {}

@@ -33,7 +33,8 @@ double rounded_speed(double speed) {
     return speed > 0 ? std::exp2(std::ceil(speeds_an_octave * std::log2(speed)) / speeds_an_octave) : 0;
 }
 
-/// Steps that are alike but for their last digits become one (FreeFlight). Up, so that they do not become more.
+/// Steps that are alike but for their last digits become one (FreeFlight). Up, so that they do not become more: at most
+/// a ten millionth beyond a limit.
 double equal_to_the_bit(double dt) {
     const auto rounded = static_cast<float>(dt);
     return rounded < dt ? std::nextafter(rounded, HUGE_VALF) : rounded;
@@ -65,7 +66,7 @@ SphereRun::SphereRun(Scene scene, const ParticleSet& set, const Resources& resou
 }
 
 std::vector<StepLimit> SphereRun::contact_limits() const {
-    return sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits()));
+    return sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits(time_)));
 }
 
 std::vector<StepLimit> SphereRun::limits() const {
@@ -77,7 +78,7 @@ std::vector<StepLimit> SphereRun::limits() const {
 
 /// The limits with their words take longer than a step of a few spheres.
 double SphereRun::longest_step() {
-    const double speed = rounded_speed(step_.speed_for_limits());
+    const double speed = rounded_speed(step_.speed_for_limits(time_));
     if (speed != limited_speed_) {
         limited_speed_ = speed;
         const std::vector<StepLimit> limits = contact_limits();
@@ -106,7 +107,7 @@ Plan SphereRun::plan() const {
     Plan plan;
     plan.particles = count_;
     plan.bytes_per_particle = (group_.bytes() + step_.bytes()) / std::max<std::size_t>(1, group_.owned());
-    plan.largest_speed = std::max<double>(scene_.flow.largest_speed, step_.speed_for_limits());
+    plan.largest_speed = std::max<double>(scene_.flow.largest_speed, step_.speed_for_limits(time_));
     plan.limits = limits();
     const StepLimit ruling = ruling_limit(plan.limits);
     plan.dt = ruling.dt;
@@ -186,7 +187,7 @@ void SphereRun::advance(const RunOptions& options, double until) {
     // Times that are alike but for their last digits are one.
     const double change = step_.driving().next_change(time_ + 1e-6 * longest);
     const double target = std::min({until, frame_times_.next(), measure_times_.next(), change});
-    // Equal steps up to the next time something has to be written.
+    // Equal steps up to the next time something has to be written; the last one takes what is left.
     const double steps = std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
     const double dt = steps > 1 ? equal_to_the_bit((target - time_) / steps) : target - time_;
     step_.advance(time_, dt);

@@ -148,9 +148,7 @@ void SphereStep::choose_who_flies() {
     flying_ = {};
     for (const std::int32_t row : rows_.flight().flying()) {
         const auto i = static_cast<std::size_t>(row);
-        SphereMotion& sphere = rows_.motion()[i];
-        push(sphere, {}, 0, Quad{});  // as a step does: -0 becomes 0
-        flying_.take_note(sphere, neighbours_.drift(), wide[i], narrow[i]);
+        flying_.take_note(rows_.motion()[i], neighbours_.drift(), wide[i], narrow[i]);
     }
 }
 

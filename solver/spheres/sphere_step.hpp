@@ -31,8 +31,10 @@ class SphereStep {
 
     /// Of all ranks [m/s].
     [[nodiscard]] double largest_speed() const { return largest_speed_; }
-    /// The same, or that of walls where it is more, as far as is known.
-    [[nodiscard]] double speed_for_limits() const { return std::max(largest_speed_, walls_.largest_speed()); }
+    /// The same, or that of walls at time t where it is more.
+    [[nodiscard]] double speed_for_limits(double t) const {
+        return std::max(largest_speed_, walls_.largest_speed_at(t));
+    }
     [[nodiscard]] const OutsideImpulses& impulses() const { return impulses_; }
     [[nodiscard]] const StageTimer& timer() const { return timer_; }
     [[nodiscard]] const SphereNeighbours& neighbours() const { return neighbours_; }

@@ -56,6 +56,7 @@ class SphereWalls {
     void advance(double t, double dt);
     /// How fast any wall is at most in this step [m/s].
     [[nodiscard]] double largest_speed() const { return largest_speed_; }
+    /// And at a time [m/s].
     [[nodiscard]] double largest_speed_at(double t) const;
 
     /// Lists what each owned sphere may touch until it or a wall has moved: surfaces less than `gap` away [m].
@@ -68,7 +69,7 @@ class SphereWalls {
     /// Adds what walls do to the owned spheres, whose pair sums are complete.
     void add_loads(SphereRows& rows, std::span<const ParticleTag> tags, const ContactTime& time);
 
-    /// The force of walls on this rank's spheres after add_loads, and the largest one along a normal [N].
+    /// The force of walls on this rank's spheres after add_loads [N].
     [[nodiscard]] const std::array<ExactSum, 3>& total_force() const { return total_; }
     [[nodiscard]] const std::vector<WallContact>& contacts() const { return contacts_; }
     /// The largest overlap of a sphere with a wall over its radius, and whose it is.

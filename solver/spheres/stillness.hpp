@@ -16,7 +16,7 @@ class Stillness {
     explicit Stillness(double window) : window_(window) {}
 
     [[nodiscard]] bool wanted() const { return window_ > 0; }
-    /// To be called after each step; `contacts` of all ranks is asked for now and then only. All ranks together.
+    /// To be called after each step; looks now and then only. All ranks together.
     void look(double time, const SphereStep& step, const Ranks& ranks);
     [[nodiscard]] bool reached() const { return reached_ > 0; }
     [[nodiscard]] double since() const { return reached() ? quiet_since_ : 0; }

@@ -68,10 +68,11 @@ TEST_F(SomeRanks, RanksDoNotChangeABitAndTheFirstOneSpeaks) {
     }
 }
 
-TEST_F(SomeRanks, LeaveNoColoursInTheLogOfAJob) {
+TEST_F(SomeRanks, TryARunOutTogetherAndLeaveNoColoursInTheLogOfTheJob) {
     const auto outcome = run("out", {"--dry-run"}, {.environment = {"TERM=xterm-256color", "NO_COLOR="}, .ranks = 2});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("What will run"), testing::Not(HasSubstr("\033"))));
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("What will run"), HasSubstr("Nothing was written"),
+                                               testing::Not(HasSubstr("\033"))));
 }
 
 TEST_F(SomeRanks, NorDoManyOrWithThreadsAndAnotherVectorUnit) {

@@ -69,6 +69,14 @@ SphereScene driven_crowd() {
     return made;
 }
 
+/// A floor that stands at first, then sinks faster than any sphere and so rules the step.
+SphereScene crowd_on_a_fast_floor() {
+    SphereScene made = free_crowd();
+    made.scene.parts[2].velocity =
+        std::array{Expression(), Expression(), SphereScene::expression("-12 * sin(3000 * t)")};
+    return made;
+}
+
 void expect_the_same_bits(const SphereScene& made) {
     const Ranks ranks = Ranks::world();
     const RunSummary shared = run_of(made, ranks), alone = run_of(made, Ranks::alone());
@@ -120,6 +128,9 @@ TEST(SpheresOnRanks, checkpoints_are_of_any_number_of_ranks) {
 }
 TEST(SpheresOnRanks, checkpoints_in_free_flight_are_of_any_number_of_ranks) {
     expect_checkpoints_of_any_number_of_ranks(free_crowd());
+}
+TEST(SpheresOnRanks, checkpoints_beside_fast_walls_are_of_any_number_of_ranks) {
+    expect_checkpoints_of_any_number_of_ranks(crowd_on_a_fast_floor());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ using namespace testing_spheres;
 /// A crowd, or one in which a gravity that happens to be 0 keeps every sphere under a step's eyes.
 SphereScene crowd_looked_at(bool always) {
     SphereScene made = crowd(150, 4);
+    made.sphere(0, {0.5e-3, 0.5e-3, 0.2}, 0.1e-3, {-0.0, 1, -0.0}, {-0.0, 0, 0});  // meets nobody
     if (always) made.scene.flow.acceleration[0] = SphereScene::expression("0 * t");
     return made;
 }
