@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/start.hpp"
+#include "bench/uses.hpp"
 #include "particles/cell_grid.hpp"
 #include "particles/kernels.hpp"
 #include "particles/periodic_images.hpp"

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "bench/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 

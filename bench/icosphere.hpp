@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/uses.hpp"
 #include "geometry/triangle_surface.hpp"
 
 namespace dmp {

@@ -5,6 +5,7 @@
 
 #include "bench/half_list.hpp"
 #include "bench/start.hpp"
+#include "bench/uses.hpp"
 #include "particles/cell_grid.hpp"
 #include "particles/kernels.hpp"
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "bench/half_list.hpp"
+#include "bench/uses.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::bench {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/options.hpp"
+#include "bench/uses.hpp"
 #include "particles/particle_set.hpp"
 
 namespace dmp::bench {

@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "bench/icosphere.hpp"
+#include "bench/uses.hpp"
 #include "cli/failure.hpp"
 #include "mesher/inspect.hpp"
 #include "scene/read_scene.hpp"
@@ -18,6 +19,7 @@
 namespace {
 
 using namespace dmp;
+using namespace dmp::bench;
 
 Scene scene_of(double spacing) {
     const auto file = std::filesystem::temp_directory_path() / "dmp_bench_mesh.toml";

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bench/start.hpp"
+#include "bench/uses.hpp"
 #include "solver/resources.hpp"
 
 namespace dmp::bench {

@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "bench/start.hpp"
+#include "bench/uses.hpp"
 #include "cli/failure.hpp"
 #include "cli/terminal.hpp"
 #include "solver/simulation.hpp"
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace dmp;
+using namespace dmp::bench;
 
 Value<double> given(double value) { return {value, Place{"bench", 1, 1}}; }
 Expression formula(const std::string& text) { return {text, text}; }

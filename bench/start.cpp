@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "bench/uses.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::bench {

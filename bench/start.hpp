@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 

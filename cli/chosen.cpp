@@ -7,6 +7,7 @@
 
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::cli {

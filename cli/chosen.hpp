@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/prepare.hpp"
+#include "cli/uses.hpp"
 #include "scene/scene.hpp"
 #include "solver/simulation.hpp"
 

@@ -4,6 +4,7 @@
 #include "cli/chosen.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::cli {

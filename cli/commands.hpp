@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/uses.hpp"
 #include "solver/resources.hpp"
 
 namespace dmp::cli {

@@ -13,6 +13,7 @@
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "solver/output/frame_file.hpp"
 #include "solver/output/frame_index.hpp"

@@ -14,6 +14,7 @@
 #include "cli/mesh_drawing.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "geometry/drawing_file.hpp"
 #include "geometry/solids_that_meet.hpp"
 #include "geometry/surface_box.hpp"

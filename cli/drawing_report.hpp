@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/uses.hpp"
 #include "geometry/geometry.hpp"
 
 namespace dmp::cli {

@@ -10,6 +10,7 @@
 
 #include "base/length_text.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "geometry/surface_box.hpp"
 
 namespace dmp::cli {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/simulation.hpp"
@@ -16,7 +17,8 @@ struct Trial {
     double peak_memory = 0;  ///< of all ranks' processes [bytes]; 0 when the system does not say
 };
 
-/// Runs the scene for about `budget` seconds of wall time without writing, and says how fast it went. All ranks together.
+/// Runs the scene for about `budget` seconds of wall time without writing, and says how fast it went. All ranks
+/// together.
 [[nodiscard]] Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources& resources, double until,
                             double budget);
 

@@ -10,6 +10,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/terminal.hpp"
+#include "cli/uses.hpp"
 #include "scene/quantity.hpp"
 #include "solver/models/dem/escape_model.hpp"
 

@@ -13,6 +13,7 @@
 #include "cli/prepare.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/model_costs.hpp"
 #include "solver/simulation.hpp"

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/uses.hpp"
 #include "solver/parallel/ranks.hpp"
 
 namespace dmp::cli {

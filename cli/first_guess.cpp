@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/uses.hpp"
 #include "scene/toml_node.hpp"
 
 namespace dmp::cli {

@@ -13,6 +13,7 @@
 #include "base/length_text.hpp"
 #include "cli/first_guess.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/select_faces.hpp"
 #include "geometry/surface_box.hpp"

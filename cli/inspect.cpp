@@ -4,6 +4,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/prepare.hpp"
 #include "cli/terminal.hpp"
+#include "cli/uses.hpp"
 #include "geometry/drawing_file.hpp"
 
 namespace dmp::cli {

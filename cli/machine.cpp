@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/errors.hpp"
+#include "cli/uses.hpp"
 #include "solver/resources.hpp"
 
 namespace dmp::cli {

@@ -14,6 +14,7 @@
 #include "cli/settle.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
+#include "cli/uses.hpp"
 #include "mesher/mesh_spheres.hpp"
 #include "particles/particle_file.hpp"
 #include "postproc/vtk_sink.hpp"

@@ -15,6 +15,7 @@
 #include "base/safe_file.hpp"
 #include "base/text_hash.hpp"
 #include "cli/particle_input.hpp"
+#include "cli/uses.hpp"
 #include "mesher/drawing_of.hpp"
 #include "mesher/mesh_spheres.hpp"
 #include "particles/particle_file.hpp"

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/drawn_size.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "geometry/drawing_child.hpp"
 #include "geometry/repair_solids.hpp"
 #include "geometry/select_faces.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/prepare.hpp"
+#include "cli/uses.hpp"
 #include "geometry/geometry.hpp"
 #include "mesher/inspect.hpp"
 #include "mesher/mesh.hpp"

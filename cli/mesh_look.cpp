@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh_look.hpp"
 
+#include "cli/uses.hpp"
 #include "mesher/bond_report.hpp"
 
 namespace dmp::cli {

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/uses.hpp"
 #include "mesher/inspect.hpp"
 #include "postproc/mesh_pictures.hpp"
 

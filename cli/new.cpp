@@ -10,6 +10,7 @@
 #include "cli/first_scene.hpp"
 #include "cli/prepare.hpp"
 #include "cli/terminal.hpp"
+#include "cli/uses.hpp"
 #include "geometry/drawing_file.hpp"
 #include "geometry/triangle_drawing.hpp"
 #include "scene/read_scene.hpp"

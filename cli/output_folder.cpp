@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "postproc/paraview_script.hpp"
 #include "postproc/tables.hpp"
 #include "solver/output/frame_file.hpp"

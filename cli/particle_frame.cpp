@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "cli/uses.hpp"
 #include "solver/output/wall_surfaces.hpp"
 
 namespace dmp::cli {

@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "particles/particle_file.hpp"
 #include "scene/read_scene.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/first_guess.hpp"
+#include "cli/uses.hpp"
 #include "geometry/inside_test.hpp"
 #include "geometry/local_thickness.hpp"
 #include "geometry/nearest_curve.hpp"

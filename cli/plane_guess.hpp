@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/uses.hpp"
 #include "geometry/geometry.hpp"
 
 namespace dmp::cli {

@@ -11,6 +11,7 @@
 #include "cli/particle_input.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "cli/version.hpp"
 #include "cli/workstation.hpp"
 #include "scene/read_scene.hpp"

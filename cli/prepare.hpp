@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/parallel/ranks.hpp"

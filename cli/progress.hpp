@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "cli/uses.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {

@@ -18,6 +18,7 @@
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
+#include "cli/uses.hpp"
 #include "cli/workstation.hpp"
 #include "postproc/tables.hpp"
 #include "scene/read_scene.hpp"

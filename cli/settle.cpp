@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/errors.hpp"
+#include "cli/uses.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {

@@ -8,6 +8,7 @@
 
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/uses.hpp"
 #include "postproc/paraview_script.hpp"
 #include "solver/output/frame_index.hpp"
 

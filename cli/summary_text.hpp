@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/uses.hpp"
 #include "scene/scene.hpp"
 #include "solver/simulation.hpp"
 

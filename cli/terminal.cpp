@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/errors.hpp"
+#include "cli/uses.hpp"
 #include "solver/parallel/ranks.hpp"
 
 namespace dmp::cli {

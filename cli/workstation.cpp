@@ -3,6 +3,7 @@
 
 #include "cli/mesh_cache.hpp"
 #include "cli/mesh_drawing.hpp"
+#include "cli/uses.hpp"
 #include "postproc/vtk_sink.hpp"
 
 namespace dmp::cli {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/prepare.hpp"
+#include "cli/uses.hpp"
 #include "postproc/pictures.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_label.hpp"

@@ -10,7 +10,7 @@
 #include "geometry/exact_predicates.hpp"
 #include "geometry/segments.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -197,4 +197,4 @@ std::optional<Vec> self_crossing(const Region& region) {
     return std::nullopt;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

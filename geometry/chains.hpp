@@ -6,7 +6,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Points from end to end; two pieces are connected where their ends agree bit for bit.
 using CurvePiece = std::vector<Vec>;
@@ -27,4 +27,4 @@ LoopSearch closed_loops(std::vector<CurvePiece> pieces);
 /// A point where two boundary segments cross; nothing for a proper region. Exact.
 std::optional<Vec> self_crossing(const Region& region);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

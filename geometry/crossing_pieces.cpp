@@ -4,7 +4,7 @@
 #include "geometry/surface_intersections.hpp"
 #include "geometry/surface_pieces.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 std::vector<std::pair<int, int>> turn_crossing_pieces(TriangleSurface& surface) {
     auto pairs = self_intersections(surface);
@@ -24,4 +24,4 @@ std::vector<std::pair<int, int>> turn_crossing_pieces(TriangleSurface& surface) 
     return pairs;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -25,7 +25,7 @@
 #include "geometry/select_faces.hpp"
 #include "geometry/triangle_file.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -240,4 +240,4 @@ int answer_drawing_request() {
     return write_all(answer_descriptor, answer_to(options)) ? 0 : 1;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The program that reads drawings beside this one, and what it may take.
 struct DrawingChild {
@@ -32,4 +32,4 @@ Geometry read_drawing_apart(const DrawingOptions& options, const DrawingChild& c
 /// memory to that of the machine, and ends with its parent.
 int answer_drawing_request();
 
-}  // namespace dmp
+}  // namespace dmp::geometry

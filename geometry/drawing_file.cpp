@@ -14,7 +14,7 @@
 #include "geometry/number_text.hpp"
 #include "geometry/triangle_file.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -128,4 +128,4 @@ void check_place(const Vec& place, const std::string& file) {
                          "Check the drawing and its unit (geometry.unit; on the command line --unit).");
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

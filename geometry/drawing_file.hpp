@@ -5,7 +5,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Whether a drawing is a gmsh script (.geo, .geo_unrolled), by its extension.
 [[nodiscard]] bool is_script(const std::string& file);
@@ -35,4 +35,4 @@ void check_drawing_file(const DrawingOptions& options);
 /// m): products of such lengths would overflow.
 void check_place(const Vec& place, const std::string& file);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

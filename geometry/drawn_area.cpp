@@ -9,7 +9,7 @@
 #include "geometry/chains.hpp"
 #include "geometry/number_text.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -74,4 +74,4 @@ void lay_flat(Geometry& geometry) {
     geometry.box = box;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/drawn_curves.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The area that some surfaces of the drawing that gmsh has open make up. Throws InputError: it is empty, open, crosses
 /// itself or has no area.
@@ -17,4 +17,4 @@ Region drawn_area(const std::string& name, const std::vector<int>& surfaces, Dra
 /// leaves the plane, or has a point that is not finite.
 void lay_flat(Geometry& geometry);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -13,7 +13,7 @@
 #include "geometry/number_text.hpp"
 #include "geometry/segments.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::vector<CurvePiece> DrawnCurves::mesh_edges(int dimension, const std::vector
     return pieces;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -8,7 +8,7 @@
 #include "geometry/chains.hpp"
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The points and curves of the drawing that gmsh has open, as pieces in metres. Each curve is made once, so that all
 /// who share it share its bits.
@@ -39,4 +39,4 @@ class DrawnCurves {
     std::map<int, std::vector<CurvePiece>> curves_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

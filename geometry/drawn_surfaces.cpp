@@ -10,7 +10,7 @@
 
 #include "geometry/drawing_file.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -113,4 +113,4 @@ Vec DrawnSurfaces::point(int tag) const {
     return place;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The surfaces of the 3-D drawing that gmsh has open, as triangles in metres that share their corners. A drawing with
 /// formulas is meshed first, finely enough to follow its curves to within the chord error.
@@ -30,4 +30,4 @@ class DrawnSurfaces {
     std::map<int, std::vector<Triangle>> triangles_;  ///< by surface
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

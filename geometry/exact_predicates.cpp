@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace dmp {
+namespace dmp::geometry {
 
 int side_of_line(const Vec& a, const Vec& b, const Vec& p) {
     using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -30,4 +30,4 @@ bool segments_cross(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
     return side_of_line(a, b, c) * side_of_line(a, b, d) < 0 && side_of_line(c, d, a) * side_of_line(c, d, b) < 0;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -3,7 +3,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// On which side of the line a -> b the point p lies in the x-y plane: +1 left, -1 right, 0 exactly on it.
 /// Exact: the sign is that of real arithmetic on the given doubles.
@@ -18,4 +18,4 @@ enum class RayMeeting { misses, crosses, starts_on };
 /// Whether the interiors of the segments a-b and c-d cross in one point (exact; touching and overlapping do not count).
 [[nodiscard]] bool segments_cross(const Vec& a, const Vec& b, const Vec& c, const Vec& d);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

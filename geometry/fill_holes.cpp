@@ -12,7 +12,7 @@
 #include "geometry/surface_edges.hpp"
 #include "geometry/surface_pieces.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::vector<SurfaceHole> fill_holes(TriangleSurface& surface, double largest_per
     return holes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A closed chain of open edges.
 struct SurfaceHole {
@@ -23,4 +23,4 @@ struct SurfaceHole {
 /// corner.
 std::vector<SurfaceHole> fill_holes(TriangleSurface& surface, double largest_perimeter);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

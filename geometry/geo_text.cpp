@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -96,4 +96,4 @@ int GeoText::line_cut_short() const {
     return more ? static_cast<int>(std::ranges::count(code_, '\n')) + 1 : 0;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

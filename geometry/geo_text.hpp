@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The text of a gmsh .geo script, for what gmsh itself does not tell: it runs a loop without its end once, drops
 /// statements of a last line without line break, and keeps no record of constants that cannot be set from outside.
@@ -30,4 +30,4 @@ class GeoText {
     std::string code_;  ///< comments and strings blanked, line breaks kept
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

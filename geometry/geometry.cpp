@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::vector<std::string> Geometry::names() const {
     return {all.begin(), all.end()};
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

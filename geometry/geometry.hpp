@@ -12,7 +12,7 @@
 #include "base/vec.hpp"
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A chain of points; closed when the last is joined to the first.
 struct Polyline {
@@ -155,4 +155,4 @@ struct DrawingOptions {
 /// nothing; selections without a face.
 Geometry read_drawing(const DrawingOptions& options);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -293,4 +293,4 @@ Geometry geometry_of(std::string_view bytes) { return checked(read<Geometry>(byt
 DrawingOptions drawing_options_of(std::string_view bytes) { return read<DrawingOptions>(bytes); }
 ErrorText error_text_of(std::string_view bytes) { return read<ErrorText>(bytes); }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

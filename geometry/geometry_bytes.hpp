@@ -6,7 +6,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Values as bytes, bit for bit, for another process of the same program on the same machine; no file format.
 [[nodiscard]] std::string bytes_of(const Geometry& geometry);
@@ -26,4 +26,4 @@ struct ErrorText {
 [[nodiscard]] DrawingOptions drawing_options_of(std::string_view bytes);
 [[nodiscard]] ErrorText error_text_of(std::string_view bytes);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

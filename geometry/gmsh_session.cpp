@@ -13,7 +13,7 @@
 #include "geometry/drawing_file.hpp"
 #include "geometry/geo_text.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -195,4 +195,4 @@ std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options) {
     return session;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

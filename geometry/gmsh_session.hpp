@@ -8,7 +8,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// gmsh from initialize to finalize. It keeps its state in globals, sets OpenMP to one thread and the numeric locale to
 /// "C": all of that is undone at the end. One at a time: others wait.
@@ -36,4 +36,4 @@ class GmshSession {
 /// on. Throws InputError: what gmsh says of the drawing, and parameters that it does not offer.
 std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 #include "geometry/exact_predicates.hpp"
 #include "geometry/segments.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -56,4 +56,4 @@ Side InsideTest::side_of(const Vec& point) const {
     return inside ? Side::inside : Side::outside;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Region::side_of for many points: the boundary segments are sorted once into horizontal bands, so that a point meets
 /// only those of its own band. The answers are the same, exact ones. Holds its own copy of the boundary; after
@@ -30,4 +30,4 @@ class InsideTest {
     std::vector<Segment> segments_;   ///< band after band
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

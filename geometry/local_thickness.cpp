@@ -12,7 +12,7 @@
 
 #include "geometry/triangle_tree.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -91,4 +91,4 @@ LocalThickness local_thickness(const TriangleSurface& surface, double distance) 
     return found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// How thick a body is behind a place of its surface.
 struct ThicknessSample {
@@ -35,4 +35,4 @@ struct LocalThickness {
 /// degrees: sharper edges are thin, others are edges.
 LocalThickness local_thickness(const TriangleSurface& surface, double distance);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

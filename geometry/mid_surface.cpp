@@ -15,7 +15,7 @@
 #include "geometry/surface_pieces.hpp"
 #include "geometry/triangle_tree.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -207,4 +207,4 @@ SheetSearch mid_surface(const TriangleSurface& body, double largest_thickness) {
     return Search(body, largest_thickness).result();
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

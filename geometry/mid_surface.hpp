@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The sheet half-way between the two faces of a thin body.
 struct MidSurface {
@@ -30,4 +30,4 @@ struct SheetSearch {
 /// @param body closed, faces outward; it may be of several pieces
 SheetSearch mid_surface(const TriangleSurface& body, double largest_thickness);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

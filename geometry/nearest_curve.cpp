@@ -8,7 +8,7 @@
 
 #include "geometry/segments.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::optional<Projection> NearestCurve::nearest(const Vec& point) const {
     return best;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// CurveSet::nearest for many points of the x-y plane and distances up to a limit: the segments are sorted once into
 /// the cells of a grid. The answers are the same, bit for bit. Holds its own copy of the curves; after construction it
@@ -37,4 +37,4 @@ class NearestCurve {
     std::vector<std::size_t> entries_;  ///< indices of segments, ascending in each cell
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

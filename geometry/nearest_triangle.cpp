@@ -8,7 +8,7 @@
 
 #include "base/closest_point.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::optional<SurfacePoint> NearestTriangle::within(const Vec& point, double squ
     return best;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

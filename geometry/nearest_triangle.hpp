@@ -9,7 +9,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The nearest point of a surface.
 struct SurfacePoint {
@@ -53,4 +53,4 @@ class NearestTriangle {
     std::vector<Node> nodes_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A number for a person, with six digits at most.
 inline std::string number_text(double number) {
@@ -14,4 +14,4 @@ inline std::string number_text(double number) {
     return text.str();
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -13,7 +13,7 @@
 #include "geometry/surface_crossings.hpp"
 #include "geometry/surface_edges.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -144,4 +144,4 @@ Orientation orient_outward(TriangleSurface& surface) {
     return found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// What orient_outward found and did.
 struct Orientation {
@@ -29,4 +29,4 @@ struct Orientation {
 /// share two corners and no third triangle does. The sides of a piece that is not closed are a guess.
 Orientation orient_outward(TriangleSurface& surface);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_along_x.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::vector<bool> points_inside(const TriangleSurface& surface, const std::vecto
     return inside;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

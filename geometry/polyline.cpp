@@ -6,7 +6,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/segments.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 double Polyline::length() const {
     double sum = 0;
@@ -51,4 +51,4 @@ Projection CurveSet::nearest(const Vec& point) const {
     return best;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

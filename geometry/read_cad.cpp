@@ -13,7 +13,7 @@
 #include "geometry/gmsh_session.hpp"
 #include "geometry/triangle_drawing.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -149,4 +149,4 @@ Geometry read_open_cad(const DrawingOptions& asked) {
     return geometry;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -3,7 +3,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The geometry of the CAD file (STEP, IGES, BREP) that gmsh has open, with lengths of STEP and IGES in millimetres.
 /// Bodies of one name are one solid; bodies without a name are solid_1, solid_2, ..., and one that is alone has the
@@ -13,4 +13,4 @@ namespace dmp {
 /// a file without faces; bodies that are not closed; areas that are none.
 Geometry read_open_cad(const DrawingOptions& asked);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

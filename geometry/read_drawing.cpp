@@ -15,7 +15,7 @@
 #include "geometry/triangle_drawing.hpp"
 #include "geometry/triangle_file.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -129,4 +129,4 @@ Geometry read_drawing(const DrawingOptions& options) {
     return geometry;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

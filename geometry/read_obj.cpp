@@ -5,7 +5,7 @@
 #include "geometry/triangle_file.hpp"
 #include "geometry/word_lines.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -89,4 +89,4 @@ class ObjReader {
 
 TriangleSoup read_obj_text(std::string_view text, const std::string& file) { return ObjReader(text, file).read(); }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -4,7 +4,7 @@
 #include "geometry/triangle_file.hpp"
 #include "geometry/word_lines.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -108,4 +108,4 @@ class OffReader {
 
 TriangleSoup read_off_text(std::string_view text, const std::string& file) { return OffReader(text, file).read(); }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -10,7 +10,7 @@
 #include "geometry/triangle_file.hpp"
 #include "geometry/word_lines.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -254,4 +254,4 @@ class PlyReader {
 
 TriangleSoup read_ply_text(std::string_view text, const std::string& file) { return PlyReader(text, file).read(); }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -8,7 +8,7 @@
 #include "geometry/triangle_file.hpp"
 #include "geometry/word_lines.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -123,4 +123,4 @@ TriangleSoup read_stl_text(std::string_view text, const std::string& file) {
     throw InputError(Place{file, 0, 0}, problem, export_again);
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/segments.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -72,4 +72,4 @@ Side Region::side_of(const Vec& point) const {
     return inside ? Side::inside : Side::outside;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -12,7 +12,7 @@
 #include "geometry/gmsh_session.hpp"
 #include "geometry/orient_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -97,4 +97,4 @@ TriangleSurface remesh_surface(const TriangleSurface& surface, double edge) {
     return fine;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A connected surface in nearly equilateral triangles with edges of about `edge` [m], whose corners lie on the given
 /// triangles: gmsh's frontal Delaunay mesh (Remacle et al., International Journal for Numerical Methods in Engineering
@@ -14,4 +14,4 @@ namespace dmp {
 /// only one side, or gmsh finds no map of it; std::invalid_argument for an edge that is not positive.
 TriangleSurface remesh_surface(const TriangleSurface& surface, double edge);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 #include "base/length_text.hpp"
 #include "geometry/number_text.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<std::string> RepairReport::lines() const {
     return said;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -8,7 +8,7 @@
 
 #include "geometry/fill_holes.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A piece of a surface that was thrown away.
 struct ThrownPiece {
@@ -53,4 +53,4 @@ struct RepairReport {
     [[nodiscard]] std::vector<std::string> lines() const;
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dmp {
+namespace dmp::geometry {
 
 std::vector<std::string> repair_solids(Geometry& geometry, const std::vector<std::string>& names,
                                        const RepairLimits& limits) {
@@ -21,4 +21,4 @@ std::vector<std::string> repair_solids(Geometry& geometry, const std::vector<std
     return said;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/repair_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Makes solids of the surface sets with these names, with repair_surface: what a file of triangles was to be, but is
 /// not closed. Names of what is a solid already, or is not in the drawing, are passed over. Returns what the reports
@@ -15,4 +15,4 @@ namespace dmp {
 std::vector<std::string> repair_solids(Geometry& geometry, const std::vector<std::string>& names,
                                        const RepairLimits& limits);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

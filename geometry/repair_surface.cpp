@@ -22,7 +22,7 @@
 #include "geometry/winding_vote.hpp"
 #include "geometry/wrap_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -279,4 +279,4 @@ RepairedSurface repair_surface(TriangleSurface surface, const RepairLimits& limi
     return Ladder(std::move(surface), limits, name, place).climb();
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

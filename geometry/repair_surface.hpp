@@ -9,7 +9,7 @@
 #include "geometry/repair_report.hpp"
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// What may be done for a surface that is not closed, each with all before it.
 enum class RepairRung {
@@ -74,4 +74,4 @@ class UnusableSurface : public InputError {
 RepairedSurface repair_surface(TriangleSurface surface, const RepairLimits& limits, const std::string& name,
                                const Place& place);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Calls visit(a, b) for each segment in order, the closing one last where the line is closed.
 template <class Visit>
@@ -40,4 +40,4 @@ inline void keep_nearest(Projection& best, const Vec& point, const Vec& a, const
     if (here.distance < best.distance) best = here;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

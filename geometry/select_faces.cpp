@@ -16,7 +16,7 @@
 #include "geometry/segments.hpp"
 #include "geometry/surface_box.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -184,4 +184,4 @@ void select_faces(Geometry& geometry, const std::vector<FaceSelection>& selectio
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

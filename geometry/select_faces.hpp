@@ -5,7 +5,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Adds a surface set for each selection, in the plane a curve set, in their order; later ones may be of earlier ones.
 /// A triangle or a straight piece of a curve lies in a plane or box to within 1e-5 of the size of what it belongs to:
@@ -13,4 +13,4 @@ namespace dmp {
 /// one of nothing, one whose name is taken.
 void select_faces(Geometry& geometry, const std::vector<FaceSelection>& selections);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

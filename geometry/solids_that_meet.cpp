@@ -7,7 +7,7 @@
 #include "geometry/number_text.hpp"
 #include "geometry/surface_intersections.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<SolidMeeting> solids_that_overlap(const Geometry& geometry, const st
     return found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

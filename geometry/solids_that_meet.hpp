@@ -7,7 +7,7 @@
 
 #include "geometry/geometry.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Two solids that share room, or one whose surface goes through itself.
 struct SolidMeeting {
@@ -30,4 +30,4 @@ std::vector<SolidMeeting> solids_that_meet_themselves(const Geometry& geometry, 
 std::vector<SolidMeeting> solids_that_overlap(const Geometry& geometry, const std::vector<std::string>& names,
                                               double tolerance);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

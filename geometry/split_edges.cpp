@@ -10,7 +10,7 @@
 #include "geometry/surface_edges.hpp"
 #include "geometry/triangle_tree.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::size_t split_at_t_junctions(TriangleSurface& surface, double distance) {
     return count;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::vector<std::array<std::size_t, 3>> split_polygon(std::span<const Vec> corne
     return EarCutter(corners).cut();
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

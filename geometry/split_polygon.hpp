@@ -8,7 +8,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Polygons with more corners are not split: the time grows with the square of their number.
 inline constexpr std::size_t most_polygon_corners = 4096;
@@ -18,4 +18,4 @@ inline constexpr std::size_t most_polygon_corners = 4096;
 /// bound the same curve. Time grows with the square of its corners, at most.
 std::vector<std::array<std::size_t, 3>> split_polygon(std::span<const Vec> corners);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::geometry {
 
 TriangleSurface standing_strips(const std::vector<PlaneSegment>& segments, double height) {
     TriangleSurface strips;
@@ -23,4 +23,4 @@ TriangleSurface standing_strips(const std::vector<PlaneSegment>& segments, doubl
     return strips;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A straight piece of a curve of the plane.
 using PlaneSegment = std::array<Vec, 2>;
@@ -16,4 +16,4 @@ using PlaneSegment = std::array<Vec, 2>;
 /// (geometry/local_thickness.hpp) of them is the distance in the plane to what is opposite.
 [[nodiscard]] TriangleSurface standing_strips(const std::vector<PlaneSegment>& segments, double height);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The smallest box around a surface's corners; of none from infinity to -infinity.
 inline Box box_of(const TriangleSurface& surface) {
@@ -18,4 +18,4 @@ inline Box box_of(const TriangleSurface& surface) {
     return box;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

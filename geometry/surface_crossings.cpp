@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_along_x.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -111,4 +111,4 @@ SurfaceCrossings::SurfaceCrossings(const TriangleSurface& surface, const std::ve
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

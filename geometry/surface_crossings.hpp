@@ -7,7 +7,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A row of lines parallel to x, at one z and at y = first_y + k step_y, k in [0, lines).
 struct LineRow {
@@ -48,4 +48,4 @@ class SurfaceCrossings {
     std::size_t unbalanced_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dmp {
+namespace dmp::geometry {
 
 std::vector<SurfaceEdge> edges_of(const TriangleSurface& surface) {
     // A bucket for each lower corner; what is left to sort in one is short.
@@ -41,4 +41,4 @@ EdgeCounts count_edges(const TriangleSurface& surface) {
     return counts;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A side of a triangle; forward: the triangle runs through it from the corner with the lower number.
 struct SurfaceEdge {
@@ -41,4 +41,4 @@ struct EdgeCounts {
 };
 EdgeCounts count_edges(const TriangleSurface& surface);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

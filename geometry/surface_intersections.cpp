@@ -16,7 +16,7 @@
 #include "geometry/triangle_tree.hpp"
 #include "geometry/winding_number.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -128,4 +128,4 @@ SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other
     return found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -8,7 +8,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Pairs of triangles of one surface that have more in common than the corners and edges they share, the lower number
 /// first, ascending. Exact: decided with CGAL's predicates. Triangles without area are left out.
@@ -28,4 +28,4 @@ struct SolidOverlap {
 /// that both have has to be that far from both surfaces. The tolerance must be positive.
 SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other, double tolerance);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

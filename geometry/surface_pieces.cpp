@@ -11,7 +11,7 @@
 #include "base/disjoint_sets.hpp"
 #include "geometry/surface_edges.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 bool SurfacePiece::has_no_volume() const { return closed && std::abs(volume) <= 1e-9 * area * box.extent().maxCoeff(); }
 
@@ -106,4 +106,4 @@ TriangleSurface part_of(const TriangleSurface& surface, const std::vector<int>& 
     return part;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

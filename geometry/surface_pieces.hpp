@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A connected piece of a surface.
 struct SurfacePiece {
@@ -42,4 +42,4 @@ std::size_t separate_closed_pieces(TriangleSurface& surface);
 /// Some of a surface's triangles, with their corners.
 TriangleSurface part_of(const TriangleSurface& surface, const std::vector<int>& triangles);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -9,7 +9,7 @@
 #include "geometry/orient_surface.hpp"
 #include "geometry/surface_edges.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -53,4 +53,4 @@ TriangleSurface thickened_sheet(TriangleSurface sheet, double thickness,
     return body;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A connected sheet as a body that faces outward: a copy of it half a thickness [m] to either side, along the corners'
 /// mean normals, and a strip between the copies along its border, but for the edges that are `held`, of which it gets
@@ -13,4 +13,4 @@ namespace dmp {
 TriangleSurface thickened_sheet(TriangleSurface sheet, double thickness,
                                 const std::function<bool(const Vec&, const Vec&)>& held);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -9,7 +9,7 @@
 #include "geometry/exact_predicates.hpp"
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A triangle of a surface as lines parallel to x meet it.
 class TriangleAlongX {
@@ -60,4 +60,4 @@ class TriangleAlongX {
     int direction_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -19,7 +19,7 @@
 #include "geometry/surface_pieces.hpp"
 #include "geometry/triangle_file.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -212,4 +212,4 @@ Geometry read_triangle_drawing(const DrawingOptions& options) {
     return triangle_drawing(read_triangle_file(options.file, options.place), options);
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/triangle_soup.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Reads a drawing that is a file of triangles (triangle_file.hpp).
 Geometry read_triangle_drawing(const DrawingOptions& options);
@@ -38,4 +38,4 @@ InputError missing_unit(const DrawingOptions& options, const Box& box);
 [[nodiscard]] std::string why_open(const std::string& name, TriangleSurface& surface, const std::string& file,
                                    std::size_t* turned = nullptr);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

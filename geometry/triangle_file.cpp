@@ -9,7 +9,7 @@
 #include <fstream>
 #include <utility>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -64,4 +64,4 @@ TriangleSurface read_stl(const std::string& file, double unit, const Place& plac
     return surface;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_soup.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Whether the file is one of triangles, by its ending: .stl, .obj, .ply or .off.
 [[nodiscard]] bool is_triangle_file(const std::string& file);
@@ -27,4 +27,4 @@ TriangleSoup read_ply_text(std::string_view text, const std::string& file);
 /// Geomview's OFF as text, also with colours, normals or texture coordinates of its corners (COFF, NOFF, STOFF).
 TriangleSoup read_off_text(std::string_view text, const std::string& file);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -9,7 +9,7 @@
 #include "base/random_number.hpp"
 #include "geometry/split_polygon.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 std::size_t SoupBuilder::Hash::operator()(const std::array<double, 3>& place) const {
     std::uint64_t hash = 0;
@@ -70,4 +70,4 @@ TriangleSoup SoupBuilder::finish() {
     return std::move(soup_);
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

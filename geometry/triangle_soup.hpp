@@ -10,7 +10,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// What a file of triangles holds: one surface, each triangle of which belongs to a group.
 struct TriangleSoup {
@@ -46,4 +46,4 @@ class SoupBuilder {
     std::unordered_map<std::string, int> groups_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

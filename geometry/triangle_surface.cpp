@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace dmp {
+namespace dmp::geometry {
 
 double TriangleSurface::area() const {
     double sum = 0;
@@ -28,4 +28,4 @@ double TriangleSurface::enclosed_volume() const {
     return sum;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

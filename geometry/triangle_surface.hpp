@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A surface of triangles in space, with corners that triangles share.
 struct TriangleSurface {
@@ -28,4 +28,4 @@ struct TriangleSurface {
 /// file: a file that cannot be read, is no STL, ends early or holds a number that is not finite; no triangle at all.
 TriangleSurface read_stl(const std::string& file, double unit, const Place& place);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::optional<RayHit> TriangleTree::first_hit(const Vec& origin, const Vec& dire
     return best;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -11,7 +11,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Where a ray meets a surface.
 struct RayHit {
@@ -79,4 +79,4 @@ void TriangleTree::visit_box(const Vec& low, const Vec& high, const Visit& visit
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

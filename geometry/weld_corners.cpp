@@ -10,7 +10,7 @@
 
 #include "geometry/surface_edges.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -166,4 +166,4 @@ DroppedTriangles drop_useless_triangles(TriangleSurface& surface) {
     return dropped;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

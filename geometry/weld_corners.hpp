@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// Makes one corner of those that lie within a distance of each other [m]; 0: of those with equal coordinates. A corner
 /// that stays keeps its place, none is moved further than the distance. Returns how many corners are gone, those that
@@ -23,4 +23,4 @@ struct DroppedTriangles {
 /// corners, or all of them if as many face one side as the other and the surface does not become open by that.
 DroppedTriangles drop_useless_triangles(TriangleSurface& surface);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dmp {
+namespace dmp::geometry {
 
 double solid_angle(const Vec& point, const std::array<Vec, 3>& triangle) {
     const Vec a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
@@ -81,4 +81,4 @@ double WindingNumber::at(const Vec& point) const {
     return sum / (4 * std::numbers::pi);
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -7,7 +7,7 @@
 #include "geometry/triangle_surface.hpp"
 #include "geometry/triangle_tree.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The solid angle of a triangle seen from a point, above 0 where its back is seen, from -2 pi to 2 pi (van Oosterom
 /// and Strackee, IEEE Transactions on Biomedical Engineering 30 (1983) 125).
@@ -40,4 +40,4 @@ class WindingNumber {
     std::vector<Dipole> dipoles_;  ///< by node
 };
 
-}  // namespace dmp
+}  // namespace dmp::geometry

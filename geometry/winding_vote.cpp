@@ -9,7 +9,7 @@
 #include "geometry/surface_pieces.hpp"
 #include "geometry/winding_number.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::vector<int> turn_open_pieces(TriangleSurface& surface) {
     return sheets;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

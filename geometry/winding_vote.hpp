@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// What the winding number says about a surface in 20000 places of its box.
 struct WindingVote {
@@ -20,4 +20,4 @@ WindingVote vote_on(const TriangleSurface& surface);
 /// or its outside if the piece lies within others. Returns the triangles of pieces that have no inside: sheets.
 std::vector<int> turn_open_pieces(TriangleSurface& surface);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -5,7 +5,7 @@
 #include <limits>
 #include <system_error>
 
-namespace dmp {
+namespace dmp::geometry {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::optional<long long> whole_number_in(std::string_view word) {
     return value;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

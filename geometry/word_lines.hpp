@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// The lines of a text one after another, each cut into words at blanks. The text must outlive it.
 class WordLines {
@@ -41,4 +41,4 @@ class WordLines {
 /// The whole number that a word is.
 [[nodiscard]] std::optional<long long> whole_number_in(std::string_view word);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

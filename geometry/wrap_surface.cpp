@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
-namespace dmp {
+namespace dmp::geometry {
 
 TriangleSurface wrap_surface(const TriangleSurface& surface, double alpha, double offset) {
     if (!(alpha > 0) || !(offset > 0)) throw std::invalid_argument("wrap_surface: alpha and offset must be positive");
@@ -39,4 +39,4 @@ TriangleSurface wrap_surface(const TriangleSurface& surface, double alpha, doubl
     return wrapped;
 }
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::geometry {
 
 /// A closed surface without self-intersections around any triangles (Portaneri, Rouxel-Labbe, Hemmer, Cohen-Steiner and
 /// Alliez, ACM Transactions on Graphics 41 (2022) 127; CGAL's alpha_wrap_3). It keeps out of holes narrower than about
@@ -11,4 +11,4 @@ namespace dmp {
 /// grow with the surface's area over alpha squared. Throws std::invalid_argument for lengths that are not positive.
 TriangleSurface wrap_surface(const TriangleSurface& surface, double alpha, double offset);
 
-}  // namespace dmp
+}  // namespace dmp::geometry

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -99,4 +99,4 @@ NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>&
     return constants;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

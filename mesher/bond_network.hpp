@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// A solid of bonds between all that is near each other, of energy U = SUM k_ij (|r_ij| - r0_ij)^2. Of a uniform strain
 /// e that is V e : M : e, with the fourth moment M = SUM k_ij r0^2 n n n n / V of the bonds; where M is isotropic,
@@ -27,4 +28,4 @@ struct NetworkConstants {
 NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>& place, double youngs_modulus,
                                double volume, int dimension);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

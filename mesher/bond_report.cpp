@@ -3,7 +3,7 @@
 
 #include "base/disjoint_sets.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 std::vector<int> valence(const ParticleSet& set) {
     std::vector<int> bonds(set.size());
@@ -33,4 +33,4 @@ void count_bonds(MeshResult& result) {
         }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -3,7 +3,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Bonds of each node of a particle set.
 std::vector<int> valence(const ParticleSet& set);
@@ -12,4 +12,4 @@ std::vector<int> valence(const ParticleSet& set);
 /// them.
 void count_bonds(MeshResult& result);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

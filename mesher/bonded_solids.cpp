@@ -16,9 +16,10 @@
 #include "geometry/segments.hpp"
 #include "geometry/triangle_tree.hpp"
 #include "mesher/bond_network.hpp"
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -141,4 +142,4 @@ void number_bodies(ParticleSet& set) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

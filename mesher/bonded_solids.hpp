@@ -3,8 +3,9 @@
 
 #include "geometry/geometry.hpp"
 #include "mesher/mesh.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Bonds the particles of each solid with `bonds_within` where they are now, those that are so near each other and
 /// whose bond stays in the drawn solid, with stiffness as bond_network.hpp says; tells the report. Throws InputError
@@ -14,4 +15,4 @@ void bond_solids(MeshResult& result, const Geometry& geometry, const Scene& scen
 /// Numbers bodies anew: what bonds hold together, by way of walls too, in the order of their first nodes.
 void number_bodies(ParticleSet& set);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

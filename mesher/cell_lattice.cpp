@@ -13,7 +13,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -131,4 +131,4 @@ SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& 
     return lattice;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

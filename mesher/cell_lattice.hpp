@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Nodes in space and the springs between them, numbered as the nodes are.
 struct SpringLattice {
@@ -57,4 +58,4 @@ inline SpringLattice cell_lattice(const std::vector<Vec>& points, const CellCons
 /// For points of such a grid, whether each is a corner of a cell whose corners are all there. Throws as above.
 std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step, int dimension = 3);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

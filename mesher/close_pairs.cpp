@@ -1,9 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/close_pairs.hpp"
 
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Images across both ends of an axis, of particles and of the images there are already.
 void ClosePairs::add_images(const ParticleSet& set, int axis, double reach) {
@@ -91,4 +92,4 @@ std::size_t ClosePairs::bytes() const {
     return bytes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

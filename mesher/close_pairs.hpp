@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "particles/periodic_images.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// For each particle the others near it, periodic images and mirror images too, listed once for several looks while
 /// particles move a little.
@@ -50,4 +51,4 @@ class ClosePairs {
     std::vector<std::int32_t> listed_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

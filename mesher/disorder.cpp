@@ -4,9 +4,10 @@
 #include <sstream>
 
 #include "base/random_number.hpp"
+#include "mesher/uses.hpp"
 #include "particles/periodic_images.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 double Disorder::displacement(std::uint64_t id, int axis) const {
     return amplitude * (2 * random_number({seed, id, static_cast<std::uint64_t>(axis)}) - 1);
@@ -32,4 +33,4 @@ void disturb(ParticleSet& set, const Disorder& disorder,
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,9 +5,10 @@
 #include <functional>
 #include <string>
 
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Random displacements of fluid particles from their lattice.
 struct Disorder {
@@ -24,4 +25,4 @@ struct Disorder {
 /// Displaces the fluid particles; one that may not stand in its new place stays in its old one.
 void disturb(ParticleSet& set, const Disorder& disorder, const std::function<bool(std::size_t, const Vec&)>& may_stand);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -39,4 +39,4 @@ DrawingOptions drawing_of(const Scene& scene) {
     return options;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "geometry/geometry.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// What a scene asks of its drawing: the file, its unit where the scene gives it, parameters and selections. Curves in
 /// the plane are followed to a thousandth of a spacing, surfaces in space to a two-hundredth: their triangles grow with
 /// the inverse of that.
 [[nodiscard]] DrawingOptions drawing_of(const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

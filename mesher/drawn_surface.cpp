@@ -8,10 +8,11 @@
 #include "geometry/inside_test.hpp"
 #include "geometry/points_inside.hpp"
 #include "geometry/segments.hpp"
+#include "mesher/uses.hpp"
 #include "particles/kernels.hpp"
 #include "particles/periodic_images.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -241,4 +242,4 @@ std::optional<Projection> DrawnSurface::nearest(const Vec& point) const {
     return nearest;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

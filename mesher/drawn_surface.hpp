@@ -7,11 +7,12 @@
 #include "geometry/geometry.hpp"
 #include "geometry/nearest_curve.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// What moves until it follows the drawing, by who has the room first: solids of springs with bonds_within, then
 /// fluids.
@@ -58,4 +59,4 @@ class DrawnSurface {
     std::optional<NearestTriangle> triangles_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -99,4 +99,4 @@ TriangleSurface facing_part(const TriangleSurface& surface, double distance,
     return whole;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

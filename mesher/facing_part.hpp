@@ -4,8 +4,9 @@
 #include <functional>
 
 #include "geometry/triangle_surface.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// The part of a surface for whose places `counts(place, normal)` holds: whole triangles where it does all over, else
 /// pieces of them. It is looked at in places about `distance` [m] apart, and cut to within a quarter of that; no piece
@@ -13,4 +14,4 @@ namespace dmp {
 [[nodiscard]] TriangleSurface facing_part(const TriangleSurface& surface, double distance,
                                           const std::function<bool(const Vec& place, const Vec& normal)>& counts);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -11,8 +11,9 @@
 #include <set>
 
 #include "geometry/segments.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -251,4 +252,4 @@ std::vector<FeaturePlace> edge_places(const std::vector<const TriangleSurface*>&
     return Edges(surfaces, is_fluid, spacing).places();
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Where the surfaces half a spacing before and behind a corner or an edge have theirs: a particle's place.
 struct FeaturePlace {
@@ -34,4 +35,4 @@ std::vector<FeaturePlace> corner_places(const std::vector<const CurveSet*>& curv
 std::vector<FeaturePlace> edge_places(const std::vector<const TriangleSurface*>& surfaces, const IsFluid& is_fluid,
                                       double spacing);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

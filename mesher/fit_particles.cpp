@@ -14,9 +14,10 @@
 #include "mesher/fit_to_surfaces.hpp"
 #include "mesher/keep_particles.hpp"
 #include "mesher/searchable_particles.hpp"
+#include "mesher/uses.hpp"
 #include "particles/kernels.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -198,4 +199,4 @@ void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& sc
     result.report.notes.push_back(note.str());
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

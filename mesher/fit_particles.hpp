@@ -8,8 +8,9 @@
 #include "geometry/geometry.hpp"
 #include "mesher/features.hpp"
 #include "mesher/mesh.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// The nearest point of the walls' surfaces.
 struct NearestWall {
@@ -47,4 +48,4 @@ struct FitBounds {
 /// equally.
 void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& scene, const FitBounds& bounds);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

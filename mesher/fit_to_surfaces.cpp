@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "mesher/close_pairs.hpp"
+#include "mesher/uses.hpp"
 #include "particles/kernels.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -224,4 +225,4 @@ Fit fit_to_surfaces(ParticleSet& set, double support, const std::vector<std::uin
                               : fit<2>(set, support, held, hold_of, threads, settled, most_iterations);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

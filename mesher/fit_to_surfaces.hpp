@@ -6,9 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// The nearest point of the surface that a particle may not cross, and the unit vector from it to the particle's side.
 struct SurfaceHold {
@@ -38,4 +39,4 @@ struct Fit {
 Fit fit_to_surfaces(ParticleSet& set, double support, const std::vector<std::uint8_t>& held, const HoldOf& hold_of,
                     int threads, double settled = 2e-3, int most_iterations = 250);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

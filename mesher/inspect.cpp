@@ -9,7 +9,7 @@
 #include "mesher/stopwatch.hpp"
 #include "mesher/surface_error.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 MeshDetail inspect(MeshResult& result, const Geometry& geometry, const Scene& scene) {
     const ParticleSet& set = result.particles;
@@ -33,4 +33,4 @@ MeshDetail inspect(MeshResult& result, const Geometry& geometry, const Scene& sc
     return detail;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,7 +5,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// What was found out about each particle, for pictures.
 struct MeshDetail {
@@ -17,4 +17,4 @@ struct MeshDetail {
 /// scenes of spheres it does nothing.
 MeshDetail inspect(MeshResult& result, const Geometry& geometry, const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

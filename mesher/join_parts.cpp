@@ -8,9 +8,10 @@
 
 #include "base/length_text.hpp"
 #include "mesher/bonded_solids.hpp"
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -182,4 +183,4 @@ void join_parts(MeshResult& result, const Scene& scene) {
     number_bodies(result.particles);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -3,7 +3,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Makes the bonds that the scene's [[join]] ask for, where the particles are now, and one body of what they join; says
 /// so in the report. No bond is made between two particles that are held, a second one between the same two, nor one
@@ -11,4 +11,4 @@ namespace dmp {
 /// 1969). Throws InputError for a join that finds nothing within its reach.
 void join_parts(MeshResult& result, const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

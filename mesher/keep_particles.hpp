@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "mesher/mesh.hpp"
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Keeps the particles that `keep` is not 0 for, in their order; of no bonds, which would change their numbers.
 inline void keep_particles(ParticleSet& set, const std::vector<std::uint8_t>& keep) {
@@ -33,4 +34,4 @@ inline void share_volume(ParticleSet& set, int part, MeshReport::PartLine& line)
     line.reached = line.target;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::mesher {
 
 std::array<double, 2> Lattice::wanted_step(double spacing, Arrangement arrangement) {
     if (arrangement == Arrangement::square) return {spacing, spacing};
@@ -46,4 +46,4 @@ std::vector<Vec> Lattice::points(double margin) const {
     return points;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// A square or hexagonal lattice of points that fits a box: along periodic axes a whole number of cells makes one
 /// period, along the others the first row lies half a cell inside the box. A point stands for spacing^2 in both, so
@@ -36,4 +37,4 @@ class Lattice {
     std::array<double, 2> step_{};
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

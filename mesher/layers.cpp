@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::vector<MeshReport::LayerLine> LayerCount::lines() const {
     return lines;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

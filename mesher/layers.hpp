@@ -8,7 +8,7 @@
 #include "mesher/mesh.hpp"
 #include "mesher/searchable_particles.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// How far layers of fluid are counted [spacings].
 inline constexpr double layers_of_fluid = 5;
@@ -48,4 +48,4 @@ class LayerCount {
     std::map<int, Walks> walks_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

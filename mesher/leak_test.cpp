@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -158,4 +158,4 @@ class Flood {
 
 MeshReport::LeakLine find_leaks(const ParticleSet& set) { return Flood(set).run(); }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "mesher/mesh.hpp"
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Whether walls hold the fluid in: floods the space around the particles, in cells of half a spacing, from cell to
 /// cell through their sides. The flood starts at the outer sides of the box, a spacing off the outermost particles, and
@@ -15,4 +16,4 @@ namespace dmp {
 /// box.
 MeshReport::LeakLine find_leaks(const ParticleSet& set);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

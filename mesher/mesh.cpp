@@ -19,7 +19,7 @@
 #include "mesher/stopwatch.hpp"
 #include "mesher/thin_places.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -133,4 +133,4 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     return result;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

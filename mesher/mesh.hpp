@@ -10,10 +10,11 @@
 #include "mesher/bond_network.hpp"
 #include "mesher/cell_lattice.hpp"
 #include "mesher/shell_lattice.hpp"
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// What the mesher made, in numbers.
 struct MeshReport {
@@ -171,4 +172,4 @@ struct MeshResult {
 /// that come out negative, a fluid with no particles, ...
 MeshResult mesh(const Geometry& geometry, const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -8,10 +8,11 @@
 
 #include "base/closest_point.hpp"
 #include "mesher/sphere_builder.hpp"
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 #include "particles/touching_spheres.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -146,4 +147,4 @@ MeshResult mesh_spheres(const Scene& scene) {
     return result;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -3,7 +3,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Whether the scene is one of spheres and their walls, which has no drawing.
 bool is_of_spheres(const Scene& scene);
@@ -13,4 +13,4 @@ bool is_of_spheres(const Scene& scene);
 /// a wall at the start (named, with their place).
 MeshResult mesh_spheres(const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

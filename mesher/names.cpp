@@ -11,8 +11,9 @@
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
 #include "mesher/particle_builder.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -203,4 +204,4 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

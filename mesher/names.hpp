@@ -2,9 +2,10 @@
 #pragma once
 
 #include "geometry/geometry.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Checks that each part finds its region or curve, each anchor its points, and that every name in the drawing is used.
 /// Throws InputError with the scene's place and the nearest right name.
@@ -14,4 +15,4 @@ void check_names(const Geometry& geometry, const Scene& scene);
 /// match each other. `box` is the fluid's. Throws InputError with the place of the opening.
 void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

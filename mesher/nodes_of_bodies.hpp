@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Where the nodes of spring bodies in the plane stand, for others to keep away from them.
 class NodesOfBodies {
@@ -37,4 +38,4 @@ class NodesOfBodies {
     CellGrid grid_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

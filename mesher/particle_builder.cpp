@@ -13,7 +13,7 @@
 #include "mesher/relax.hpp"
 #include "mesher/sample_fluids.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -305,4 +305,4 @@ MeshResult ParticleBuilder::finish() {
     return std::move(result_);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

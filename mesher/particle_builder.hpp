@@ -10,8 +10,9 @@
 #include "mesher/lattice.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/nodes_of_bodies.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// The sides of the box that are planes of symmetry: by axis, low and high.
 std::array<std::array<bool, 2>, 3> mirrored_sides(const Scene& scene);
@@ -121,4 +122,4 @@ class ParticleBuilder {
     MeshResult result_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -8,7 +8,7 @@
 #include "mesher/spring_bodies.hpp"
 #include "mesher/spring_lattice.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -248,4 +248,4 @@ std::vector<bool> ParticleBuilder::anchored_columns(const Part& part, const Poly
     return anchored;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

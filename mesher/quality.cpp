@@ -9,9 +9,10 @@
 
 #include "base/length_text.hpp"
 #include "mesher/searchable_particles.hpp"
+#include "mesher/uses.hpp"
 #include "particles/kernels.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -174,4 +175,4 @@ void measure_quality(MeshResult& result, const Scene& scene) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

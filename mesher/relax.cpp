@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "mesher/searchable_particles.hpp"
+#include "mesher/uses.hpp"
 #include "particles/kernels.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -84,4 +85,4 @@ void mark_seated(ParticleSet& set, double contact_range) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -3,9 +3,10 @@
 
 #include <functional>
 
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// In space a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
 /// out: fluid keeps this distance from a body's nodes [spacings].
@@ -21,4 +22,4 @@ void relax_around_bodies(ParticleSet& set, double support,
 /// Marks spring nodes drawn so near a wall that contact would push from the start: nearer than `contact_range` [m].
 void mark_seated(ParticleSet& set, double contact_range);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

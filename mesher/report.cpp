@@ -4,7 +4,7 @@
 #include "base/length_text.hpp"
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -209,4 +209,4 @@ std::string MeshReport::text() const {
     return text;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -3,7 +3,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::string MeshReport::json() const {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -12,9 +12,10 @@
 
 #include "base/random_number.hpp"
 #include "mesher/close_pairs.hpp"
+#include "mesher/uses.hpp"
 #include "particles/kernels.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -245,4 +246,4 @@ std::string sample_fluids(ParticleSet& set, double cell_volume, std::uint64_t se
     return note.str();
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,9 +5,10 @@
 #include <functional>
 #include <string>
 
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// The number of the fluid part (index into ParticleSet::parts) in whose room a place of the box lies; -1: none. Any
 /// number of threads asks at once.
@@ -25,4 +26,4 @@ using FluidPartAt = std::function<int(const Vec& place)>;
 std::string sample_fluids(ParticleSet& set, double cell_volume, std::uint64_t seed, const FluidPartAt& part_at,
                           int threads);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

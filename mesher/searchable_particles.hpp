@@ -4,10 +4,11 @@
 #include <cmath>
 #include <vector>
 
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// A particle set with its periodic images and those at planes of symmetry, sorted for neighbour search.
 class SearchableParticles {
@@ -79,4 +80,4 @@ class SearchableParticles {
     int dimension_ = 2;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -11,8 +11,9 @@
 #include "geometry/segments.hpp"
 #include "geometry/surface_pieces.hpp"
 #include "geometry/thickened_sheet.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -139,4 +140,4 @@ std::vector<std::string> ShellGaps::narrow_edges() const {
     return said;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -9,9 +9,10 @@
 #include "geometry/geometry.hpp"
 #include "geometry/local_thickness.hpp"
 #include "geometry/nearest_triangle.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// The sheets of springs of a drawing in space, each connected piece for itself, and how near they come to what is
 /// beside them. No fluid passes an edge that touches a wall, a body or another sheet: it is held.
@@ -52,4 +53,4 @@ class ShellGaps {
     std::vector<TriangleSurface> bodies_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

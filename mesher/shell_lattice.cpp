@@ -11,9 +11,10 @@
 
 #include "base/errors.hpp"
 #include "base/length_text.hpp"
+#include "mesher/uses.hpp"
 #include "particles/dihedral_angle.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -153,4 +154,4 @@ SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<st
     return lattice;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

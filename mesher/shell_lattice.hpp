@@ -6,7 +6,7 @@
 
 #include "mesher/cell_lattice.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Spring constants of a shell: two layers of the same triangles, t apart, with bonds along the edges of each layer
 /// (k_b), a rung from each node to its partner (k_r), both diagonals between the layers at each edge (k_c), and a
@@ -47,4 +47,4 @@ ShellConstants shell_constants(double membrane_stiffness, double bending_stiffne
 SpringLattice shell_lattice(const std::vector<Vec>& points, const std::vector<std::array<int, 3>>& triangles,
                             const ShellConstants& constants);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

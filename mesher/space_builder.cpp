@@ -12,8 +12,9 @@
 #include "geometry/surface_crossings.hpp"
 #include "geometry/winding_number.hpp"
 #include "mesher/particle_builder.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -291,4 +292,4 @@ MeshResult SpaceBuilder::finish() {
     return std::move(result_);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -12,8 +12,9 @@
 #include "mesher/mesh.hpp"
 #include "mesher/space_lattice.hpp"
 #include "mesher/spring_bodies.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Builds the particle set of a 3-D drawing: fluids fill their solids, walls stand behind the surfaces they are named
 /// after, or fill the outer layers of a solid of that name; springs fill their solids, or stand to both sides of
@@ -198,4 +199,4 @@ void SpaceBuilder::for_each_point(const Visit& visit) const {
 /// The box around the fluid solids of the scene; along periodic axes exactly one period.
 Box fluid_box_in_space(const Geometry& geometry, const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -11,8 +11,9 @@
 #include "geometry/winding_number.hpp"
 #include "mesher/facing_part.hpp"
 #include "mesher/space_builder.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -136,4 +137,4 @@ void SpaceBuilder::leave_out_hidden_faces() {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

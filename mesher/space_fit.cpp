@@ -8,7 +8,7 @@
 #include "mesher/space_builder.hpp"
 #include "mesher/vacancy.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 FitBounds SpaceBuilder::bounds() const {
     FitBounds bounds;
@@ -54,4 +54,4 @@ Vec SpaceBuilder::into_fluid(const Vec& place, int face, int triangle) const {
     return owner_near(place + spacing_ * across) >= 0 ? across : Vec(-across);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

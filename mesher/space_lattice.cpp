@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -61,4 +61,4 @@ double SpaceLattice::first_x(std::size_t row, int line) const {
     return low_x_ + (0.5 + stagger - outside_[0]) * step_[0];
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

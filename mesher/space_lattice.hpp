@@ -6,9 +6,10 @@
 
 #include "base/vec.hpp"
 #include "geometry/surface_crossings.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// A cubic, face-centred cubic (fcc) or hexagonal close-packed (hcp) lattice of points that fits a box, as lines of
 /// points along x: along periodic axes a whole number of cells makes one period, along the others the first points lie
@@ -47,4 +48,4 @@ class SpaceLattice {
     std::vector<LineRow> rows_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -10,8 +10,9 @@
 #include "mesher/relax.hpp"
 #include "mesher/space_builder.hpp"
 #include "mesher/spring_bodies.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -226,4 +227,4 @@ bool SpaceBuilder::is_in_a_shell(const Vec& point) const {
                                [&](const NearestTriangle& shell) { return is_within(shell, point, spacing_); });
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -8,7 +8,7 @@
 #include "mesher/searchable_particles.hpp"
 #include "mesher/space_builder.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -167,4 +167,4 @@ void SpaceBuilder::add_walls(const Part& part) {
     result_.report.parts.push_back(line);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

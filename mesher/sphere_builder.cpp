@@ -12,8 +12,9 @@
 #include "geometry/triangle_surface.hpp"
 #include "mesher/sphere_packing.hpp"
 #include "mesher/sphere_table.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -214,4 +215,4 @@ void SphereBuilder::add_spheres(const Part& part) {
     result_.report.spheres.push_back(line);
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

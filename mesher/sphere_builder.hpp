@@ -3,7 +3,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Builds the particle set of a scene of spheres part by part: walls, spheres whose places are given, those around
 /// others, those that fill what is left of a box.
@@ -40,4 +40,4 @@ class SphereBuilder {
     MeshResult result_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -8,9 +8,10 @@
 #include <numbers>
 
 #include "base/random_number.hpp"
+#include "mesher/uses.hpp"
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -149,4 +150,4 @@ std::optional<std::vector<Vec>> pack_room(const Room& room, double radius, int c
     return points;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "mesher/uses.hpp"
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// How many spheres of radius r hide the part `coverage` of the surface of one of radius R they sit on, rounded:
 /// coverage = N r^2 / (4 (R + r)^2), their cross sections over the sphere through their centres.
@@ -32,4 +33,4 @@ struct Room {
 /// same seed. Nothing where no room was found, at volume fractions beyond about 0.6.
 std::optional<std::vector<Vec>> pack_room(const Room& room, double radius, int count, std::uint64_t seed);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -9,9 +9,10 @@
 #include <optional>
 
 #include "base/nearest_name.hpp"
+#include "mesher/uses.hpp"
 #include "scene/quantity.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -144,4 +145,4 @@ SphereTable read_sphere_table(const std::string& file, const Place& place) {
     return table;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -7,7 +7,7 @@
 #include "base/errors.hpp"
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Spheres as a table lists them; what it has no columns for is empty.
 struct SphereTable {
@@ -27,4 +27,4 @@ struct SphereTable {
 /// unknown, doubled, missing or has no unit, a row of another length, what is no number.
 SphereTable read_sphere_table(const std::string& file, const Place& place);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -10,8 +10,9 @@
 
 #include "base/disjoint_sets.hpp"
 #include "geometry/remesh_surface.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -149,4 +150,4 @@ void note_open_ends(const ParticleSet& set, std::size_t first, const std::string
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -8,9 +8,10 @@
 #include "mesher/cell_lattice.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/shell_lattice.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// A body of springs on cells or in layers, and what each of its nodes stands for.
 struct SpringBody {
@@ -53,4 +54,4 @@ void add_springs_of(const SpringLattice& lattice, std::size_t first, ParticleSet
 void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,
                     std::vector<std::string>& notes);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

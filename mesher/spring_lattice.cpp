@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -130,4 +130,4 @@ Ladder ladder_along(const Polyline& curve, double spacing) {
     return ladder;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "geometry/geometry.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Spring constants of a ladder: two rows of nodes `across` apart (b), columns `along` apart (a), a bond along each row
 /// cell and across each column (a rung), and in each cell hinges at its four corners, bonds along its two diagonals, or
@@ -65,4 +66,4 @@ struct Ladder {
 /// Columns `spacing` apart, or slightly more or less so that they end where the curve ends.
 Ladder ladder_along(const Polyline& curve, double spacing);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -5,7 +5,7 @@
 
 #include <sys/resource.h>
 
-namespace dmp {
+namespace dmp::mesher {
 
 void Stopwatch::lap(const std::string& stage) {
     const auto now = std::chrono::steady_clock::now();
@@ -27,4 +27,4 @@ MeshReport::Stage MeshReport::Cost::of(const std::string& stage) const {
     return found == stages.end() ? Stage{stage, 0, 0} : *found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

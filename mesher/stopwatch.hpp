@@ -7,7 +7,7 @@
 
 #include "mesher/mesh.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Takes down how long the stages of a mesh are, and the most memory that the program has had.
 class Stopwatch {
@@ -23,4 +23,4 @@ class Stopwatch {
     std::clock_t last_processor_ = std::clock();
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

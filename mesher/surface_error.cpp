@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -83,4 +83,4 @@ MeshReport::SurfaceLine surface_error(const ParticleSet& set, const SearchablePa
     return line;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

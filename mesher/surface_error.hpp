@@ -7,7 +7,7 @@
 #include "mesher/mesh.hpp"
 #include "mesher/searchable_particles.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// How far searches for the nearest particle of a place on the surface go [spacings].
 inline constexpr double surface_search = 3;
@@ -23,4 +23,4 @@ inline constexpr double surface_search = 3;
 MeshReport::SurfaceLine surface_error(const ParticleSet& set, const SearchableParticles& search,
                                       const DrawnSurface& surface, int part, std::vector<float>& error);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

@@ -18,8 +18,9 @@
 #include "mesher/particle_builder.hpp"
 #include "mesher/shell_gaps.hpp"
 #include "mesher/space_builder.hpp"
+#include "mesher/uses.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 namespace {
 
@@ -210,4 +211,4 @@ std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scen
     return said;
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

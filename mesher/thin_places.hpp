@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// What of a scene is too thin for its particles, one line a part, with the thinnest place: gaps between walls, or
 /// between a body in the fluid and anything else, of fewer than 3 fluid particles; in space rigid bodies thinner than
@@ -15,4 +16,4 @@ namespace dmp {
 /// flexible curve and what is next to it. Periodic sides and planes of symmetry are no walls.
 std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::mesher

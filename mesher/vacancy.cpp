@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::mesher {
 
 Vacancy::Vacancy(const Geometry& geometry, const Scene& scene) {
     for (const Part* fluid : scene.parts_of(PartKind::fluid))
@@ -20,4 +20,4 @@ int Vacancy::fluid_at(const Vec& point) const {
     return found == fluids_.end() ? -1 : static_cast<int>(found - fluids_.begin());
 }
 
-}  // namespace dmp
+}  // namespace dmp::mesher

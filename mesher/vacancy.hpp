@@ -5,9 +5,10 @@
 
 #include "geometry/geometry.hpp"
 #include "geometry/winding_number.hpp"
+#include "mesher/uses.hpp"
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::mesher {
 
 /// Which fluid of a drawing in space has the room at a point, by the winding numbers of the solids: where no wall and
 /// no body of springs has it, the first that holds the point.
@@ -22,4 +23,4 @@ class Vacancy {
     std::vector<WindingNumber> fluids_, bodies_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::mesher

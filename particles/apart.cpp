@@ -8,7 +8,7 @@
 #include "base/length_text.hpp"
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 namespace {
 
@@ -62,4 +62,4 @@ void check_apart(const ParticleSet& set) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -3,7 +3,7 @@
 
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 /// Two particles nearer to each other than this [spacings] count as one place taken twice.
 inline constexpr double nearest_apart = 1e-3;
@@ -12,4 +12,4 @@ inline constexpr double nearest_apart = 1e-3;
 /// nearer to each other than nearest_apart: forces between them would be without measure.
 void check_apart(const ParticleSet& particles);
 
-}  // namespace dmp
+}  // namespace dmp::particles

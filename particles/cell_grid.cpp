@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::particles {
 
 CellGrid::CellGrid(const Coordinates& points, std::size_t count, int dimension, double cell_size)
     : dimension_(dimension) {
@@ -43,4 +43,4 @@ CellGrid::CellGrid(const Coordinates& points, std::size_t count, int dimension, 
     for (std::size_t i = 0; i < count; ++i) order_[next[cell[i]]++] = static_cast<int>(i);
 }
 
-}  // namespace dmp
+}  // namespace dmp::particles

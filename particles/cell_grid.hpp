@@ -7,7 +7,7 @@
 
 #include "particles/periodic_images.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 /// Points sorted into square or cubic cells, x fastest, so that the cells around a point are a few runs of memory.
 class CellGrid {
@@ -60,4 +60,4 @@ class CellGrid {
     std::vector<int> order_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::particles

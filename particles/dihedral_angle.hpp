@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 /// phi of a Dihedral over these places, in (-pi, pi] [rad].
 inline double dihedral_angle(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
@@ -14,4 +14,4 @@ inline double dihedral_angle(const Vec& a, const Vec& b, const Vec& c, const Vec
     return std::atan2(second.cross(first).dot(axis) / axis.norm(), first.dot(second));
 }
 
-}  // namespace dmp
+}  // namespace dmp::particles

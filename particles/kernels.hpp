@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace dmp {
+namespace dmp::particles {
 
 /// Smoothing kernels W(r) with compact support: W = 0 for r >= support, the integral of W over space is 1.
 /// `value` is W(r) [1/m^D], `slope` is (1/r) dW/dr [1/m^(D+2)], so that grad_i W(|x_i - x_j|) = slope (x_i - x_j).
@@ -185,4 +185,4 @@ class QuinticSpline {
     double inverse_h_, constant_, slope_constant_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::particles

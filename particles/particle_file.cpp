@@ -11,7 +11,7 @@
 
 #include "base/sealed_file.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 namespace fs = std::filesystem;
 
@@ -386,4 +386,4 @@ StoredParticles read_particle_file(const fs::path& file) {
 
 ParticleSet read_particles(const fs::path& file) { return read_particle_file(file).particles; }
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -8,7 +8,7 @@
 
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 /// Writes all of a particle set to one sealed HDF5 file, whole or not at all; docs/files.md names the datasets.
 /// `made_from`: lines that say what the particles were made from, kept with them as they are. Throws ResourceError when
@@ -29,4 +29,4 @@ StoredParticles read_particle_file(const std::filesystem::path& file);
 /// The same without what they were made from.
 ParticleSet read_particles(const std::filesystem::path& file);
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::particles {
 
 int ParticleSpace::part_named(const std::string& name) const {
     const auto found = std::ranges::find(parts, name, &PartInfo::name);
@@ -15,4 +15,4 @@ std::size_t ParticleSet::count(ParticleKind wanted) const {
         part.begin(), part.end(), [&](int p) { return parts[static_cast<std::size_t>(p)].kind == wanted; }));
 }
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -9,7 +9,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 enum class ParticleKind : std::uint8_t { fluid, rigid, springs, spheres };
 
@@ -110,4 +110,4 @@ struct ParticleSet : ParticleSpace {
     [[nodiscard]] bool has_spheres() const { return !radius.empty(); }
 };
 
-}  // namespace dmp
+}  // namespace dmp::particles

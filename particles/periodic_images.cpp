@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::particles {
 
 std::vector<PeriodicImage> periodic_images(const Coordinates& points, std::size_t count, const Box& box,
                                            const std::array<bool, 3>& periodic, double reach) {
@@ -40,4 +40,4 @@ double wrapped(double x, double low, double high) {
     return moved;
 }
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -7,7 +7,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 /// Coordinates of many points, one array an axis; unused axes are empty in the third entry of a 2-D set.
 using Coordinates = std::array<std::vector<double>, 3>;
@@ -27,4 +27,4 @@ std::vector<PeriodicImage> periodic_images(const Coordinates& points, std::size_
 /// `x` moved by whole periods into [low, high), unchanged where it lies there already.
 double wrapped(double x, double low, double high);
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -7,7 +7,7 @@
 
 #include "particles/cell_grid.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::vector<TouchingSpheres> touching_spheres(const ParticleSet& set) {
     return pairs;
 }
 
-}  // namespace dmp
+}  // namespace dmp::particles

@@ -5,7 +5,7 @@
 
 #include "particles/particle_set.hpp"
 
-namespace dmp {
+namespace dmp::particles {
 
 /// Two spheres that touch or lie in each other.
 struct TouchingSpheres {
@@ -17,4 +17,4 @@ struct TouchingSpheres {
 /// pairs whatever the mix of radii: each size class has its own grid, and larger spheres look for smaller ones.
 std::vector<TouchingSpheres> touching_spheres(const ParticleSet& set);
 
-}  // namespace dmp
+}  // namespace dmp::particles

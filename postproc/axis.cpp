@@ -8,7 +8,7 @@
 
 #include "base/length_text.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string axis_label(const std::string& name, const std::string& unit) {
     return printed.empty() ? text : text + " [" + printed + "]";
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// Round numbers (1, 2 or 5 times a power of ten apart) in [low, high], about `about` of them, and their texts.
 struct Ticks {
@@ -26,4 +26,4 @@ std::string printed_unit(const std::string& unit);
 /// "inlet_flux", "m^2/s" -> "inlet flux [m²/s]".
 std::string axis_label(const std::string& name, const std::string& unit);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

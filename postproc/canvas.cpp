@@ -15,7 +15,7 @@
 #include "base/safe_file.hpp"
 #include "postproc/vtk_messages.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -214,4 +214,4 @@ void Canvas::save(const std::filesystem::path& file) const {
                       static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

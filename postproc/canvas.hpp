@@ -9,7 +9,7 @@
 
 #include "postproc/colour_map.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// 8-bit RGB, top row first.
 struct Image {
@@ -60,4 +60,4 @@ class Canvas {
     Image image_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

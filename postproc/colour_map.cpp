@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::postproc {
 
 ColourMap::ColourMap(double low, double high, std::vector<Colour> anchors)
     : low_(low), high_(high), anchors_(std::move(anchors)) {}
@@ -58,4 +58,4 @@ Colour ColourMap::operator()(double value) const {
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

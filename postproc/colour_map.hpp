@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dmp {
+namespace dmp::postproc {
 
 struct Colour {
     std::uint8_t red = 0, green = 0, blue = 0;
@@ -43,4 +43,4 @@ class ColourMap {
     std::vector<Colour> anchors_;  ///< evenly spaced from low to high
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

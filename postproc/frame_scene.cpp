@@ -12,7 +12,7 @@
 #include "postproc/group_box.hpp"
 #include "postproc/viewpoint.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace fs = std::filesystem;
 
@@ -240,4 +240,4 @@ std::string time_text(double seconds, double scale) {
     return text.data();
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

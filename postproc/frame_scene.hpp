@@ -10,9 +10,10 @@
 #include "postproc/colour_map.hpp"
 #include "postproc/particle_view.hpp"
 #include "postproc/read_frames.hpp"
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// What is seen at one time, walls at rest aside.
 struct RunFrame {
@@ -95,4 +96,4 @@ std::size_t count_outside(const RunFrame& frame, const Box& area, int dimension)
 /// "1.25 s"; the prefix is the one that suits `scale` [s], the same for all times of a run.
 std::string time_text(double seconds, double scale);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

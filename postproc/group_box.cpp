@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dmp {
+namespace dmp::postproc {
 
 Vec place_of(const FrameGroup& group, std::size_t particle) {
     const float* place = &group.position[3 * particle];
@@ -48,4 +48,4 @@ void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit)
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

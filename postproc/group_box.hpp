@@ -5,9 +5,10 @@
 #include <string>
 
 #include "base/vec.hpp"
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 [[nodiscard]] Vec place_of(const FrameGroup& group, std::size_t particle);
 [[nodiscard]] bool is_finite(const Vec& place);
@@ -25,4 +26,4 @@ void include(Box& box, const Vec& place);
 /// Particles that are nowhere do not count.
 void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -8,7 +8,7 @@
 
 #include "postproc/group_box.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -308,4 +308,4 @@ std::vector<ParticleLayer> layers_of(const Look& look, const Seen& seen, const s
     return layers;
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -11,7 +11,7 @@
 #include "postproc/frame_scene.hpp"
 #include "postproc/viewpoint.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// One drawing of a run's frames: what it shows, and from where.
 struct Look {
@@ -50,4 +50,4 @@ Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGrou
 std::vector<ParticleLayer> layers_of(const Look& look, const Seen& seen, const std::string& field,
                                      const ColourScale& scale);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -7,7 +7,7 @@
 
 #include "postproc/axis.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -128,4 +128,4 @@ Canvas draw_measures(const MeasureSeries& measures, const std::string& title, in
     return canvas;
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

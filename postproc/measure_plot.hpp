@@ -2,12 +2,13 @@
 #pragma once
 
 #include "postproc/canvas.hpp"
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// One panel a measure over a common time axis, `width` pixels wide. Missing values leave a gap in the curve.
 /// The series must hold a measure and a row.
 Canvas draw_measures(const MeasureSeries& measures, const std::string& title, int width);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -12,7 +12,7 @@
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_messages.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -218,4 +218,4 @@ Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshLook
     return painter.pictures();
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

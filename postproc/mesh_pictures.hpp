@@ -9,7 +9,7 @@
 #include "base/vec.hpp"
 #include "postproc/pictures.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// Particles before they move, and what is known of each.
 struct MeshLook {
@@ -36,4 +36,4 @@ struct MeshLook {
 /// take them.
 Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshLook& look, int width = 1600);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

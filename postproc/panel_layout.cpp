@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -138,4 +138,4 @@ Image PanelLayout::draw(int panel_width, int panel_height, const Draw& draw) con
     return panel.image();
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

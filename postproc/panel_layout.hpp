@@ -9,7 +9,7 @@
 #include "base/vec.hpp"
 #include "postproc/canvas.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// One of several drawings that belong together.
 struct PanelDrawing {
@@ -45,4 +45,4 @@ class PanelLayout {
     double width_ = 0, height_ = 0, caption_height_ = 0;  ///< [m]
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

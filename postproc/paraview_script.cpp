@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::string paraview_script(double spacing) {
     return text.replace(text.find(placeholder), placeholder.size(), number.data());
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

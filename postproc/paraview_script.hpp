@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace dmp {
+namespace dmp::postproc {
 
 inline constexpr const char* paraview_script_name = "open_in_paraview.py";
 
@@ -11,4 +11,4 @@ inline constexpr const char* paraview_script_name = "open_in_paraview.py";
 /// spacing [m], the fluid coloured by speed, bonds as tubes, walls in grey. It works after the folder has moved.
 std::string paraview_script(double spacing);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

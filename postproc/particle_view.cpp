@@ -28,7 +28,7 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -282,4 +282,4 @@ Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& ar
     return shrink(pixels->GetPointer(0), width, height);
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -9,7 +9,7 @@
 #include "base/vec.hpp"
 #include "postproc/canvas.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order, and of a
 /// layer's discs the particle nearest to each place of the plane z = 0 shows; unless a layer has spheres: then all
@@ -41,4 +41,4 @@ class ParticleView {
     std::unique_ptr<Window> window_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -17,7 +17,7 @@
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_messages.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace fs = std::filesystem;
 
@@ -125,4 +125,4 @@ Pictures write_pictures(const fs::path& folder, const PictureOptions& options) {
     return pictures;
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dmp {
+namespace dmp::postproc {
 
 struct PictureOptions {
     std::string field = "velocity";  ///< what colours the fluid; of vectors the magnitude
@@ -29,4 +29,4 @@ struct Pictures {
 /// Throws InputError when the folder holds no frames or broken ones, ResourceError when the disk does not take it.
 Pictures write_pictures(const std::filesystem::path& folder, const PictureOptions& options);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

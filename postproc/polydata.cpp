@@ -17,9 +17,10 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 
+#include "postproc/uses.hpp"
 #include "solver/frame_check.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -167,4 +168,4 @@ Frame to_frame(vtkPolyData& data, const std::string& group_name) {
     return frame;
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -7,10 +7,11 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_label.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// A group as VTK sees it. One vertex cell a particle (Threshold needs cells), then one line cell a bond,
 /// then the triangles of walls for spheres.
@@ -27,4 +28,4 @@ std::string text_of(vtkFieldData& field_data, const std::string& name);
 /// The group back again, and the rest of its frame's values: `time`, `step`, `spacing`, `parts`, one group.
 Frame to_frame(vtkPolyData& data, const std::string& group_name);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -14,7 +14,7 @@
 #include "postproc/polydata.hpp"
 #include "postproc/vtk_messages.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace fs = std::filesystem;
 
@@ -54,4 +54,4 @@ FrameFile read_frame(const fs::path& vtp, const std::string& group_name) {
     return {to_frame(*data, group_name), text_of(*data->GetFieldData(), "title")};
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

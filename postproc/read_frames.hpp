@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// One entry of a .pvd.
 struct SeriesEntry {
@@ -28,4 +29,4 @@ struct FrameFile {
 /// Throws InputError naming the file when it is missing or broken.
 FrameFile read_frame(const std::filesystem::path& vtp, const std::string& group_name);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

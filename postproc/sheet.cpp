@@ -6,7 +6,7 @@
 
 #include "postproc/axis.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -157,4 +157,4 @@ void Sheet::draw_colours(const ColourScale& scale, double top) {
     canvas_.text(left + width / 2, y - 20 * unit_, scale.label, {22 * unit_, Align::centre});
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -8,7 +8,7 @@
 #include "postproc/canvas.hpp"
 #include "postproc/frame_scene.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// One or more drawings of the same area with title, times, length scale and colour bar.
 class Sheet {
@@ -38,4 +38,4 @@ class Sheet {
     Canvas canvas_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

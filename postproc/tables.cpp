@@ -13,7 +13,7 @@
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -228,4 +228,4 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
     write_file(folder / summary_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_label.hpp"
 #include "solver/simulation.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 inline constexpr const char* measures_file_name = "measures.csv";
 inline constexpr const char* summary_file_name = "summary.json";
@@ -33,4 +34,4 @@ struct SummaryExtra {
 /// Throws ResourceError when the disk does not take it.
 void write_summary(const std::filesystem::path& folder, const RunSummary& summary, const SummaryExtra& extra);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -7,7 +7,7 @@
 
 #include "base/safe_file.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 void write_triangles(const std::filesystem::path& file, std::span<const Vec> corners,
                      std::span<const std::array<int, 3>> triangles) {
@@ -28,4 +28,4 @@ void write_triangles(const std::filesystem::path& file, std::span<const Vec> cor
     write_file(file, text.str());
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -7,7 +7,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// A VTP file of triangles for ParaView, as text: those of a drawing that are to blame for something, say. Corners in
 /// metres; each triangle has its number as the cell value "triangle". Throws ResourceError when the disk does not take
@@ -15,4 +15,4 @@ namespace dmp {
 void write_triangles(const std::filesystem::path& file, std::span<const Vec> corners,
                      std::span<const std::array<int, 3>> triangles);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -5,7 +5,7 @@
 
 #include "postproc/axis.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 Box Viewpoint::operator()(const Box& box) const {
     const Vec centre = (*this)((box.low + box.high) / 2);
@@ -40,4 +40,4 @@ std::string slice_text(int right, int up, const Vec& origin, double scale) {
            " up, at " + names[across] + " = " + printed_length(origin[static_cast<Eigen::Index>(across)], scale);
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -5,7 +5,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// From where particles are looked at: of what is seen, x runs to the right, y up and z towards the eye.
 struct Viewpoint {
@@ -27,4 +27,4 @@ Viewpoint aslant(const Viewpoint& front);
 /// prefix [m].
 std::string slice_text(int right, int up, const Vec& origin, double scale);
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -145,4 +145,4 @@ VirtualDisplay::~VirtualDisplay() {
         unsetenv("DISPLAY");
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -6,7 +6,7 @@
 
 #include <sys/types.h>
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// A display to draw pictures on: the one of $DISPLAY where it is on this machine and can draw OpenGL, otherwise an
 /// invisible one (Xvfb) started for this object's lifetime. VTK aborts the program on a display it cannot open,
@@ -35,4 +35,4 @@ class VirtualDisplay {
     pid_t server_ = -1;
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -9,7 +9,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace {
 
@@ -58,4 +58,4 @@ VtkMessages::~VtkMessages() { vtkOutputWindow::SetInstance(keeper_->before); }
 
 std::string VtkMessages::text() const { return keeper_->window->kept(); }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// While it lives, what VTK would print on the terminal is kept here instead.
 /// One at a time, or nested like a stack; not for several threads at once.
@@ -23,4 +23,4 @@ class VtkMessages {
     std::unique_ptr<Keeper> keeper_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -19,7 +19,7 @@
 #include "postproc/polydata.hpp"
 #include "postproc/vtk_messages.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 namespace fs = std::filesystem;
 
@@ -177,4 +177,4 @@ std::vector<std::string> VtkSink::files() const {
     return names;
 }
 
-}  // namespace dmp
+}  // namespace dmp::postproc

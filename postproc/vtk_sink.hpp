@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "postproc/uses.hpp"
 #include "solver/frame.hpp"
 #include "solver/run_label.hpp"
 
-namespace dmp {
+namespace dmp::postproc {
 
 /// Writes frames for ParaView into one folder:
 ///
@@ -52,4 +53,4 @@ class VtkSink : public FrameSeries {
     bool walls_written_ = false;
 };
 
-}  // namespace dmp
+}  // namespace dmp::postproc

@@ -16,7 +16,7 @@
 #include "scene/sphere_checks.hpp"
 #include "scene/spring_checks.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -379,4 +379,4 @@ void switch_off_what_gives_way(Scene& scene) {
     if (*scene.accuracy.transport_velocity) scene.accuracy.shifting.value = 0;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

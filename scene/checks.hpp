@@ -4,7 +4,7 @@
 #include "scene/scene.hpp"
 #include "scene/toml_node.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Checks between keys: names, references, what one key asks of another. `document` tells where things stand.
 /// Throws InputError.
@@ -14,4 +14,4 @@ void check_scene(const Scene& scene, const TomlNode& document);
 /// beside a transport velocity.
 void switch_off_what_gives_way(Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
 enum class Quality { draft, standard, fine };
@@ -110,4 +110,4 @@ std::string word(SolidifyRule rule);
 std::string word(SeedActivity activity);
 std::string word(BondTo bonds);
 
-}  // namespace dmp
+}  // namespace dmp::scene

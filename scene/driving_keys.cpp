@@ -5,7 +5,7 @@
 
 #include "base/nearest_name.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 // Columns as in schema.cpp.
 // clang-format off
@@ -140,4 +140,4 @@ void check_driving(const Scene& scene) {
     for (const MovingShape& shape : scene.moving_shapes) check_shape(scene, shape);
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,7 +5,7 @@
 
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// The schema's rows of [[force]] and [[moving_shape]].
 std::vector<Key<ForceOnPart>> force_keys();
@@ -14,4 +14,4 @@ std::vector<Key<MovingShape>> moving_shape_keys();
 /// Checks of them: parts that can be pushed, schedules, forces that leave the plane. Throws InputError.
 void check_driving(const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::scene

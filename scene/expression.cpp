@@ -8,7 +8,7 @@
 
 #include <muParser.h>
 
-namespace dmp {
+namespace dmp::scene {
 
 /// muParser and the variables it is bound to; the variables' addresses must not change.
 struct Expression::Parser {
@@ -76,4 +76,4 @@ bool Expression::depends_on_time() const { return parser_ && parser_->uses_time;
 
 bool Expression::depends_on_place() const { return parser_ && parser_->uses_place; }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A checked formula of t [s], x, y, z [m] whose value is in SI units.
 /// Copies are cheap and independent, so each thread may evaluate its own copy.
@@ -40,4 +40,4 @@ class Expression {
     std::unique_ptr<Parser> parser_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::scene

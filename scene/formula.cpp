@@ -12,7 +12,7 @@
 #include "base/nearest_name.hpp"
 #include "scene/formula_names.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -404,4 +404,4 @@ Expression read_formula(const WrittenText& text, const Expected& expected, const
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

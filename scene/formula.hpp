@@ -6,7 +6,7 @@
 #include "scene/expression.hpp"
 #include "scene/quantity.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Reads a formula with units, such as "0.25 m/s^2 * sin(2*pi*t / 4 s)", and checks the dimension of every step.
 ///
@@ -26,4 +26,4 @@ namespace dmp {
 /// `subject` is the key the formula is for. Throws InputError that points at the word in the text that is wrong.
 Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -11,7 +11,7 @@
 #include "scene/units.hpp"
 
 // The functions, variables and constants a formula knows; only formula.cpp needs them.
-namespace dmp::formula_names {
+namespace dmp::scene::formula_names {
 
 /// What a function asks of its arguments' dimensions and gives back.
 enum class Rule { number_to_number, keeps, to_number, square_root, like_to_same, like_to_number };
@@ -62,4 +62,4 @@ inline std::vector<std::string> known_names() {
     return names;
 }
 
-}  // namespace dmp::formula_names
+}  // namespace dmp::scene::formula_names

@@ -13,7 +13,7 @@
 #include "scene/part.hpp"
 #include "scene/value.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// [[force]]: a force on a part, while its schedule lasts.
 struct ForceOnPart {
@@ -164,4 +164,4 @@ struct ResidenceRegion {
     Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
 };
 
-}  // namespace dmp
+}  // namespace dmp::scene

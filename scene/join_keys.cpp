@@ -3,7 +3,7 @@
 
 #include "base/nearest_name.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 // Columns as in schema.cpp.
 // clang-format off
@@ -71,4 +71,4 @@ void check_joins(const Scene& scene) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

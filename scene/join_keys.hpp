@@ -5,7 +5,7 @@
 
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// The schema's rows of [[join]].
 std::vector<Key<Join>> join_keys();
@@ -14,4 +14,4 @@ std::vector<Key<Join>> join_keys();
 /// InputError.
 void check_joins(const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::scene

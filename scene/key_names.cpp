@@ -6,7 +6,7 @@
 #include "base/nearest_name.hpp"
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::string advice_for_unknown_key(const std::string& pattern) {
     return "a scene has " + quoted_list(names_in("")) + " and the tables " + tables;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

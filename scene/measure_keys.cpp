@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/measure_keys.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<Key<Measure>> measure_keys() {
 }
 // clang-format on
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,11 +5,11 @@
 
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// The schema's rows of [[species]], [[region]] and [[measure]]: what is followed.
 std::vector<Key<Species>> species_keys();
 std::vector<Key<ResidenceRegion>> region_keys();
 std::vector<Key<Measure>> measure_keys();
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -8,7 +8,7 @@
 #include "base/nearest_name.hpp"
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -108,4 +108,4 @@ void apply_overrides(TomlNode& document, std::span<const std::string> overrides)
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

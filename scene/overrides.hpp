@@ -6,11 +6,11 @@
 
 #include "scene/toml_node.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Puts "key=value" texts, as given to --set, into the scene's document; later ones win. A part or measure is addressed
 /// by its name: `part.leaflets.enabled=false`. The place of such a value is "--set KEY=VALUE".
 /// Throws InputError for a text without '=', an unknown key, or a part or measure the document does not have.
 void apply_overrides(TomlNode& document, std::span<const std::string> overrides);
 
-}  // namespace dmp
+}  // namespace dmp::scene

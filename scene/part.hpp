@@ -10,7 +10,7 @@
 #include "scene/expression.hpp"
 #include "scene/value.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// [[part]]: one named region, curve or group of the drawing and what it is made of.
 /// 2-D scenes are 1 m deep: masses in kg, forces in N, energies in J.
@@ -96,4 +96,4 @@ struct ContactPair {
     Value<double> adhesion_cutoff = 0.0;       ///< gap beyond which Bradley's law is cut off [m]
 };
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,7 +5,7 @@
 #include "scene/read_scene.hpp"
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 const std::string& Default::at(Quality quality) const {
     if (!depends_on_quality() || quality == Quality::standard) return value;
@@ -22,4 +22,4 @@ std::string default_origin(const Scene& scene, const std::string& key) {
     return "quality = \"" + word(*scene.quality) + "\" at " + scene.quality.place.text();
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -9,7 +9,7 @@
 
 #include "scene/read_scene.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -237,4 +237,4 @@ double read_quantity(const std::string& text, const std::string& expected_unit, 
     return Expected("1 " + expected_unit).read({text, place, {}}, "");
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

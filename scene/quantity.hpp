@@ -9,7 +9,7 @@
 #include "scene/units.hpp"
 #include "scene/written_text.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A number in SI units and its dimension.
 struct Quantity {
@@ -77,4 +77,4 @@ class Expected {
 /// The last word of a key's path: "spacing" of "particles.spacing".
 std::string last_word(const std::string& path);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -13,7 +13,7 @@
 #include "scene/overrides.hpp"
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -201,4 +201,4 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     return scene;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -6,7 +6,7 @@
 
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Reads and checks a scene. `path` is a scene file or a folder with a scene.toml in it.
 /// `overrides` are "key=value" texts as given to --set: `particles.spacing="0.1 mm"`, `part.leaflets.enabled=false`
@@ -32,4 +32,4 @@ std::string resolved_scene(const Scene& scene);
 /// Reads "0.2 s", "3e-3 m/s" ... of the dimension of `expected_unit` ("s", "m/s"); throws InputError.
 double read_quantity(const std::string& text, const std::string& expected_unit, const Place& place = {});
 
-}  // namespace dmp
+}  // namespace dmp::scene

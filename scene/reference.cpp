@@ -5,7 +5,7 @@
 #include "scene/read_scene.hpp"
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string scene_reference() {
     return text;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -2,7 +2,7 @@
 #include "scene/read_scene.hpp"
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string resolved_scene(const Scene& scene) {
     return text;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

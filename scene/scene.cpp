@@ -6,7 +6,7 @@
 
 #include "scene/words.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 template <>
 const Words<Quality>& words_of() {
@@ -382,4 +382,4 @@ bool Scene::asks_for(SolidField field) const {
     return std::find(output.solid_fields.begin(), output.solid_fields.end(), field) != output.solid_fields.end();
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

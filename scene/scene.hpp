@@ -13,7 +13,7 @@
 #include "scene/part.hpp"
 #include "scene/value.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A scene file, read: every key with its value in SI units, defaults filled in.
 struct Scene {
@@ -145,4 +145,4 @@ struct Scene {
     [[nodiscard]] bool asks_for(SolidField field) const;
 };
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -9,7 +9,7 @@
 #include "scene/solidify_keys.hpp"
 #include "scene/sphere_keys.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -321,8 +321,9 @@ const Schema& schema() {
 }
 
 const std::vector<std::string>& item_lists() {
-    static const std::vector<std::string> names{"select",       "part",   "join",    "species",  "contact_pair", "force",
-                                                "moving_shape", "region", "measure", "solidify", "break"};
+    static const std::vector<std::string> names{"select",       "part",     "join",         "species",
+                                                "contact_pair", "force",    "moving_shape", "region",
+                                                "measure",      "solidify", "break"};
     return names;
 }
 
@@ -350,4 +351,4 @@ std::vector<KeyFacts> Schema::facts() const {
     return facts;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -13,7 +13,7 @@
 #include "scene/toml_node.hpp"
 #include "scene/value_types.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A default that differs between the levels of quality, each written as on the command line.
 struct ByQuality {
@@ -171,4 +171,4 @@ std::string shown_key(const std::string& pattern);
 /// "did you mean ...?", or what the section takes where nothing is near.
 std::string advice_for_unknown_key(const std::string& pattern);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,7 +5,7 @@
 
 #include "base/nearest_name.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -141,4 +141,4 @@ void check_solidify(const Scene& scene) {
             "leave mean_displacement out");
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

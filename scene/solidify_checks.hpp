@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// What [[solidify]] and [[break]] name must be there, and fit. Throws InputError with the key's place.
 void check_solidify(const Scene& scene);
@@ -12,4 +12,4 @@ void check_solidify(const Scene& scene);
 /// asks.
 void need_solid(const Scene& scene, const Value<std::string>& name, const std::string& what, const std::string& whose);
 
-}  // namespace dmp
+}  // namespace dmp::scene

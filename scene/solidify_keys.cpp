@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/solidify_keys.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 // Columns as in schema.cpp.
 // clang-format off
@@ -63,4 +63,4 @@ std::vector<Key<Breaking>> breaking_keys() {
 }
 // clang-format on
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,10 +5,10 @@
 
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// The schema's rows of [[solidify]] and [[break]].
 std::vector<Key<Solidify>> solidify_keys();
 std::vector<Key<Breaking>> breaking_keys();
 
-}  // namespace dmp
+}  // namespace dmp::scene

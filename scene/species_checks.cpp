@@ -5,7 +5,7 @@
 
 #include "base/nearest_name.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -181,4 +181,4 @@ void check_species(const Scene& scene) {
     check_output(scene);
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -3,9 +3,9 @@
 
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Throws InputError where species, what they are given by part, and what is asked of them do not fit together.
 void check_species(const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -7,7 +7,7 @@
 #include "base/nearest_name.hpp"
 #include "scene/quantity.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -333,4 +333,4 @@ void check_sphere_measure(const Scene& scene, const Measure& measure) {
                          "name a part of one sphere");
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -4,7 +4,7 @@
 #include "scene/scene.hpp"
 #include "scene/toml_node.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Checks of spheres, their walls and contacts: one way to place them, one mass, a law for each two parts that can
 /// touch, damping and friction where it needs them. Throws InputError.
@@ -14,4 +14,4 @@ void check_spheres(const Scene& scene, const TomlNode& document);
 /// none.
 void check_sphere_measure(const Scene& scene, const Measure& measure);
 
-}  // namespace dmp
+}  // namespace dmp::scene

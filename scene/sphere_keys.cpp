@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/sphere_keys.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 // Columns as in schema.cpp.
 // clang-format off
@@ -87,4 +87,4 @@ std::vector<Key<ContactPair>> contact_pair_keys() {
 }
 // clang-format on
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,7 +5,7 @@
 
 #include "scene/schema.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// The schema's rows of spheres parts and of their walls, planes and surfaces.
 std::vector<Key<Part>> sphere_part_keys();
@@ -13,4 +13,4 @@ std::vector<Key<Part>> sphere_part_keys();
 /// The schema's rows of [[contact_pair]].
 std::vector<Key<ContactPair>> contact_pair_keys();
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/spring_checks.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -106,4 +106,4 @@ void check_springs(const Scene& scene) {
         }
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -3,10 +3,10 @@
 
 #include "scene/scene.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Whether each springs part says once what it is made of: in the plane a strip, in space a material. Throws
 /// InputError.
 void check_springs(const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -7,7 +7,7 @@
 
 #include <toml++/toml.h>
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -214,4 +214,4 @@ std::string toml_quoted(std::string_view text) {
     return quoted + "\"";
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

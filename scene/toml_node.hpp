@@ -8,7 +8,7 @@
 
 #include "scene/written_text.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// One value of a TOML document with its places: what the rest of the room sees of TOML.
 struct TomlNode {
@@ -49,4 +49,4 @@ TomlNode parse_toml_value(std::string_view text, const Place& place);
 /// `text` as a TOML string, quotes and escapes included.
 std::string toml_quoted(std::string_view text);
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -11,7 +11,7 @@
 
 #include "base/nearest_name.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -224,4 +224,4 @@ std::string nearest_unit(std::string_view symbol, const Dimension* wanted) {
     return nearest_among(symbol, usual_units());
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace dmp {
+namespace dmp::scene {
 
 /// Exponents of the seven SI base dimensions: length, mass, time, electric current, temperature, amount of substance,
 /// luminous intensity. They are counted in halves so that a square root stays exact. Angles have no dimension.
@@ -45,4 +45,4 @@ std::optional<Unit> unit_symbol(std::string_view symbol);
 /// The known unit symbol most like `symbol`, one of dimension `wanted` before others; empty when none is near.
 std::string nearest_unit(std::string_view symbol, const Dimension* wanted = nullptr);
 
-}  // namespace dmp
+}  // namespace dmp::scene

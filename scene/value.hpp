@@ -5,7 +5,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A scene value with the place it came from. Defaults have no place.
 template <class T>
@@ -23,4 +23,4 @@ struct Value {
     [[nodiscard]] bool given() const { return place.known(); }
 };
 
-}  // namespace dmp
+}  // namespace dmp::scene

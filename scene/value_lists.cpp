@@ -4,7 +4,7 @@
 
 #include "scene/value_types.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 ValueType<std::vector<double>> quantity_or_list(const std::string& example, const Range& range) {
     const ValueType<double> one = quantity(example, range);
@@ -106,4 +106,4 @@ ValueType<std::array<std::string, 2>> two_names() {
             }};
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -8,7 +8,7 @@
 
 #include "scene/formula.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 namespace {
 
@@ -382,4 +382,4 @@ std::string toml_list(const std::vector<std::string>& items) {
 
 }  // namespace detail
 
-}  // namespace dmp
+}  // namespace dmp::scene

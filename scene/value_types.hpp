@@ -18,7 +18,7 @@
 #include "scene/value.hpp"
 #include "scene/words.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A kind of value a key may hold: how it is told to the user, read from TOML and written as TOML in SI units.
 template <class T>
@@ -172,4 +172,4 @@ ValueType<std::vector<Enumeration>> list_of_words() {
             }};
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

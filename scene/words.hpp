@@ -7,7 +7,7 @@
 
 #include "scene/choices.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// The words a scene uses for the values of an enumeration, in the order they are listed to the user.
 template <class Enumeration>
@@ -74,4 +74,4 @@ const Words<FluidField>& words_of();
 template <>
 const Words<SolidField>& words_of();
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::scene {
 
 Place WrittenText::at(std::size_t offset) const {
     if (!first_character.known() || first_character.line == 0) return place;
@@ -20,4 +20,4 @@ Place WrittenText::at(std::size_t offset) const {
     return found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::scene

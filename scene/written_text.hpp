@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::scene {
 
 /// A text the user wrote and where its characters stand, so that an error can point into it.
 struct WrittenText {
@@ -18,4 +18,4 @@ struct WrittenText {
     [[nodiscard]] Place at(std::size_t offset) const;
 };
 
-}  // namespace dmp
+}  // namespace dmp::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A named array over the particles or bonds of a group, components interleaved.
 struct FrameField {
@@ -67,4 +67,4 @@ struct MeasureSeries {
     std::vector<std::vector<double>> rows;  ///< rows[k] belongs to time[k]
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 
 #include "solver/frame.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What makes a group one that cannot be kept, or "": arrays whose lengths do not fit the number of particles or bonds,
 /// components other than 1, 3 and 6, a bond to a particle outside the group.
@@ -38,4 +38,4 @@ inline std::string problem_with(const FrameGroup& group) {
     return problem;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

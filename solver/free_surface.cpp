@@ -5,8 +5,9 @@
 
 #include "particles/cell_grid.hpp"
 #include "particles/kernels.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -69,4 +70,4 @@ bool has_free_surface(const ParticleSet& set, int threads) {
     return set.dimension == 3 ? any_on_surface<3>(set, threads) : any_on_surface<2>(set, threads);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,7 +11,7 @@
 #include "solver/output/species_measures.hpp"
 #include "solver/simulation.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -168,4 +168,4 @@ ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const
     return costs;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

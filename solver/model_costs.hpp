@@ -7,8 +7,9 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/resources.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Wall time measured on the scene's own particles [ns per particle and step].
 struct MeasuredTime {
@@ -30,4 +31,4 @@ struct ModelCosts {
 /// long [s]; less is measured where the particles are too many for that. Nothing is written.
 ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const Resources& resources, double seconds);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -12,8 +12,9 @@
 #include "solver/models/sph/monaghan_viscosity.hpp"
 #include "solver/starting_state.hpp"
 #include "solver/time/body_parts.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -291,4 +292,4 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
     return std::move(models).list();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,8 +7,9 @@
 #include "solver/simulation.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/spring_bodies.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Which models a scene of fluids, walls and springs runs, their sources, and what in it asks for them.
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps,
@@ -17,4 +18,4 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
 /// Adds what pushes from outside, fluid or spheres: body acceleration, forces on parts, moving shapes.
 void add_driving_models(std::vector<ModelUse>& models, const Scene& scene);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 std::string_view word(VectorUnit unit) {
     switch (unit) {
@@ -49,4 +49,4 @@ VectorUnit chosen_vector_unit(VectorUnit asked) {
     return asked;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

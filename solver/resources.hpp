@@ -6,7 +6,7 @@
 
 #include "solver/parallel/ranks.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The processor's vector instructions that the loops over pairs use. Results do not depend on it.
 enum class VectorUnit { widest, avx2, avx512, generic };
@@ -27,4 +27,4 @@ struct Resources {
     Ranks ranks = Ranks::alone();
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

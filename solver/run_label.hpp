@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What every file says of the run it belongs to.
 struct RunLabel {
@@ -12,4 +12,4 @@ struct RunLabel {
     std::string version;     ///< of dmp
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -45,4 +45,4 @@ RunEnd run_steps(Steps& steps, const Ranks& ranks, Checkpoints& checkpoints, con
     return end;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

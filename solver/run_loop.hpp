@@ -7,7 +7,7 @@
 #include "solver/simulation.hpp"
 #include "solver/state/checkpoints.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// How a run came to its end.
 struct RunEnd {
@@ -35,4 +35,4 @@ class Steps {
 /// options ask for gets a frame, also where none is due. All ranks together.
 RunEnd run_steps(Steps& steps, const Ranks& ranks, Checkpoints& checkpoints, const RunOptions& options, double until);
 
-}  // namespace dmp
+}  // namespace dmp::solver

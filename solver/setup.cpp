@@ -10,7 +10,7 @@
 #include "solver/models/contact/repulsion.hpp"
 #include "solver/starting_state.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -171,4 +171,4 @@ double new_bond_limit(const Scene& scene, const Solidify& rule) {
     return 2 / std::sqrt(2 * rule.bond_stiffness / (mass / 2));
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,8 +6,9 @@
 #include "solver/simulation.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/step_limits.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// c0: the scene's, or the largest speed it expects over accuracy.mach_number: 0.1 keeps density within about 1 %
 /// [m/s].
@@ -34,4 +35,4 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
 /// Largest stable explicit step of two liquid particles with a bond that the rule makes [s].
 double new_bond_limit(const Scene& scene, const Solidify& rule);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -22,8 +22,9 @@
 #include "solver/state/watch.hpp"
 #include "solver/time/fluid_step.hpp"
 #include "solver/time/schedule.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -437,4 +438,4 @@ RunSummary Simulation::State::summary() const {
     return summary;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

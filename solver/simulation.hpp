@@ -19,9 +19,10 @@
 #include "solver/resources.hpp"
 #include "solver/sound_speed.hpp"
 #include "solver/state/checkpoints.hpp"
+#include "solver/uses.hpp"
 #include "solver/warnings.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The largest stable step of one model.
 struct StepLimit {
@@ -193,4 +194,4 @@ class Simulation {
     std::unique_ptr<SphereRun> spheres_;  ///< or spheres
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -67,4 +67,4 @@ Scene with_sound_speed(Scene scene, const SoundSpeed& chosen) {
     return scene;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

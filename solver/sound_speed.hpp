@@ -3,8 +3,9 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The speed of sound that a scene runs with, and what it follows from. A weakly compressible liquid stays within Ma^2
 /// of its rest density (Ma = accuracy.mach_number) when c0 >= U / Ma (the dynamic pressure rho U^2, Monaghan 1994) and
@@ -24,4 +25,4 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
 /// The scene with that speed of sound in place of an "auto" that looks at speeds alone.
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen);
 
-}  // namespace dmp
+}  // namespace dmp::solver

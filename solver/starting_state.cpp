@@ -7,7 +7,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -83,4 +83,4 @@ void fill_starting_density(const Scene& scene, const ParticleSet& set, const std
             density_at(scene, states[fluid.tags()[i].part], set.position[static_cast<std::size_t>(fluid.tags()[i].id)]);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,8 +5,9 @@
 #include "scene/scene.hpp"
 #include "solver/models/sph/liquid_state.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Whether the scene's fluid starts with other than no velocity and no pressure.
 bool has_starting_state(const Scene& scene);
@@ -23,4 +24,4 @@ ParticleStore starting_particles(const Scene& scene, const ParticleSet& set, con
 void fill_starting_density(const Scene& scene, const ParticleSet& set, const std::vector<LiquidState>& states,
                            ParticleStore& particles);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/output/species_measures.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -227,4 +227,4 @@ std::string Warning::text() const {
 
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,8 +7,9 @@
 
 #include "base/errors.hpp"
 #include "scene/scene.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Something that a scene asks for and that does nothing, or that it lacks.
 struct Warning {
@@ -24,4 +25,4 @@ struct Warning {
 /// What is odd about a scene with this many spring bodies, though it can run.
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A fluid particle as pair laws see it. T is double, or Lanes for the particles of a cluster side by side.
 template <class T, int D>
@@ -41,4 +41,4 @@ struct Pair {
 template <class I, class J, class Separation, class Distance, class Slope>
 Pair(const I&, const J&, Separation, Distance, Slope) -> Pair<I, J, Separation, Distance, Slope>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

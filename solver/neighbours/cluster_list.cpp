@@ -8,7 +8,7 @@
 #include "solver/parallel/each_of.hpp"
 #include "solver/sweeps/lanes.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::size_t ClusterList::size() const {
     return entries;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

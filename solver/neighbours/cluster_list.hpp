@@ -11,7 +11,7 @@
 #include "solver/neighbours/space_order.hpp"
 #include "solver/store/particle_store.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 class SearchGrid;
 
@@ -117,4 +117,4 @@ void ClusterList::keep_near(ParticleKind own_kind, std::size_t cluster, Particle
     own.near[k] = static_cast<std::int32_t>(near_ones);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -147,4 +147,4 @@ HaloTraffic Neighbours::traffic() const {
     return all;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -10,7 +10,7 @@
 #include "solver/parallel/domain.hpp"
 #include "solver/parallel/halo.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Keeps at hand what is near each particle: particles sorted in space on the rank that owns their place, copies of
 /// those beyond its border, and the list of neighbours.
@@ -106,4 +106,4 @@ class Neighbours {
     double time_to_divide_ = 0;  ///< what dividing it took [s]
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

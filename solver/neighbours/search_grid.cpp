@@ -9,7 +9,7 @@
 #include "solver/parallel/low_and_high.hpp"
 #include "solver/parallel/select.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 SearchGrid::SearchGrid(const ParticleGroup& group, double cell_size, int threads) : size_(cell_size) {
     const auto count = static_cast<std::ptrdiff_t>(group.total());
@@ -54,4 +54,4 @@ SearchGrid::SearchGrid(const ParticleGroup& group, double cell_size, int threads
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -10,7 +10,7 @@
 #include "base/uninitialized.hpp"
 #include "solver/store/particle_group.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// All particles of a group, copies too, sorted into cells with their coordinates side by side, so that what lies near
 /// a cluster is found in a few runs of memory.
@@ -94,4 +94,4 @@ void SearchGrid::append_run(std::int32_t begin, std::int32_t end, const std::arr
     found.resize(count);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -12,7 +12,7 @@
 #include "base/uninitialized.hpp"
 #include "solver/parallel/select.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The numbers of particles, those of the first cell first, those of one cell in their own order.
 struct SortedByCell {
@@ -61,4 +61,4 @@ SortedByCell sort_by_cell(std::span<const Cell> cell, std::size_t cells, int thr
     return sorted;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,7 +11,7 @@
 #include "solver/parallel/each_of.hpp"
 #include "solver/parallel/low_and_high.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -154,4 +154,4 @@ std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int thr
     return clusters;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

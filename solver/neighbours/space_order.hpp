@@ -6,7 +6,7 @@
 
 #include "solver/store/particle_group.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Most particles in a cluster: what the widest vector units work on at once.
 inline constexpr std::int32_t cluster_size = 8;
@@ -23,4 +23,4 @@ struct Cluster {
 /// are cut into columns, so that the neighbours of a cluster are near in memory too.
 std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int threads);
 
-}  // namespace dmp
+}  // namespace dmp::solver

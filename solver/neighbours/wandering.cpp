@@ -8,7 +8,7 @@
 
 #include "solver/parallel/largest_square.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::size_t PlacesThen::bytes() const {
     return static_cast<std::size_t>(dimension_) * from_origin_[0].capacity() * sizeof(float);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

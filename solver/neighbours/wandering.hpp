@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Where particles stand, in arrays of any layout.
 struct Places {
@@ -62,4 +62,4 @@ class Wandering {
     bool too_far_ = false;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/parallel/exact_sum.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 Aggregate aggregate_of(const SpringBodies& springs, int origin) {
     const auto number = static_cast<std::size_t>(origin);
@@ -40,4 +40,4 @@ const std::vector<AggregateColumn>& aggregate_columns() {
     return columns;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/simulation.hpp"
 #include "solver/time/spring_bodies.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// By number of SpringBodies::names().
 Aggregate aggregate_of(const SpringBodies& springs, int origin);
@@ -18,4 +18,4 @@ struct AggregateColumn {
 };
 const std::vector<AggregateColumn>& aggregate_columns();
 
-}  // namespace dmp
+}  // namespace dmp::solver

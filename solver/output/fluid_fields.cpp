@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -114,7 +114,8 @@ std::vector<FluidValues> FluidFields::of(FluidField field) {
         case FluidField::stress:
             return {each("stress", "Pa", 6, [&](std::size_t i) { return stress(i); })};
         case FluidField::von_mises:
-            return {each("von_mises", "Pa", 1, [&](std::size_t i) { return std::array{dmp::von_mises(stress(i))}; })};
+            return {
+                each("von_mises", "Pa", 1, [&](std::size_t i) { return std::array{solver::von_mises(stress(i))}; })};
         case FluidField::vorticity: {
             const auto curl = [&](std::size_t i) {
                 const Eigen::Matrix3d& g = gradient()[i];
@@ -131,4 +132,4 @@ std::vector<FluidValues> FluidFields::of(FluidField field) {
     return residence_times();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,8 +8,9 @@
 
 #include "scene/scene.hpp"
 #include "solver/output/velocity_gradient.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The names of the components of vectors and of symmetric tensors, in the order of frames.
 inline constexpr std::array<const char*, 3> vector_components{"x", "y", "z"};
@@ -65,4 +66,4 @@ class FluidFields {
     std::optional<std::vector<Eigen::Matrix3d>> gradient_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -10,7 +10,7 @@
 #include "solver/frame_check.hpp"
 #include "solver/output/frame_pieces.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace fs = std::filesystem;
 
@@ -175,4 +175,4 @@ StoredFrame read_frame(const std::vector<fs::path>& pieces) {
     return whole;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "solver/frame.hpp"
 #include "solver/run_label.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A frame as it lies in a file, with what the file says of its run.
 struct StoredFrame {
@@ -37,4 +37,4 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Ru
 /// them like that, and when they are not pieces of one frame.
 [[nodiscard]] StoredFrame read_frame(const std::vector<std::filesystem::path>& pieces);
 
-}  // namespace dmp
+}  // namespace dmp::solver

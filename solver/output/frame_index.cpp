@@ -9,7 +9,7 @@
 #include "base/safe_file.hpp"
 #include "solver/output/frame_file.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace fs = std::filesystem;
 
@@ -75,4 +75,4 @@ std::vector<FrameEntry> read_frame_index(const fs::path& folder) {
     return frames;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

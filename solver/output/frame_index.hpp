@@ -7,7 +7,7 @@
 
 #include "solver/run_label.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 inline constexpr const char* frame_index_name = "frames.json";
 
@@ -31,4 +31,4 @@ void write_frame_index(const std::filesystem::path& folder, const RunLabel& labe
 /// The frames back. Throws InputError when there is no such file or it is no index.
 [[nodiscard]] std::vector<FrameEntry> read_frame_index(const std::filesystem::path& folder);
 
-}  // namespace dmp
+}  // namespace dmp::solver

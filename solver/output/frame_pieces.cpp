@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::string finish_pieces(Frame& frame) {
     return "";
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/frame.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Brings a group's particles into the order of their ids; the bonds stay in theirs and keep their ends.
 void sort_by_id(FrameGroup& group);
@@ -18,4 +18,4 @@ void sort_by_id(FrameGroup& group);
 /// pieces.
 [[nodiscard]] std::string finish_pieces(Frame& frame);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "solver/time/body_change.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 GapMeasure::GapMeasure(const Measure& measure, const ParticleSet& set)
     : space_(static_cast<const ParticleSpace&>(set)) {
@@ -47,4 +47,4 @@ double GapMeasure::smallest(const SpringBodies& springs) const {
     return std::sqrt(smallest);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

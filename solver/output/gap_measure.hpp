@@ -6,8 +6,9 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/time/spring_bodies.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Smallest distance between centres of particles of different pieces of a springs part. A piece is what the part's own
 /// bonds hold together as drawn, and what it broke into; bonds of a [[join]] make one body of pieces, but not one
@@ -25,4 +26,4 @@ class GapMeasure {
     std::unordered_map<int, int> piece_;  ///< by particle
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "base/safe_file.hpp"
 #include "solver/output/frame_file.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace fs = std::filesystem;
 
@@ -66,4 +66,4 @@ std::vector<std::string> Hdf5Sink::files() const {
 
 void Hdf5Sink::wait_for_all() const { (void)ranks_.any(false); }
 
-}  // namespace dmp
+}  // namespace dmp::solver

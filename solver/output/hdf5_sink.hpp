@@ -10,7 +10,7 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/run_label.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Writes frames for machines that run without VTK; `dmp convert` makes ParaView's files of them.
 ///
@@ -48,4 +48,4 @@ class Hdf5Sink : public FrameSeries {
     bool started_ = false;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,8 +8,9 @@
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/frame_pieces.hpp"
 #include "solver/output/solid_fields.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -117,4 +118,4 @@ Frame make_frame(const Scene& scene, const ParticleStore& particles, const Fluid
     return frame;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,8 +5,9 @@
 #include "solver/frame.hpp"
 #include "solver/output/mean_displacement.hpp"
 #include "solver/time/fluid_step.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 struct FrameOptions {
     bool with_walls = false;
@@ -20,4 +21,4 @@ struct FrameOptions {
 Frame make_frame(const Scene& scene, const ParticleStore& particles, const FluidStep& fluid,
                  const MeanDisplacement& mean_displacement, double time, long step, FrameOptions options);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::solver {
 
 MeanDisplacement::MeanDisplacement(const Scene& scene, const SpringBodies& springs) : from_(scene.output.average_from) {
     if (!scene.asks_for(SolidField::mean_displacement)) return;
@@ -34,4 +34,4 @@ void MeanDisplacement::archive(Archive& file) {
         file("mean_displacement/body_" + std::to_string(body), moment_[body]);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/time/spring_bodies.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Time average of the displacement of each node of the spring bodies, from output.average_from on:
 ///   <u> = SUM u dt / SUM dt   [m]
@@ -27,4 +27,4 @@ class MeanDisplacement {
     std::vector<std::vector<Vector<double, 3>>> moment_;  ///< SUM u dt by body and node [m s]; empty: not wanted
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

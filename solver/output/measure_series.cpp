@@ -3,7 +3,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 void archive_series(Archive& file, MeasureSeries& series) {
     std::vector<double> values;
@@ -20,4 +20,4 @@ void archive_series(Archive& file, MeasureSeries& series) {
                                  values.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,9 +4,9 @@
 #include "solver/frame.hpp"
 #include "solver/state/archive.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A series of measures on its way into a checkpoint or out of one; its columns are known.
 void archive_series(Archive& file, MeasureSeries& series);
 
-}  // namespace dmp
+}  // namespace dmp::solver

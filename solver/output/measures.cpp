@@ -12,7 +12,7 @@
 #include "solver/output/species_measures.hpp"
 #include "solver/time/body_change.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -250,4 +250,4 @@ std::vector<double> Measures::probe(const Measure& measure, const ParticleStore&
     return values;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

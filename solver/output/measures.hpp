@@ -9,8 +9,9 @@
 #include "solver/output/gap_measure.hpp"
 #include "solver/output/measure_series.hpp"
 #include "solver/time/fluid_step.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Follows the scene's measures over time.
 ///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];
@@ -54,4 +55,4 @@ class Measures {
     MeasureSeries series_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

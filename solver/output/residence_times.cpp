@@ -2,8 +2,9 @@
 #include "solver/output/residence_times.hpp"
 
 #include "particles/periodic_images.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 ResidenceTimes::ResidenceTimes(const Scene& scene, ParticleStore& particles) {
     if (!scene.asks_for(FluidField::residence_time)) return;
@@ -33,4 +34,4 @@ void ResidenceTimes::add(ParticleStore& particles, double dt, int threads) const
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

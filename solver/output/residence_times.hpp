@@ -5,8 +5,9 @@
 
 #include "scene/scene.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Adds up how long each fluid particle has been in each of the scene's regions [s]: a step counts with its whole
 /// length when the particle is inside at its end, so a crossing is right within one step. The sums travel with the
@@ -23,4 +24,4 @@ class ResidenceTimes {
     std::vector<Box> regions_;  ///< empty: not wanted
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

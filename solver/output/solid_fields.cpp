@@ -6,7 +6,7 @@
 
 #include "solver/output/fluid_fields.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -113,4 +113,4 @@ void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, 
     for (const SolidField field : wanted) fields.add(field);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

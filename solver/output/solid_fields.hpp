@@ -4,8 +4,9 @@
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
 #include "solver/output/mean_displacement.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Adds bonds and the fields of output.solid_fields that the bodies know to a group of all spring particles, in the
 /// order of ids (docs/results.md):
@@ -19,4 +20,4 @@ namespace dmp {
 void add_solid_fields(FrameGroup& group, const std::vector<SolidField>& wanted, const std::vector<float>& volume,
                       const SpringBodies& springs, const MeanDisplacement& mean_displacement);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "particles/periodic_images.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -200,4 +201,4 @@ double SpeciesMeasures::diffusivity(const Measure& measure) const {
     return **scene_.species[scene_.species_of(measure)].diffusivity_in(*scene_.parts_of(PartKind::fluid).front());
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,8 +8,9 @@
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
 #include "solver/time/fluid_step.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Whether a measure is of a species and not a probe.
 bool is_of_species(MeasureKind kind);
@@ -64,4 +65,4 @@ class SpeciesMeasures {
     const Ranks& ranks_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

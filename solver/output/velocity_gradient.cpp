@@ -6,7 +6,7 @@
 
 #include "solver/sweeps/order_free.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::vector<Matrix> velocity_gradient(const ParticleStore& particles, const Flui
     return gradients;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

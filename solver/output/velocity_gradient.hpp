@@ -6,7 +6,7 @@
 
 #include "solver/time/fluid_step.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Velocity gradient of each fluid particle of this rank, G_kl = dv_k/dx_l [1/s], in the store's order:
 ///   G_i = [SUM_j V_j (v_j - v_i) (x) grad_i W_ij] M_i^-1,   M_i = SUM_j V_j (x_j - x_i) (x) grad_i W_ij
@@ -15,4 +15,4 @@ namespace dmp {
 /// two) have none: 0. The same bits for any order of neighbours; all ranks take part.
 std::vector<Eigen::Matrix3d> velocity_gradient(const ParticleStore& particles, const FluidStep& step);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -55,4 +55,4 @@ FrameGroup wall_surfaces(const std::string& name, const ParticleSpace& space, co
     return group;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -12,7 +12,7 @@
 #include "base/errors.hpp"
 #include "solver/parallel/communicator.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points) {
     return boxes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 #include "base/vec.hpp"
 #include "solver/parallel/ranks.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Points with weights: `dimension` coordinates and one weight a point.
 struct WeightedPoints {
@@ -28,4 +28,4 @@ struct WeightedPoints {
 /// same boxes. Throws ResourceError where Zoltan fails. With hardly more points than ranks the boxes may be nonsense.
 std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points);
 
-}  // namespace dmp
+}  // namespace dmp::solver

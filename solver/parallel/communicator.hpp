@@ -5,11 +5,11 @@
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// MPI's communicator behind a name that headers can use without MPI's own.
 struct Communicator {
     MPI_Comm handle = MPI_COMM_NULL;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,8 +11,9 @@
 #include "solver/parallel/bisection.hpp"
 #include "solver/parallel/migration.hpp"
 #include "solver/parallel/select.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -168,4 +169,4 @@ double Domain::imbalance(const GroupList& groups, const KindWeights& weights) co
     return total.value() > 0 ? ranks_.largest(load) * ranks_.size() / total.value() : 1;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,8 +8,9 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/parallel/regions.hpp"
 #include "solver/store/particle_group.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Groups of particles, the same kinds with the same fields in the same order on every rank.
 using GroupList = std::vector<ParticleGroup*>;
@@ -64,4 +65,4 @@ class Domain {
     Regions regions_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

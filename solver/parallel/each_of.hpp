@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <exception>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// task(k) for every k below `count`, dealt out one by one to threads. No exception may leave a parallel loop: the one
 /// of the lowest k (memory may run out) is thrown again when all are done.
@@ -27,4 +27,4 @@ void each_of(std::ptrdiff_t count, int threads, const Task& task) {
     if (error) std::rethrow_exception(error);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

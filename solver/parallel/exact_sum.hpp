@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A sum of doubles without any rounding, so that it does not depend on the order of what is added, nor on how many
 /// threads and ranks share the work: a fixed-point number of 32-bit digits over the whole range of double. Each digit
@@ -134,4 +134,4 @@ inline double ExactSum::value() const {
     return negative ? -magnitude : magnitude;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "solver/parallel/communicator.hpp"
 #include "solver/parallel/select.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -200,4 +200,4 @@ double Halo::copies_per_owned() const {
     return owned > 0 ? static_cast<double>(copies) / static_cast<double>(owned) : 0;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,8 +11,9 @@
 #include "solver/parallel/halo_targets.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_group.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a rank has sent to others.
 struct HaloTraffic {
@@ -99,4 +100,4 @@ class Halo {
     std::unique_ptr<Requests> requests_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -91,4 +91,4 @@ HaloTargets::HaloTargets(const Domain& domain, const Ranks& ranks, const Particl
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

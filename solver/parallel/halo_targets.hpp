@@ -8,7 +8,7 @@
 
 #include "solver/parallel/domain.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// How a copy comes about from a particle, axis by axis: x becomes x + shift, or shift - x where the axis is mirrored.
 struct HaloImage {
@@ -59,4 +59,4 @@ class HaloTargets {
     std::vector<HaloTarget> list_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The largest of many squares, infinite where one is no number. Side by side in lanes, so that the compiler may use
 /// vectors: it may not change the order of comparisons, in which a NaN matters, by itself.
@@ -29,4 +29,4 @@ class LargestSquare {
     std::array<double, lanes> largest_{};
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

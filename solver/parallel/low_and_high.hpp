@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The least and the largest of value(i), i in [0, count); infinity and -infinity of none. Side by side in lanes, so
 /// that the compiler may use vectors: it may not change the order of comparisons, in which a NaN matters, by itself.
@@ -36,4 +36,4 @@ std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const 
     return {low, high};
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -89,4 +89,4 @@ void send_particles(const Ranks& ranks, const std::vector<ParticleGroup*>& group
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_group.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The owned particles of one group that leave this rank, in ascending order, and where each goes.
 struct Departures {
@@ -20,4 +20,4 @@ struct Departures {
 void send_particles(const Ranks& ranks, const std::vector<ParticleGroup*>& groups,
                     const std::vector<Departures>& departures);
 
-}  // namespace dmp
+}  // namespace dmp::solver

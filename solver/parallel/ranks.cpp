@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "solver/parallel/communicator.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -210,4 +210,4 @@ void MpiSession::end_all(int exit_code) const {
     if (running_) MPI_Abort(MPI_COMM_WORLD, exit_code);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

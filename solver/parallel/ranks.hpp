@@ -12,7 +12,7 @@
 
 #include "solver/parallel/exact_sum.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 struct Communicator;
 
@@ -146,4 +146,4 @@ class MpiSession {
     bool running_ = false;  ///< MPI is, and this session ends it
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

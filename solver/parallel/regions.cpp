@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -118,4 +118,4 @@ void Regions::divide_ties(const Ranks& ranks, const WeightedPoints& points) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

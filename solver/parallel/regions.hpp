@@ -11,7 +11,7 @@
 #include "solver/parallel/bisection.hpp"
 #include "solver/parallel/ranks.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Space, cut by planes across the axes into one box a rank. Every point has one owner, which depends on its
 /// coordinates alone; a point on a cut belongs to one side or the other by its other coordinates, so that a layer of a
@@ -66,4 +66,4 @@ class Regions {
     int depth_ = 0;  ///< most cuts between the whole and one rank's box
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Fewer than this are not worth waking threads for.
 constexpr std::size_t worth_threads = 20000;
@@ -32,4 +32,4 @@ std::vector<std::int32_t> select(std::size_t count, int threads, const Test& tes
     return all;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

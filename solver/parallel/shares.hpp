@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Calls work(thread) for each of so many threads. One alone is called here and now: OpenMP's region of one thread
 /// takes a call to the kernel, which few particles feel.
@@ -27,4 +27,4 @@ void in_shares(std::size_t count, int threads, const Work& work) {
     });
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "solver/parallel/exact_sum.hpp"
 #include "solver/store/particle_group.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Calls visit(i, sums) for the owned particles, and adds up what it adds to `sums` without rounding.
 template <std::size_t Count, class Visit>
@@ -51,4 +51,4 @@ std::array<ExactSum, Count> sums_of_multiples(const ParticleGroup& group, int th
 /// A number that OrderFree can be made for.
 inline double at_least_something(double value) { return std::max(value, 1e-280); }
 
-}  // namespace dmp
+}  // namespace dmp::solver

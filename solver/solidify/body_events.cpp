@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dmp {
+namespace dmp::solver {
 
 std::optional<std::array<int, 2>> overloaded_bond(const SpringBody& body, const BondBreak& law, int origin) {
     std::optional<std::array<int, 2>> worst;
@@ -80,4 +80,4 @@ void BodyEvents::archive(Archive& file) {
     for (Breaks& each : breaks_) each.times.archive(file, "break/times_" + each.name);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -10,7 +10,7 @@
 #include "solver/solidify/solidification.hpp"
 #include "solver/time/schedule.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What happens to spring bodies between the steps: the scene's [[solidify]] and [[break]], each at its times, in the
 /// order of the scene. Scenes without them have none and do nothing.
@@ -49,4 +49,4 @@ class BodyEvents {
 /// unloaded by that stays whole.
 std::optional<std::array<int, 2>> overloaded_bond(const SpringBody& body, const BondBreak& law, int origin);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,8 +3,9 @@
 
 #include "particles/periodic_images.hpp"
 #include "solver/output/fluid_fields.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 SolidifyRegion::SolidifyRegion(const Scene& scene, const Value<std::string>& name, const ParticleSpace& space)
     : space_(space), everywhere_(name->empty()) {
@@ -56,4 +57,4 @@ bool SolidifyConditions::may_turn(std::size_t i) const {
     return fulfils(i, region_, rule_.stress_above, rule_.residence_above);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,8 +7,9 @@
 #include "scene/scene.hpp"
 #include "solver/store/particle_store.hpp"
 #include "solver/time/fluid_step.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The box of a region that a [[solidify]] names.
 class SolidifyRegion {
@@ -52,4 +53,4 @@ class SolidifyConditions {
     std::vector<double> stress_;  ///< shear stress of this rank's liquid, where it is asked for [Pa]
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

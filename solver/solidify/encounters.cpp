@@ -9,8 +9,9 @@
 #include "solver/models/solidify/mutually_closest.hpp"
 #include "solver/models/solidify/per_candidate.hpp"
 #include "solver/models/solidify/per_pair.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -107,4 +108,4 @@ std::vector<Encounter> binding_ones(std::span<const Encounter> encounters, const
     return binding;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

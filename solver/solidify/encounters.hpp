@@ -9,8 +9,9 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/models/solidify/encounter.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A particle by its id and place [m].
 struct PlacedParticle {
@@ -36,4 +37,4 @@ Binds binding_rule(SolidifyRule rule, double probability);
 std::vector<Encounter> binding_ones(std::span<const Encounter> encounters, const Binds& binds, const Dice& dice,
                                     std::unordered_map<std::int64_t, int> room, int most_bonds);
 
-}  // namespace dmp
+}  // namespace dmp::solver

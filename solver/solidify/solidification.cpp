@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "solver/solidify/conditions.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -245,4 +245,4 @@ void Solidification::archive(Archive& file) {
         since_[static_cast<std::int64_t>(ids[k])] = static_cast<std::int64_t>(events.at(k));
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

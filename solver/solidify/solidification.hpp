@@ -10,8 +10,9 @@
 #include "solver/solidify/encounters.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/time/fluid_step.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// One [[solidify]]: who are its seeds, and what happens at its events (docs/solidify.md). Every rank finds the
 /// encounters of its own liquid, all ranks gather them and throw the same dice, so that all make the same change to the
@@ -61,4 +62,4 @@ class Solidification {
     std::map<std::int64_t, std::int64_t> since_;  ///< nodes that are seeds: the first event in which they may act
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

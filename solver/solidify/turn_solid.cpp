@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -60,4 +60,4 @@ void turn_solid(ParticleStore& particles, std::span<const std::int64_t> ids, dou
     fluid.reorder(staying);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/store/particle_store.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Makes liquid particles of this rank, of those whose ids these are (in order), particles of spring bodies. Id, part,
 /// mass, velocity, volume and density stay what they are; they stand `ahead` [s] of their velocity further on, as the
@@ -14,4 +14,4 @@ namespace dmp {
 /// Copies go, and neighbours have to be found anew.
 void turn_solid(ParticleStore& particles, std::span<const std::int64_t> ids, double ahead, const ClusterList& list);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Rows of four numbers, one a lane, turned into four columns of lanes, and back: `L::width` rows at a time, through
 /// the shuffles of the vector unit where the lanes fill 32 or 64 bytes.
@@ -95,4 +95,4 @@ class Columns {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

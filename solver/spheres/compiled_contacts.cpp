@@ -5,7 +5,7 @@
 #include "solver/spheres/contact_kernel.hpp"
 #include "solver/spheres/contact_models.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -23,4 +23,4 @@ ContactSweep compiled_contact_sweep<VectorUnit::DMP_VECTOR_UNIT>(const ContactMo
     return sweep_of<Lanes, VectorUnit::DMP_VECTOR_UNIT>(number_of(model), std::make_index_sequence<contact_models>{});
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,7 +11,7 @@
 #include "solver/spheres/sphere_rows.hpp"
 #include "solver/sweeps/order_free.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the longest law remembers of a contact: two vectors and a radius.
 inline constexpr std::size_t most_history = 7;
@@ -61,4 +61,4 @@ int history_values(const ContactModel& model);
 /// Largest gap across which a force acts between bodies of this effective radius [m]; 0: only where they touch.
 double contact_reach(const ContactModel& model, const ContactConstants<double>& pair, double radius);
 
-}  // namespace dmp
+}  // namespace dmp::solver

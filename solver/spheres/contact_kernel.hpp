@@ -10,7 +10,7 @@
 #include "solver/spheres/contact_job.hpp"
 #include "solver/sweeps/lanes.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The loop over contacts: L contacts side by side, each once. Velocities are those of the middle of the step that led
 /// to the present places; so the directions in which two surfaces slide on each other are taken at the middle too
@@ -122,4 +122,4 @@ class ContactKernel {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

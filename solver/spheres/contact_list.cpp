@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -154,4 +154,4 @@ std::size_t ContactList::bytes() const {
     return bytes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

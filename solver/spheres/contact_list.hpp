@@ -10,7 +10,7 @@
 #include "solver/spheres/sphere_rows.hpp"
 #include "solver/spheres/sphere_search.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Which law holds between the spheres of two parts.
 class PairKinds {
@@ -97,4 +97,4 @@ class ContactList {
     std::size_t most_deferred_ = 0, count_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace dmp {
+namespace dmp::solver {
 
 void ContactMemory::exchange(const Ranks& ranks, const std::vector<std::vector<RememberedContact>>& to_each) {
     for (const auto& received : ranks.exchange(to_each))
@@ -45,4 +45,4 @@ void ContactMemory::archive(Archive& file, const std::string& name, const Ranks&
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -10,7 +10,7 @@
 #include "solver/spheres/contact_job.hpp"
 #include "solver/state/archive.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a contact remembers, by the ids of its two spheres: so it outlives lists, orders and ranks.
 struct RememberedContact {
@@ -55,4 +55,4 @@ class ContactMemory {
     std::vector<std::int32_t> first_;  ///< of each low id
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

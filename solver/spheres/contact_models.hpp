@@ -5,7 +5,7 @@
 
 #include "solver/models/dem/contact_law.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// All laws that are compiled, by number.
 inline constexpr std::size_t contact_models = std::size_t{2} * 3 * 3;
@@ -20,4 +20,4 @@ constexpr std::size_t number_of(const ContactModel& model) {
            6 * static_cast<std::size_t>(model.adhesion);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

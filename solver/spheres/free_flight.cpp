@@ -7,7 +7,7 @@
 #include "solver/parallel/shares.hpp"
 #include "solver/spheres/quad.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 void FreeFlight::end(std::size_t owned) {
     busy_.resize(owned);
@@ -53,4 +53,4 @@ void FreeFlight::land(std::span<SphereMotion> motion) {
     steps_ = 0;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 
 #include "solver/store/position_quantum.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 struct SphereMotion;
 
@@ -39,4 +39,4 @@ class FreeFlight {
     double dt_ = 0, magic_ = 0;  ///< of all these steps [s], and PositionQuantum's
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/spheres/sphere_rows.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A row's four numbers in a register.
 using Quad [[gnu::vector_size(32)]] = double;
@@ -24,4 +24,4 @@ inline Quad way_of(Quad velocity, double dt, double magic) {
     return (step * velocity + rounding) - rounding;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

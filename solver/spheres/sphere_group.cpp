@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/spheres/sphere_group.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 ParticleGroup sphere_group(const ParticleSet& set, const PositionQuantum& quantum, const Ranks& ranks) {
     const auto rank = static_cast<std::size_t>(ranks.rank()), size = static_cast<std::size_t>(ranks.size());
@@ -26,4 +26,4 @@ ParticleGroup sphere_group(const ParticleSet& set, const PositionQuantum& quantu
     return group;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,10 +5,11 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_group.hpp"
 #include "solver/store/position_quantum.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// This rank's share of the set's spheres, wherever they lie, with the velocities they start with.
 ParticleGroup sphere_group(const ParticleSet& set, const PositionQuantum& quantum, const Ranks& ranks);
 
-}  // namespace dmp
+}  // namespace dmp::solver

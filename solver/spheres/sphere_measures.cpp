@@ -8,7 +8,7 @@
 #include "solver/output/measure_series.hpp"
 #include "solver/spheres/stillness.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -94,7 +94,7 @@ void SphereMeasures::take(double time, const SphereStep& step) {
                 break;
             }
             case MeasureKind::kinetic_energy:
-                row.push_back(dmp::kinetic_energy(step, ranks_).kinetic());
+                row.push_back(solver::kinetic_energy(step, ranks_).kinetic());
                 break;
             case MeasureKind::wall_force:
                 for (ExactSum force : step.walls().total_force()) {
@@ -146,4 +146,4 @@ std::vector<double> SphereMeasures::detached(const Measure& measure, const Spher
 
 void SphereMeasures::archive(Archive& file) { archive_series(file, series_); }
 
-}  // namespace dmp
+}  // namespace dmp::solver

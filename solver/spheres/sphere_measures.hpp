@@ -5,8 +5,9 @@
 #include "scene/scene.hpp"
 #include "solver/frame.hpp"
 #include "solver/spheres/sphere_step.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Follows a scene's measures of spheres over time.
 ///   largest_speed   [m/s]
@@ -37,4 +38,4 @@ class SphereMeasures {
     MeasureSeries series_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

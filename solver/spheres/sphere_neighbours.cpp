@@ -6,7 +6,7 @@
 
 #include "solver/neighbours/space_order.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -218,4 +218,4 @@ void SphereNeighbours::archive(Archive& file, const ParticleGroup& group) {
     list_.forget();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,7 +11,7 @@
 #include "solver/spheres/sphere_skins.hpp"
 #include "solver/store/position_quantum.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Keeps at hand which spheres may touch: spheres sorted in space on the rank that owns their place, copies of those
 /// beyond its border, the list of pairs, and the contacts with what they remember. Two skins, as of the fluid's lists:
@@ -97,4 +97,4 @@ class SphereNeighbours {
     void set_fixed(std::vector<bool> fixed_by_id) { fixed_by_id_ = std::move(fixed_by_id); }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,8 +4,9 @@
 #include "particles/periodic_images.hpp"
 #include "solver/output/frame_pieces.hpp"
 #include "solver/output/wall_surfaces.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool with_walls,
                    bool in_pieces) {
@@ -66,4 +67,4 @@ Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double ti
     return frame;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

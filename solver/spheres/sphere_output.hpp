@@ -4,7 +4,7 @@
 #include "solver/frame.hpp"
 #include "solver/spheres/sphere_step.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the spheres look like now: a group "spheres" with radius, velocity, angular_velocity and contact_force, in the
 /// order of their ids, and their walls: "walls" where they are asked for, "moving_walls" always. All ranks take part;
@@ -12,4 +12,4 @@ namespace dmp {
 Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double time, long step_count, bool with_walls,
                    bool in_pieces);
 
-}  // namespace dmp
+}  // namespace dmp::solver

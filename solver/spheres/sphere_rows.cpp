@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -65,4 +65,4 @@ void SphereRows::give(ParticleGroup& group) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

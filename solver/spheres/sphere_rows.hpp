@@ -9,7 +9,7 @@
 #include "solver/spheres/free_flight.hpp"
 #include "solver/store/particle_group.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Four numbers that are read and written together.
 struct alignas(32) Row {
@@ -74,4 +74,4 @@ class SphereRows {
     FreeFlight flight_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -15,7 +15,7 @@
 #include "solver/store/position_quantum.hpp"
 #include "solver/time/step_limits.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -273,4 +273,4 @@ RunSummary SphereRun::summary() const {
     return summary;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

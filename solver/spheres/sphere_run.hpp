@@ -7,7 +7,7 @@
 #include "solver/spheres/stillness.hpp"
 #include "solver/time/schedule.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A scene of spheres and their walls in motion: what Simulation is for such scenes.
 class SphereRun final : public Steps {
@@ -58,4 +58,4 @@ class SphereRun final : public Steps {
     SphereEnergy energy_at_start_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

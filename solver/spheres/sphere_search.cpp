@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -146,4 +146,4 @@ void SphereSearch::append_near(std::int32_t begin, std::int32_t end, std::vector
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 
 #include "solver/spheres/sphere_rows.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Two rows that are near each other; `finder` decides whose thread works on the pair.
 struct NearSpheres {
@@ -65,4 +65,4 @@ class SphereSearch {
     std::vector<Grid> grids_;  ///< from the smallest class on
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

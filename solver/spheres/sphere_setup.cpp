@@ -11,7 +11,7 @@
 #include "solver/models/dem/contact_steps.hpp"
 #include "solver/models_in_use.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -238,4 +238,4 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
     return models;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

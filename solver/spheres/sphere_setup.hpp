@@ -9,8 +9,9 @@
 #include "solver/simulation.hpp"
 #include "solver/spheres/contact_list.hpp"
 #include "solver/spheres/sphere_walls.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A law between the spheres of two parts, or of a part and a wall, and what its largest steps depend on.
 struct SpherePair {
@@ -45,4 +46,4 @@ std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup&
 /// Which models run and why.
 std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space);
 
-}  // namespace dmp
+}  // namespace dmp::solver

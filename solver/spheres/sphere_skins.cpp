@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -68,4 +68,4 @@ void SphereSkins::make(const SphereRows& rows, const std::array<double, 3>& fram
     largest_ = largest;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

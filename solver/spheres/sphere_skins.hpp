@@ -8,7 +8,7 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/spheres/sphere_rows.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// How far each sphere may go before a list of neighbours misses pairs: in proportion to how fast it is among the
 /// others. One skin for all would be worn out by the one that flies off.
@@ -42,4 +42,4 @@ class SphereSkins {
     std::vector<float> skin_, inverse_square_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

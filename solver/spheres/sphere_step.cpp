@@ -7,8 +7,9 @@
 #include "particles/periodic_images.hpp"
 #include "solver/parallel/shares.hpp"
 #include "solver/spheres/quad.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -354,4 +355,4 @@ void SphereStep::archive(Archive& file) {
     driving_.archive(file);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -9,7 +9,7 @@
 #include "solver/time/outside_impulses.hpp"
 #include "solver/time/stage_timer.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// One step of spheres in contact, velocity Verlet: velocities and spins half a step, places a whole one, contact
 /// forces there, velocities and spins the second half. Contacts see the velocities of the middle of the step, with
@@ -106,4 +106,4 @@ class SphereStep {
     StageTimer timer_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

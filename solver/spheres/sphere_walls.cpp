@@ -10,7 +10,7 @@
 #include "base/closest_point.hpp"
 #include "solver/spheres/triangle_grid.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -289,4 +289,4 @@ void SphereWalls::archive(Archive& file, const Ranks& ranks) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -12,8 +12,9 @@
 #include "solver/spheres/sphere_rows.hpp"
 #include "solver/spheres/wall_law.hpp"
 #include "solver/state/archive.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A law between a part of spheres and a wall's part.
 struct WallPair {
@@ -132,4 +133,4 @@ class SphereWalls {
     std::array<ExactSum, 3> total_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
     return text.str();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

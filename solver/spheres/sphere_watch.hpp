@@ -6,7 +6,7 @@
 
 #include "solver/spheres/sphere_step.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The largest overlap of two spheres, or of a sphere and a wall, over the smaller radius, on this rank.
 struct LargestOverlap {
@@ -23,4 +23,4 @@ inline constexpr double most_overlap = 0.9;
 /// What is wrong with this rank's spheres, as "problem\nwhat to do"; empty: nothing.
 std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& space);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -82,4 +82,4 @@ void Stillness::archive(Archive& file) {
     file("stillness/reached", reached_);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/spheres/sphere_step.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Finds when nothing changes any more: for the time asked for, no two spheres, nor a sphere and a wall, have come into
 /// contact or lost it, and the kinetic energy stayed within 10^-3 of the largest one so far. That holds for spheres in
@@ -36,4 +36,4 @@ std::int64_t fingerprint_of_contacts(const SphereStep& step, const Ranks& ranks)
 /// Kinetic energy of free spheres of all ranks.
 SphereEnergy kinetic_energy(const SphereStep& step, const Ranks& ranks);
 
-}  // namespace dmp
+}  // namespace dmp::solver

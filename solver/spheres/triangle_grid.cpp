@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<Vec> shifts_near(const ParticleSpace& space, const Vec& point, doubl
     return shifts;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

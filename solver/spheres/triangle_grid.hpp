@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "particles/particle_set.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Triangles sorted into cells, each into all that its box, widened by the reach, touches: one look finds what is near
 /// a point.
@@ -41,4 +42,4 @@ class TriangleGrid {
 /// near it, may come from the other side.
 std::vector<Vec> shifts_near(const ParticleSpace& space, const Vec& point, double reach);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 
 #include "solver/spheres/contact_models.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -77,4 +77,4 @@ ContactSweep contact_sweep(const ContactModel& model, VectorUnit unit) {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/spheres/contact_job.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Where a sphere and a wall are near each other.
 struct WallTouch {
@@ -24,4 +24,4 @@ using WallLaw = WallPush (*)(const SphereMotion& sphere, const WallTouch& touch,
 
 WallLaw wall_law(const ContactModel& model);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::solver {
 
 template <class T>
 void Archive::array(const std::string& name, std::vector<T>& values) {
@@ -96,4 +96,4 @@ void Archive::operator()(const std::string& name, ParticleGroup& group) {
             std::ranges::copy(share<double>(array_name(field, axis), begin, end), group.data(field, axis));
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

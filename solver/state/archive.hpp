@@ -11,7 +11,7 @@
 #include "solver/store/particle_store.hpp"
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A state on its way into a checkpoint or out of one. Whoever has state names each value once, for both ways:
 ///     void archive(Archive& file) { file("step", step_); file("time", time_); }
@@ -50,4 +50,4 @@ class Archive {
     const Hdf5Reader* reader_ = nullptr;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "base/sealed_file.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What checkpoints are sealed as; a change of their contents that an earlier dmp cannot read counts the version up.
 inline constexpr SealedKind checkpoint_kind{"checkpoint", 1};
@@ -24,4 +24,4 @@ class CheckpointReader : public SealedReader {
     explicit CheckpointReader(const std::filesystem::path& file) : SealedReader(file, checkpoint_kind) {}
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -9,7 +9,7 @@
 #include "base/safe_file.hpp"
 #include "solver/state/checkpoint_file.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace fs = std::filesystem;
 
@@ -94,4 +94,4 @@ std::size_t CheckpointFolder::remove() {
     return all.size();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A checkpoint that a run can go on from.
 struct FoundCheckpoint {
@@ -48,4 +48,4 @@ class CheckpointFolder {
     std::set<long> good_;  ///< steps whose files were checked, or written, by this object's owner
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

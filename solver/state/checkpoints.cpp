@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "solver/state/checkpoint_file.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -97,4 +97,4 @@ FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const 
     return *found;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

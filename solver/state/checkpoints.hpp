@@ -9,7 +9,7 @@
 #include "solver/state/archive.hpp"
 #include "solver/state/checkpoint_folder.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a run does about checkpoints.
 struct CheckpointOptions {
@@ -45,4 +45,4 @@ class Checkpoints {
 /// lines that differ.
 FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const std::string& scene);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "particles/periodic_images.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -68,4 +69,4 @@ std::string state_hash(std::span<const ParticleGroup> groups, const ParticleSpac
     return text.data();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

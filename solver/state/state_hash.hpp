@@ -7,7 +7,7 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_store.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A number for all bits of the particles' ids, positions, velocities and densities, as 16 hex digits: the sum of a
 /// hash of each particle, which needs no order and no memory. Positions as they are in the box, along periodic axes and
@@ -18,4 +18,4 @@ inline std::string state_hash(const ParticleStore& particles, const Ranks& ranks
     return state_hash(particles.groups(), particles.space(), ranks);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

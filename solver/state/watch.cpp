@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -238,4 +238,4 @@ std::size_t Watch::lost(const ParticleStore& particles, const ClusterList& list)
     return count;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 
 #include "solver/time/fluid_step.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Watches a run and says, as soon as it leaves the region where its equations hold, which particle did and why.
 class Watch {
@@ -77,4 +77,4 @@ class Watch {
     double walls_moved_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The per-particle arrays a model may ask for.
 enum class Field {
@@ -110,4 +110,4 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }
 
-}  // namespace dmp
+}  // namespace dmp::solver

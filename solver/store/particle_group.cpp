@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::size_t ParticleGroup::bytes() const {
     return bytes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

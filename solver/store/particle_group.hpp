@@ -9,8 +9,9 @@
 #include "base/uninitialized.hpp"
 #include "particles/particle_set.hpp"
 #include "solver/store/fields.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Who a particle is. Travels with it.
 struct ParticleTag {
@@ -79,4 +80,4 @@ class ParticleGroup {
     Array moved_;  ///< where an array is put in a new order
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

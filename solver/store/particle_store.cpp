@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/store/particle_store.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 ParticleStore::ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks)
     : quantum_(set),
@@ -40,4 +40,4 @@ std::size_t ParticleStore::bytes() const {
     return bytes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

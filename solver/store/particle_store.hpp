@@ -7,7 +7,7 @@
 #include "solver/store/particle_group.hpp"
 #include "solver/store/position_quantum.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 inline constexpr std::array<ParticleKind, 3> all_kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
 
@@ -37,4 +37,4 @@ class ParticleStore {
     std::array<ParticleGroup, 3> groups_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

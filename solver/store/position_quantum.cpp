@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 PositionQuantum::PositionQuantum(const ParticleSpace& space) {
     double farthest = space.spacing;
@@ -25,4 +25,4 @@ ParticleSpace with_whole_periods(const ParticleSpace& space, const PositionQuant
     return whole;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

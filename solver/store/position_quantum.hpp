@@ -2,8 +2,9 @@
 #pragma once
 
 #include "particles/particle_set.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The smallest step a position can make: a power of two, a few parts in 10^16 of the scene's size. All positions and
 /// periods are whole multiples of it, so that moving a particle by a period, and the separation of two particles, are
@@ -27,4 +28,4 @@ class PositionQuantum {
 /// The same space with its periods made whole multiples of the quantum.
 ParticleSpace with_whole_periods(const ParticleSpace& space, const PositionQuantum& quantum);
 
-}  // namespace dmp
+}  // namespace dmp::solver

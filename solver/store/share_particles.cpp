@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/store/share_particles.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -85,4 +85,4 @@ void share_particles(ParticleSet& particles, const Ranks& ranks) {
     ranks.broadcast(particles.dihedrals);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,10 +3,11 @@
 
 #include "particles/particle_set.hpp"
 #include "solver/parallel/ranks.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The first rank's particles on all ranks; each then takes up its share of them (ParticleStore).
 void share_particles(ParticleSet& particles, const Ranks& ranks);
 
-}  // namespace dmp
+}  // namespace dmp::solver

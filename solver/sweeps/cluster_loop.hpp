@@ -5,7 +5,7 @@
 
 #include "solver/neighbours/cluster_list.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Particles that are worked on together, a cluster or the part of one that the lanes hold, and what is near them.
 struct Neighbourhood {
@@ -38,4 +38,4 @@ void for_each_cluster(const ClusterList& list, ParticleKind kind, ClusterChoice 
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

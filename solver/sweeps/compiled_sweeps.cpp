@@ -23,8 +23,9 @@
 #include "solver/sweeps/summation_sweep.hpp"
 #include "solver/sweeps/transport_sweep.hpp"
 #include "solver/sweeps/viscous_sweep.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -337,4 +338,4 @@ std::unique_ptr<PairSweeps> compiled_sweeps(const PairSettings& settings, int di
 template std::unique_ptr<PairSweeps> compiled_sweeps<VectorUnit::DMP_VECTOR_UNIT, KernelKind::DMP_KERNEL>(
     const PairSettings& settings, int dimension);
 
-}  // namespace dmp
+}  // namespace dmp::solver

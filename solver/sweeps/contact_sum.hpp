@@ -6,7 +6,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Sums the repulsion by the neighbours of a cluster, L of its particles at a time. It knows nothing of the fluid's
 /// laws, so that it is compiled once for all of them.
@@ -44,4 +44,4 @@ class ContactSum {
     const OrderFree& order_free_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

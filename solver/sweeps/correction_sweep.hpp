@@ -8,7 +8,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the sums of a correction sweep are rounded to.
 struct CorrectionRounding {
@@ -173,4 +173,4 @@ class CorrectionSweep {
     SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

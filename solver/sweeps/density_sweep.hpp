@@ -8,7 +8,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the sums of a density sweep are rounded to.
 struct DensityRounding {
@@ -153,4 +153,4 @@ class DensitySweep {
     SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/sweeps/contact_sum.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Sums pressure, viscous and contact forces over the neighbours of each cluster, L of its particles at a time.
 /// `Viscosity` is a law of models/sph/ (NoViscosity where viscous forces are not this sweep's business).
@@ -108,4 +108,4 @@ class ForceSweep {
     SolidReader<L, D, Solid::needs_state, false> springs_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include <immintrin.h>
 #endif
 
-namespace dmp {
+namespace dmp::solver {
 
 /// As many numbers as a vector register of the processor holds, worked on together: particles of one cluster side by
 /// side. Results do not depend on how many there are.
@@ -114,4 +114,4 @@ using Lanes = BasicLanes<double, vector_bytes>;
 
 inline double where_less(double x, double y, double a, double b) { return x < y ? a : b; }
 
-}  // namespace dmp
+}  // namespace dmp::solver

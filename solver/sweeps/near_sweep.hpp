@@ -6,7 +6,7 @@
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Looks through all that is listed and keeps what is within `reach` of a member of its cluster as neighbours, L
 /// members at a time.
@@ -65,4 +65,4 @@ class NearSweep {
     int threads_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

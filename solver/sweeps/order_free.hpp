@@ -5,7 +5,7 @@
 
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Rounds the terms of a sum to whole multiples of a power of two. Such sums are exact, hence the same bits in any
 /// order: of neighbours, of copies, on any number of threads and ranks, whenever the list was made.
@@ -33,4 +33,4 @@ class OrderFree {
     double magic_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/sweeps/compiled_sweeps.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, Parti
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -11,8 +11,9 @@
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/resources.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The viscous law of the force sweep. `none` leaves viscous forces to others.
 enum class ViscousForce { morris, morris_harmonic, monaghan, none };
@@ -151,4 +152,4 @@ class PairSweeps {
 /// ResourceError when the processor lacks the vector unit.
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles);
 
-}  // namespace dmp
+}  // namespace dmp::solver

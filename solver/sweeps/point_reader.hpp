@@ -8,7 +8,7 @@
 #include "solver/store/particle_group.hpp"
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// One value of a particle, or those of a cluster's members side by side.
 template <class L>
@@ -120,4 +120,4 @@ class SolidReader {
     bool slips_, accelerates_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Sums the diffusion of a species between fluid particles of one diffusivity (SpeciesDiffusion) on the way of a sweep
 /// that has the kernel's slope already, L of a cluster's particles at a time.
@@ -72,4 +72,4 @@ class SpeciesAlong {
     double factor_, left_;  ///< of SUM w_ij: what the terms have; what is to be added with d^2 [m^2]
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Reads particles in the form that the diffusion of a species takes.
 template <class L, int D, ParticleKind kind>
@@ -180,4 +180,4 @@ class SpeciesSweep {
     int threads_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Sets the fluid's density to the sum over neighbours (models/sph/summation_density.hpp), L of a cluster's particles
 /// at a time. Particles count with their masses, so that neighbours' densities need not be known.
@@ -66,4 +66,4 @@ class SummationSweep {
     int threads_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

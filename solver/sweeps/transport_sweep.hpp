@@ -6,7 +6,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// After the force sweep: adds the forces of the transport velocity to the fluid's and sums what spreads the particles
 /// into Field::shift, L of a cluster's particles at a time.
@@ -76,4 +76,4 @@ class TransportSweep {
     std::array<const double*, D> transport_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

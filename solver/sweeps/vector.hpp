@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dmp {
+namespace dmp::solver {
 
 /// D numbers of type T (double or Lanes) that add and scale like a vector.
 template <class T, int D>
@@ -59,4 +59,4 @@ Vector<T, 3> cross(const Vector<T, 3>& a, const Vector<T, 3>& b) {
     return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The viscous force alone, as a linear function of the velocities in a field of one's choice: what implicit viscosity
 /// solves for. Solids act as they do in the force sweep. L of a cluster's particles at a time.
@@ -182,4 +182,4 @@ class ViscousSweep {
     std::array<const double*, D> fluid_velocity_, springs_velocity_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

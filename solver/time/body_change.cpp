@@ -10,7 +10,7 @@
 #include "base/disjoint_sets.hpp"
 #include "solver/models/springs/spring.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 Vec nearest_image(Vec apart, const ParticleSpace& space) {
     for (int axis = 0; axis < space.dimension; ++axis) {
@@ -196,4 +196,4 @@ ChangedBodies change_bodies(const std::vector<BodyParts>& bodies, const BodyChan
     return changed;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

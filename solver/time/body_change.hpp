@@ -7,7 +7,7 @@
 
 #include "solver/time/body_parts.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What happens to spring bodies at one moment, in this order. Particles are named by their ids.
 struct BodyChange {
@@ -40,4 +40,4 @@ struct ChangedBodies {
 /// momentum are those of before, node by node.
 ChangedBodies change_bodies(const std::vector<BodyParts>& bodies, const BodyChange& change, const ParticleSpace& space);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -9,7 +9,7 @@
 #include "solver/models/springs/spring.hpp"
 #include "solver/time/self_contact.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 std::vector<std::string> body_names(const Scene& scene) {
     std::vector<std::string> names;
@@ -205,4 +205,4 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
     if (!file.loading()) file(name, numbers);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,8 +8,9 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/state/archive.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A spring body as plain values, its nodes numbered from 0: what a SpringBody is made from, and what is cut and joined
 /// where bodies change (BodyChange). All positions never wrap.
@@ -72,4 +73,4 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
 /// The reduced mass of two [kg].
 inline double reduced_mass(double a, double b) { return a * b / (a + b); }
 
-}  // namespace dmp
+}  // namespace dmp::solver

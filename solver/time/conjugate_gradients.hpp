@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Where a solve stands.
 struct Residual {
@@ -50,4 +50,4 @@ inline long patience(double kappa, double tolerance) {
     return 100 + static_cast<long>(root * std::log(2 * root / tolerance));
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "solver/sweeps/order_free.hpp"
 #include "solver/time/spring_bodies.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -130,4 +130,4 @@ double SpringBodies::largest_contact_rate(const ParticleStore& particles, const 
     return ranks_.largest(largest) + of_themselves;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

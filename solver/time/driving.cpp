@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "particles/periodic_images.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -214,4 +215,4 @@ void Driving::archive(Archive& file) {
     if (!empty()) file("driving/largest_acceleration", largest_acceleration_);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

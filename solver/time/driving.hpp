@@ -15,8 +15,9 @@
 #include "solver/parallel/ranks.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the scene pushes with from outside besides a body acceleration: forces on parts and shapes that parts feel. It
 /// depends on time and place alone; along periodic axes the place is the one in the box, and of a shape the image that
@@ -85,4 +86,4 @@ class Driving {
     double largest_acceleration_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

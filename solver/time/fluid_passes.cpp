@@ -13,7 +13,7 @@
 #include "solver/parallel/sums_over.hpp"
 #include "solver/sweeps/order_free.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -278,4 +278,4 @@ PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
     return extremes;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "solver/parallel/exact_sum.hpp"
 #include "solver/store/particle_store.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a pass over the fluid found on the way.
 struct PassExtremes {
@@ -73,4 +73,4 @@ class FluidPasses {
     int threads_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

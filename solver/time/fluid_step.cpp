@@ -6,8 +6,9 @@
 
 #include "particles/periodic_images.hpp"
 #include "solver/solidify/turn_solid.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -331,4 +332,4 @@ FluidExtremes FluidStep::extremes() const {
     return all;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -18,8 +18,9 @@
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/time/wall_motion.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The state of the fluid after a step, as the step-size controller and the watch want it.
 struct FluidExtremes {
@@ -47,7 +48,7 @@ class FluidStep {
     /// Takes note of how stiff the contacts of spring bodies are where they were drawn. Neighbours must be up to date.
     void look_at_contacts();
     /// Largest stable step of those contacts [s], as of the middle of the last step (or the start).
-    [[nodiscard]] double contact_step_limit() const { return dmp::contact_step_limit(contact_rate_); }
+    [[nodiscard]] double contact_step_limit() const { return solver::contact_step_limit(contact_rate_); }
     /// Makes the neighbour list and the copies fit the present positions.
     void refresh_neighbours();
     /// Brings pressure (and volume) up to the present density, of copies too.
@@ -130,4 +131,4 @@ class FluidStep {
     StageTimer timer_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

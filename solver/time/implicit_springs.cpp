@@ -6,7 +6,7 @@
 #include "base/errors.hpp"
 #include "solver/time/implicit_system.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(SpringNetwork&&) noexcept = default;
@@ -107,4 +107,4 @@ bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
 template class SpringNetwork<2>;
 template class SpringNetwork<3>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

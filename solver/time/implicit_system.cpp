@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 template <int D>
 SpringNetwork<D>::ImplicitSystem::ImplicitSystem(const SpringNetwork& body) {
@@ -145,4 +145,4 @@ double SpringNetwork<D>::ImplicitSystem::correct(const Vectors& residual, double
 template class SpringNetwork<2>::ImplicitSystem;
 template class SpringNetwork<3>::ImplicitSystem;
 
-}  // namespace dmp
+}  // namespace dmp::solver

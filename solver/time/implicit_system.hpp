@@ -8,7 +8,7 @@
 
 #include "solver/time/spring_network.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The matrix of one implicit midpoint step of a spring body, for the velocities of its free nodes at mid-step:
 ///   A = M + dt/2 (C + k_v) + dt^2/4 K
@@ -53,4 +53,4 @@ class SpringNetwork<D>::ImplicitSystem {
     Vectors position_;  ///< that the factors were made for
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 
 #include "solver/time/viscous_system.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -58,4 +58,4 @@ void ImplicitViscosity::archive(Archive& file) {
     file("viscosity/most_iterations", solves_.most_iterations);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -12,7 +12,7 @@
 #include "solver/time/conjugate_gradients.hpp"
 #include "solver/time/spring_bodies.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The viscous forces of a step cannot be found.
 class UnsolvedViscosity : public DivergenceError {
@@ -54,4 +54,4 @@ class ImplicitViscosity {
     ViscousSolves solves_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,11 +3,11 @@
 
 #include <array>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Impulses that moving particles have been given from outside [N s].
 struct OutsideImpulses {
     std::array<double, 3> of_body_forces{}, of_fixed{}, of_drag{};
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

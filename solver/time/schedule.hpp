@@ -6,7 +6,7 @@
 
 #include "solver/state/archive.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The times k * every, k = 0, 1, ..., one after another, without drift.
 class Schedule {
@@ -26,4 +26,4 @@ class Schedule {
     std::int64_t count_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 
 #include "solver/models/contact/contact_stiffness.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -95,4 +95,4 @@ double SelfContact<D>::rate(const Vectors& position, const std::vector<double>& 
 template class SelfContact<2>;
 template class SelfContact<3>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -9,8 +9,9 @@
 #include "particles/cell_grid.hpp"
 #include "particles/particle_set.hpp"
 #include "solver/models/contact/repulsion.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What keeps spring bodies from passing through others and through themselves.
 struct SpringContact {
@@ -65,4 +66,4 @@ class SelfContact {
     Vectors looked_at_;                       ///< where nodes were then
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

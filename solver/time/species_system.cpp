@@ -6,7 +6,7 @@
 
 #include "solver/parallel/sums_over.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 SpeciesSystem::SpeciesSystem(const Around& around, const SpeciesSums& sums) : on_(around), sums_(sums) {
     for (ParticleGroup& group : on_.particles.groups())
@@ -147,4 +147,4 @@ void SpeciesSystem::turn(double beta) {
     });
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

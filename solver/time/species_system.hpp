@@ -9,7 +9,7 @@
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/conjugate_gradients.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The equations of one step's implicit diffusion of a species (backward Euler), as conjugate_gradients wants them:
 ///   V_i c_i - dt SUM_j G_ij (c_j - c_i) = w_i
@@ -70,4 +70,4 @@ class SpeciesSystem {
     double condition_ = 1, largest_diagonal_ = 0, scale_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

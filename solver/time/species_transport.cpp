@@ -10,8 +10,9 @@
 #include "solver/parallel/sums_over.hpp"
 #include "solver/sweeps/order_free.hpp"
 #include "solver/time/species_system.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -372,4 +373,4 @@ void SpeciesTransport::archive(Archive& file) {
     file("species/most_iterations", solves_.most_iterations);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

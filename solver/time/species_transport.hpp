@@ -12,8 +12,9 @@
 #include "solver/state/archive.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/fluid_passes.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The concentrations of a step cannot be found.
 class UnsolvedSpecies : public DivergenceError {
@@ -111,4 +112,4 @@ class SpeciesTransport {
     ViscousSolves solves_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 
 #include "solver/parallel/each_of.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact)
     : ranks_(ranks),
@@ -102,7 +102,7 @@ int SpringBodies::substeps(double dt) const {
 void SpringBodies::archive_parts(Archive& file) {
     std::vector<BodyParts> parts;
     for (const auto& body : bodies_) parts.push_back(body->parts());
-    dmp::archive(file, "springs/bodies", parts);
+    solver::archive(file, "springs/bodies", parts);
     for (std::size_t k = 0; k < names_.size(); ++k) {
         file("springs/bonds_made_" + names_[k], tally_[k].made);
         file("springs/bonds_broken_" + names_[k], tally_[k].broken);
@@ -196,4 +196,4 @@ double SpringBodies::show_positions(ParticleStore& particles) const {
     return std::sqrt(farthest);
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -14,8 +14,9 @@
 #include "solver/store/particle_store.hpp"
 #include "solver/time/body_change.hpp"
 #include "solver/time/spring_body.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What has happened to the bonds of one springs part, [[solidify]] or [[join]] so far.
 struct BondTally {
@@ -107,4 +108,4 @@ class SpringBodies {
     double largest_step_ = 0;  ///< explicit: the shortest limit times the scene's spring_step_factor [s]
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -13,8 +13,9 @@
 #include "solver/state/archive.hpp"
 #include "solver/time/body_parts.hpp"
 #include "solver/time/self_contact.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the surroundings of spring bodies gave them [N s].
 struct SpringImpulses {
@@ -109,4 +110,4 @@ class SpringBody {
     std::vector<int> origin_, bond_origin_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

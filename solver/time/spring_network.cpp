@@ -6,7 +6,7 @@
 #include "base/errors.hpp"
 #include "solver/time/implicit_system.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body,
                                              const SpringContact& contact) {
@@ -231,4 +231,4 @@ typename SpringNetwork<D>::Vectors SpringNetwork<D>::forces(const Vectors& posit
 template class SpringNetwork<2>;
 template class SpringNetwork<3>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

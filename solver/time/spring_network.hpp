@@ -13,7 +13,7 @@
 #include "solver/models/springs/hinge_force.hpp"
 #include "solver/time/spring_body.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A spring of this law between nodes of one body.
 template <class Law>
@@ -161,4 +161,4 @@ class SpringNetwork final : public SpringBody {
 extern template class SpringNetwork<2>;
 extern template class SpringNetwork<3>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/time/implicit_system.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::vector<std::array<double, 6>> SpringNetwork<D>::virial() const {
 template class SpringNetwork<2>;
 template class SpringNetwork<3>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/time/implicit_system.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 template <int D>
 std::vector<Vec> SpringNetwork<D>::balance(std::span<const Vec> w, double dt) const {
@@ -51,4 +51,4 @@ void SpringNetwork<D>::expect(std::span<const Vec> w) {
 template class SpringNetwork<2>;
 template class SpringNetwork<3>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Wall time by stage of the step. What a stage inside another takes is not counted for the other too.
 class StageTimer {
@@ -41,4 +41,4 @@ class StageTimer {
     Lap* innermost_ = nullptr;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

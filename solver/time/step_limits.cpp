@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 StepLimit viscous_step_limit(const StepScales& scales) {
     // Half of the linear limit: walls with extrapolated velocity raise the largest eigenvalue.
@@ -47,4 +47,4 @@ const StepLimit& ruling_limit(const std::vector<StepLimit>& limits) {
                              [](const StepLimit& a, const StepLimit& b) { return a.dt < b.dt; });
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

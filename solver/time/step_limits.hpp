@@ -6,7 +6,7 @@
 #include "solver/simulation.hpp"
 #include "solver/time/driving.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What the fluid step may depend on.
 struct StepScales {
@@ -38,4 +38,4 @@ void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, d
 /// The shortest of them.
 const StepLimit& ruling_limit(const std::vector<StepLimit>& limits);
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 ViscousNodes::ViscousNodes(SpringBodies& springs, const ParticleStore& particles, double dt)
     : springs_(springs), dt_(dt) {
@@ -113,4 +113,4 @@ void ViscousNodes::add_curvature(ExactSum& sum) const {
     for (std::size_t n = 0; n < direction_.size(); ++n) sum.add(direction_[n].dot(image_[n]));
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/parallel/exact_sum.hpp"
 #include "solver/time/spring_bodies.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The spring bodies' part of the equations of implicit viscosity. A node's unknown is its mean velocity w over the
 /// step to come, which is what the fluid sees of it; the springs, which will act during that step, are in its balance:
@@ -56,4 +56,4 @@ class ViscousNodes {
     Vectors other_force_, velocity_, residual_, preconditioned_, direction_, image_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

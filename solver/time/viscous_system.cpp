@@ -6,7 +6,7 @@
 
 #include "solver/parallel/sums_over.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -194,4 +194,4 @@ void ViscousSystem::add_forces() {
     }
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -9,7 +9,7 @@
 #include "solver/time/conjugate_gradients.hpp"
 #include "solver/time/viscous_nodes.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The equations of one step's implicit viscosity (ImplicitViscosity), as conjugate_gradients wants them. Vectors are
 /// fields of the store. All sums are exact or order-free: results are the same bits on any number of threads and ranks.
@@ -62,4 +62,4 @@ class ViscousSystem {
     double velocity_scale_ = 0;
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -192,4 +192,4 @@ void WallMotion::archive(Archive& file) {
         moving_[k].shown = {Vec(poses[4 * k], poses[4 * k + 1], poses[4 * k + 2]), poses[4 * k + 3]};
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

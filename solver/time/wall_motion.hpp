@@ -7,8 +7,9 @@
 #include "scene/scene.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/store/particle_store.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// How far a rigid part has come from where it was drawn.
 struct WallPose {
@@ -85,4 +86,4 @@ class WallMotion {
     double t_ = 0, dt_ = 0;  ///< of the step
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,10 +6,12 @@
 
 #include "postproc/read_frames.hpp"
 #include "tests/end_to_end/small_valve.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -21,11 +23,11 @@ class BlowUp : public SmallValve {
         const std::regex particle(
             "step ([0-9]+): particle ([0-9]+) of 'blood' at \\(([-+.e0-9]+) m, ([-+.e0-9]+) m\\)");
         ASSERT_TRUE(std::regex_search(message, words, particle)) << message;
-        const auto series = dmp::read_series(folder_.path() / out / "fluid.pvd");
+        const auto series = read_series(folder_.path() / out / "fluid.pvd");
         ASSERT_FALSE(series.empty());
-        const dmp::Frame frame = dmp::read_frame(series.back().file, "fluid").frame;
+        const Frame frame = read_frame(series.back().file, "fluid").frame;
         EXPECT_EQ(frame.step, std::stol(words[1]));
-        const dmp::FrameGroup& fluid = frame.groups.front();
+        const FrameGroup& fluid = frame.groups.front();
         const auto found = std::ranges::find(fluid.id, std::stol(words[2]));
         ASSERT_NE(found, fluid.id.end());
         const auto index = found - fluid.id.begin();
@@ -56,9 +58,9 @@ TEST_F(BlowUp, FromAFormulaThatGivesNoNumberNamesIt) {
     ASSERT_EQ(ended.code, 3) << ended.errors;
     EXPECT_THAT(ended.errors, AllOf(HasSubstr("is not finite"),
                                     HasSubstr("likely causes: flow.acceleration gives no number at that time")));
-    const auto series = dmp::read_series(folder_.path() / "out/fluid.pvd");
+    const auto series = read_series(folder_.path() / "out/fluid.pvd");
     ASSERT_FALSE(series.empty());
-    EXPECT_GT(dmp::read_frame(series.back().file, "fluid").frame.time, 0.0151);
+    EXPECT_GT(read_frame(series.back().file, "fluid").frame.time, 0.0151);
 }
 
 TEST_F(BlowUp, FromAHoleInTheDrawnWallIsRefusedBeforehand) {
@@ -73,3 +75,5 @@ TEST_F(BlowUp, FromAHoleInTheDrawnWallIsRefusedBeforehand) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -12,15 +12,12 @@
 #include "geometry/drawing_child.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/end_to_end/triangle_texts.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace {
+namespace dmp::tests {
 
-using namespace dmp::end_to_end;
-using dmp::TriangleSurface;
-using dmp::Vec;
-using dmp::testing::box;
-using dmp::testing::cube;
+namespace {
 
 struct Broken {
     std::string name;
@@ -249,13 +246,13 @@ TEST(BrokenDrawings, OfWhichNothingIsThere) {
 TEST(BrokenDrawings, ThatNeverEndAreGivenUp) {
     const TemporaryFolder folder;
     folder.write("endless.geo", "For i In {1 : 1000000000000}\n  a = i;\nEndFor\n");
-    dmp::DrawingOptions options;
+    DrawingOptions options;
     options.file = (folder.path() / "endless.geo").string();
     const auto start = std::chrono::steady_clock::now();
     try {
-        (void)dmp::read_drawing_apart(options, {.command = {DMP_PROGRAM, dmp::cli::read_drawing_word}, .seconds = 1});
+        (void)read_drawing_apart(options, {.command = {DMP_PROGRAM, dmp::cli::read_drawing_word}, .seconds = 1});
         ADD_FAILURE() << "it ended";
-    } catch (const dmp::InputError& error) {
+    } catch (const InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the drawing cannot be read: gmsh was not done "
                                                      "after 1 s\n  Open it in the program that made it"));
     }
@@ -309,3 +306,5 @@ TEST(BrokenDrawings, AreRepairedAsFarAsTheSceneSays) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -3,9 +3,10 @@
 
 #include "tests/end_to_end/program.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -90,3 +91,5 @@ TEST(CommandLine, CommandsThatDoNotUseSeveralRanksRefuseThem) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -9,25 +9,26 @@
 #include "solver/output/frame_file.hpp"
 #include "solver/output/hdf5_sink.hpp"
 #include "tests/end_to_end/program.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/postproc/synthetic_run.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::end_to_end;
-using dmp::testing::channel_frame;
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-const dmp::RunLabel label{"Channel with a flap", "0123456789abcdef", "0.2.0"};
+const RunLabel label{"Channel with a flap", "0123456789abcdef", "0.2.0"};
 
 class Convert : public testing::Test {
   protected:
     /// Three frames, as a run hands them over.
-    static void write_run(dmp::FrameSink&& sink) {
+    static void write_run(FrameSink&& sink) {
         for (int n = 0; n < 3; ++n) sink.write(channel_frame(0.1 * n, n == 0));
     }
-    void write_hdf5_run() const { write_run(dmp::Hdf5Sink(out(), label)); }
+    void write_hdf5_run() const { write_run(Hdf5Sink(out(), label)); }
 
     [[nodiscard]] fs::path out() const { return folder_.path() / "out"; }
     [[nodiscard]] Outcome convert(const std::string& folder = "out", const Surroundings& surroundings = {}) const {
@@ -38,7 +39,7 @@ class Convert : public testing::Test {
         std::map<std::string, std::string> files;
         for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / folder)) {
             const std::string name = entry.path().lexically_relative(folder_.path() / folder).string();
-            if (entry.is_regular_file() && !name.ends_with(".h5") && name != dmp::frame_index_name)
+            if (entry.is_regular_file() && !name.ends_with(".h5") && name != frame_index_name)
                 files[name] = folder_.read(folder + "/" + name);
         }
         return files;
@@ -49,7 +50,7 @@ class Convert : public testing::Test {
 
 TEST_F(Convert, LeavesWhatARunWouldHaveWritten) {
     write_hdf5_run();
-    write_run(dmp::VtkSink(folder_.path() / "vtk", label));
+    write_run(VtkSink(folder_.path() / "vtk", label));
     const auto outcome = convert();
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "") << "off a terminal it is quiet";
@@ -58,14 +59,14 @@ TEST_F(Convert, LeavesWhatARunWouldHaveWritten) {
     const auto converted = contents("out");
     EXPECT_THAT(converted, testing::Contains(testing::Key("frames/solid_000002.vtp")));
     EXPECT_EQ(converted, contents("vtk"));
-    EXPECT_TRUE(fs::exists(dmp::frame_path(out(), 2))) << "the frames stay";
+    EXPECT_TRUE(fs::exists(frame_path(out(), 2))) << "the frames stay";
 }
 
 TEST_F(Convert, TheSecondTimeReplacesTheFirst) {
     write_hdf5_run();
     ASSERT_EQ(convert().code, 0);
     const auto first = contents("out");
-    fs::remove(dmp::frame_path(out(), 2));
+    fs::remove(frame_path(out(), 2));
     ASSERT_EQ(convert().code, 0);
     EXPECT_EQ(contents("out").size(), first.size() - 2);
     EXPECT_FALSE(fs::exists(out() / "frames/fluid_000002.vtp"));
@@ -73,7 +74,7 @@ TEST_F(Convert, TheSecondTimeReplacesTheFirst) {
 
 TEST_F(Convert, FramesThatAreMissingAreNamed) {
     write_hdf5_run();
-    fs::remove(dmp::frame_path(out(), 1));
+    fs::remove(frame_path(out(), 1));
     const auto outcome = convert();
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("warning: frames that are not there are left out: 1\n"),
@@ -82,7 +83,7 @@ TEST_F(Convert, FramesThatAreMissingAreNamed) {
 
 TEST_F(Convert, ADamagedFrameEndsItWithTwoAndKeepsThoseBefore) {
     write_hdf5_run();
-    const fs::path damaged = dmp::frame_path(out(), 1);
+    const fs::path damaged = frame_path(out(), 1);
     fs::resize_file(damaged, 1000);
     const auto outcome = convert();
     EXPECT_EQ(outcome.code, 2);
@@ -101,7 +102,7 @@ TEST_F(Convert, ADamagedFirstFrameLeavesTheFolderAsItWas) {
     write_hdf5_run();
     ASSERT_EQ(convert().code, 0);
     const auto before = contents("out");
-    fs::resize_file(dmp::frame_path(out(), 0), 0);
+    fs::resize_file(frame_path(out(), 0), 0);
     EXPECT_EQ(convert().code, 2);
     EXPECT_EQ(contents("out"), before);
 }
@@ -111,7 +112,7 @@ TEST_F(Convert, NoSuchFolderAndNoFramesInItEndWithTwo) {
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_THAT(nowhere.errors, testing::StartsWith("error: nowhere: there is no such folder\n  "));
 
-    write_run(dmp::VtkSink(out(), label));
+    write_run(VtkSink(out(), label));
     const auto before = contents("out");
     const auto without = convert();
     EXPECT_EQ(without.code, 2);
@@ -139,3 +140,5 @@ TEST_F(Convert, HelpSaysWhatItTakes) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -5,9 +5,10 @@
 
 #include "tests/end_to_end/program.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -230,3 +231,5 @@ TEST_F(Drawings, ANewSceneKnowsSurfacesAndPointsThatTheDrawingNames) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

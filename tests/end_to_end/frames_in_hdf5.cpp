@@ -6,9 +6,10 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::AllOf;
 using testing::Contains;
 using testing::Each;
@@ -139,3 +140,5 @@ TEST_F(FramesInHdf5, DoNotGoOnInTheOtherFormat) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -4,8 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::end_to_end {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
@@ -148,4 +149,4 @@ TEST_F(JoinedSolids, AreRefusedWithParticlesOfAnotherJoin) {
 }
 
 }  // namespace
-}  // namespace dmp::end_to_end
+}  // namespace dmp::tests

@@ -10,15 +10,10 @@
 #include "tests/end_to_end/triangle_texts.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
-using dmp::TriangleSurface;
-using dmp::Vec;
-using dmp::testing::append;
-using dmp::testing::ball;
-using dmp::testing::box;
-using dmp::testing::flip;
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
@@ -150,3 +145,5 @@ TEST_F(MendedDrawings, AMillionTrianglesTakeSeconds) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

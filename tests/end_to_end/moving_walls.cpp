@@ -7,9 +7,10 @@
 
 #include "tests/end_to_end/program.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
@@ -65,3 +66,5 @@ TEST_F(RockingLid, GoesOnWhereItWasStopped) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

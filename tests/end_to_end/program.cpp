@@ -15,7 +15,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace dmp::end_to_end {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
@@ -129,4 +131,4 @@ Outcome run_dmp(const fs::path& folder, const std::vector<std::string>& argument
     return {code, text_of(output), text_of(errors)};
 }
 
-}  // namespace dmp::end_to_end
+}  // namespace dmp::tests

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace dmp::end_to_end {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 /// What a program left when it ended.
 struct Outcome {
@@ -51,4 +53,4 @@ struct Surroundings {
 Outcome run_dmp(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                 const Surroundings& surroundings = {});
 
-}  // namespace dmp::end_to_end
+}  // namespace dmp::tests

@@ -6,9 +6,10 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -125,3 +126,5 @@ TEST_F(Resume, DoesNotTakeUpARunThatAnotherOneReplaced) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -10,8 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::end_to_end {
+namespace dmp::tests {
 
 /// The vein valve with coarse particles: a second of computing, with fluid, walls, springs and measures.
 class SmallValve : public testing::Test {
@@ -94,4 +95,4 @@ to = ["20 mm", "15 mm"]
     }
 };
 
-}  // namespace dmp::end_to_end
+}  // namespace dmp::tests

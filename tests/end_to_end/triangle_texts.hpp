@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "geometry/triangle_surface.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::end_to_end {
+namespace dmp::tests {
 
 /// One solid of an STL text.
 inline std::string stl_text(const TriangleSurface& surface, const std::string& name) {
@@ -56,4 +57,4 @@ inline std::string scene_of(const std::string& file, const std::string& spacing 
            "[run]\nduration = \"1 ms\"\n[output]\nevery = \"1 ms\"\npictures = false\n";
 }
 
-}  // namespace dmp::end_to_end
+}  // namespace dmp::tests

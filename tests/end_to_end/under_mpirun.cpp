@@ -8,9 +8,10 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -139,3 +140,5 @@ TEST_F(SomeRanks, WhatOnlyTheFirstOneMeetsEndsThemAll) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -8,9 +8,10 @@
 
 #include "tests/end_to_end/program.hpp"
 
+namespace dmp::tests {
+
 namespace {
 
-using namespace dmp::end_to_end;
 using testing::HasSubstr;
 
 class Poiseuille : public testing::Test {
@@ -237,3 +238,5 @@ TEST(Clotting, OfAllLiquidLeavesNoDensityToTell) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -6,9 +6,9 @@
 
 #include "tests/end_to_end/program.hpp"
 
-namespace {
+namespace dmp::tests {
 
-using namespace dmp::end_to_end;
+namespace {
 
 struct Edit {
     std::string file, from, to;
@@ -289,3 +289,5 @@ TEST(FullDisk, EndsWithFourAndNamesTheFile) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "geometry/geometry_bytes.hpp"
+#include "tests/modules.hpp"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "geometry/geometry_bytes.hpp"
 #include "geometry/triangle_drawing.hpp"
 #include "geometry/triangle_file.hpp"
+#include "tests/modules.hpp"
 
 namespace {
 

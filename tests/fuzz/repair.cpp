@@ -11,6 +11,7 @@
 
 #include "geometry/repair_surface.hpp"
 #include "geometry/surface_edges.hpp"
+#include "tests/modules.hpp"
 
 namespace {
 

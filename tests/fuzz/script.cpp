@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/geo_text.hpp"
+#include "tests/modules.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);

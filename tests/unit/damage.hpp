@@ -7,7 +7,9 @@
 #include <iterator>
 #include <string>
 
-namespace dmp::testing {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 inline std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -28,4 +30,4 @@ inline void flip_bit(const std::filesystem::path& file, std::uint64_t bit) {
     stream.put(static_cast<char>(byte ^ (1 << (bit % 8))));
 }
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

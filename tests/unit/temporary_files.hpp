@@ -11,7 +11,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace dmp::testing {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 /// A folder of its own that is gone at the end of the test.
 class TemporaryFolder {
@@ -63,4 +65,4 @@ class FileSizeLimit {
     void (*handler_)(int);
 };
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

@@ -3,7 +3,9 @@
 
 #include <string>
 
-namespace dmp::testing {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 /// The whole text of the ErrorKind that `action` throws; other kinds pass.
 template <class ErrorKind>
@@ -16,4 +18,4 @@ std::string text_thrown(const auto& action) {
     return "nothing was thrown";
 }
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

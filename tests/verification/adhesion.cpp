@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pull_off = 2.58e-7, mass = 8.44e-14, z0 = 4e-10, drug = 2.5e-6, carrier = 50e-6;
@@ -85,4 +86,4 @@ TEST(Adhesion, HoldsAParticleThatSwings) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,10 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double interval = 1e-3;
@@ -144,4 +145,4 @@ TEST(Aggregate, OfASeedAloneHasClosedForms) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,10 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -188,4 +189,4 @@ TEST(Cantilever, IsTheOscillatingPlate) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/verification/cavity.hpp"
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 TEST(Cavity, StationsAreThoseOfTheTable) {
@@ -17,4 +19,4 @@ TEST(Cavity, AtReynolds100) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

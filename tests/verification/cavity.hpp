@@ -12,10 +12,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 struct Station {
     Vec point;
@@ -99,4 +100,4 @@ inline void compare_cavity(int reynolds, const std::string& name, const std::vec
     EXPECT_EQ(run.end.mass, run.start.mass);
 }
 
-}  // namespace dmp
+}  // namespace dmp::tests

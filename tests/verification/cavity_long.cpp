@@ -1,7 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/modules.hpp"
 #include "tests/verification/cavity.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 TEST(Cavity, AtReynolds1000) {
@@ -12,4 +13,4 @@ TEST(Cavity, AtReynolds1000) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

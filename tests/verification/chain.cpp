@@ -9,10 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr int links = 10;
@@ -141,4 +142,4 @@ TEST(Chain, OfOneLinkSwingsWithThePeriodOfItsSteps) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

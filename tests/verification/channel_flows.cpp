@@ -6,10 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, width = 1e-3, viscosity = 1e-6;
@@ -108,4 +109,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"40 across, Re 100, shifting 1", "couette", "0.025 mm", fast, 0.005, gentle}));
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 TEST(Conservation, OfMassAndMomentumInAPeriodicFlow) {
@@ -66,4 +67,4 @@ TEST(Conservation, OfEnergyToTheOrderOfTheIntegrator) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, face = 0.12, air = 20e-6;
@@ -125,4 +126,4 @@ TEST(Conservation, OfASpeciesStirredForManySteps) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

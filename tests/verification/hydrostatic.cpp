@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "solver/models/sph/tait.hpp"
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double g = 9.81, height = 1, width = 0.4;
@@ -52,7 +53,7 @@ TEST(Hydrostatic, PressureIsTheWeightOfTheWater) {
         largest_error = std::max(largest_error, std::abs(error));
         square += error * error;
     }
-    const double speed = std::sqrt(2 * dmp::column(run.measures, "energy").back() / run.end.mass);
+    const double speed = std::sqrt(2 * column(run.measures, "energy").back() / run.end.mass);
     Record record("hydrostatic", "50 high", run);
     record.percent("pressure after 4 s, root mean square error over rho g H",
                    std::sqrt(square / static_cast<double>(fluid.size())), 0.005);
@@ -63,4 +64,4 @@ TEST(Hydrostatic, PressureIsTheWeightOfTheWater) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

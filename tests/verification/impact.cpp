@@ -8,10 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -266,4 +267,4 @@ TEST(Impact, DampedByCoefficients) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,9 +12,9 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
-namespace {
+namespace dmp::tests {
 
-using namespace dmp::end_to_end;
+namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
@@ -137,3 +137,5 @@ TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

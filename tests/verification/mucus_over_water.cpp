@@ -9,15 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/layered_channel.hpp"
 #include "tests/verification/record.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::case_of;
-using testing_solver::KeptFrames;
-using testing_solver::profile_error;
 
 constexpr double water = 1.32e-6, mucus = 0.66e-6, speed = 1e-4;
 
@@ -60,7 +57,6 @@ TEST(MucusOverWater, needs_the_harmonic_mean) {
 }
 
 TEST(MucusOverWater, is_the_same_bits_on_one_rank_and_on_four) {
-    using namespace end_to_end;
     const TemporaryFolder folder;
     const auto summary_on = [&](int ranks) {
         const std::string out = "out" + std::to_string(ranks);
@@ -80,4 +76,4 @@ TEST(MucusOverWater, is_the_same_bits_on_one_rank_and_on_four) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double radius = 5e-4, viscosity = 1e-6, speed = 1.25e-5;  // the speed on the axis at last
@@ -76,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"20 across, cubic lattice", {}, 0.03}));
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

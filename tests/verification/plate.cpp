@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double length = 2e-2, width = 1e-2, thickness = 1e-3, youngs_modulus = 1e6, load = 2e-5, spacing = 5e-4;
@@ -57,4 +58,4 @@ TEST(Plate, SagsAsABeamDoes) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

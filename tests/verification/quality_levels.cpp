@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -110,4 +111,4 @@ TEST(QualityLevels, keep_the_errors_of_the_table_and_cost_in_their_order) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,8 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/simulation.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 /// What one run of a case has shown: rows of docs/verification.md. They go into a file of the build folder when the
 /// record ends; write_page.py puts them into the page.
@@ -63,4 +64,4 @@ class Record {
     nlohmann::json record_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double radius = 0.01, g = 9.81, friction = 0.3, start = 1;
@@ -51,4 +52,4 @@ TEST(Rolling, SlowsDownByRollingFriction) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,8 +12,9 @@
 #include "mesher/mesh_spheres.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/simulation.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 /// Keeps the last frame of a run.
 class LastFrame : public FrameSink {
@@ -107,4 +108,4 @@ inline const FrameField& field_of(const FrameGroup& group, const std::string& na
 inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 inline double smallest(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
-}  // namespace dmp
+}  // namespace dmp::tests

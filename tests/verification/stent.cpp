@@ -6,10 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double radius = 1.5e-3, first_strut = 16e-3;
@@ -83,4 +84,4 @@ TEST(Stent, ItsProfileIsParabolicAgainInFrontOfIt) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, viscosity = 0.01;
@@ -69,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"100 x 100, disordered, support 4, shifting 6", "0.01 m", "0.2", 0.005, 0.0025, fine}));
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,10 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double cycle = 0.4, spacing = 0.625e-3;
@@ -82,4 +83,4 @@ TEST(TricuspidValve, OpensAndClosesOnce) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

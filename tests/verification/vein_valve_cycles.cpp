@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double period = 4;            // of the drive [s]
@@ -70,4 +71,4 @@ TEST(VeinValve, WithoutLeafletsHardlyAnythingIsPumped) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,7 +6,7 @@
 
 #include "solver/models/contact/repulsion.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// -dF/dr of a pair that repels [N/m]: K / r^2 [13 (r*/r)^12 - 7 (r*/r)^6] for r < r*, 0 beyond. 6 K / r*^2 at touch,
 /// 75 times that at 0.77 r*: a step that is short enough for particles that touch is not for those that are pressed
@@ -31,4 +31,4 @@ inline double contact_step_limit(double largest_rate) {
     return largest_rate > 0 ? 0.5 * 2 / std::sqrt(largest_rate) : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

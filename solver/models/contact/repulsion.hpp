@@ -6,7 +6,7 @@
 #include "solver/models/pair.hpp"
 #include "solver/sweeps/lanes.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Short-range repulsion that keeps particles of different bodies apart (Monaghan 1994, exponents 12 and 6):
 ///   F_i = K [(r*/r)^12 - (r*/r)^6] x_ij / r^2   for r < r*,   0 beyond   [N]
@@ -39,4 +39,4 @@ struct Repulsion {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

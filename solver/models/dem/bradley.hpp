@@ -8,7 +8,7 @@
 #include "solver/models/dem/contact.hpp"
 #include "solver/models/dem/contact_constants.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Van der Waals adhesion of hard spheres, on top of Hertz' repulsion: in contact the constant pull of Derjaguin,
 /// Muller & Toporov (1975), across a gap z = -d Bradley's (1932):
@@ -52,4 +52,4 @@ struct BradleyAdhesion {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

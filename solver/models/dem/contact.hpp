@@ -7,7 +7,7 @@
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A sphere as contact laws see it. T is double, or Lanes for spheres side by side.
 template <class T>
@@ -82,4 +82,4 @@ Contact<T> contact_with_wall(const SpherePoint<T>& i, const Vector<T, 3>& normal
             i.spin - spin};
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The numbers of contact laws that follow from the two materials, the same for all spheres of them. T is double, or
 /// Lanes where contacts of several pairs of materials lie side by side. What is zero is off.
@@ -26,4 +26,4 @@ struct ContactConstants {
     T adhesion_range = T(0.0);                                     ///< gap at which Bradley's force is cut off [m]
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -14,7 +14,7 @@
 #include "solver/models/dem/mindlin.hpp"
 #include "solver/models/dem/rolling_friction.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 enum class TangentialHistory { rescaled, plain };       ///< RescaledHistory, PlainHistory
 enum class RollingFriction { none, constant, spring };  ///< ConstantRolling, RollingSpring
@@ -126,4 +126,4 @@ struct ContactLaw {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "solver/models/dem/restitution.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 namespace {
 
@@ -83,4 +83,4 @@ ContactConstants<> contact_constants(const ContactMaterial& i, const ContactMate
     return pair;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/models/dem/contact_constants.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a sphere or a wall is made of.
 struct ContactMaterial {
@@ -43,4 +43,4 @@ struct ContactSettings {
 ContactConstants<> contact_constants(const ContactMaterial& i, const ContactMaterial& j,
                                      const ContactSettings& settings);
 
-}  // namespace dmp
+}  // namespace dmp::solver

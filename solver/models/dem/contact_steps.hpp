@@ -6,7 +6,7 @@
 
 #include "solver/models/dem/contact_constants.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Steps that a contact is resolved with by default. An elastic impact then keeps its speed to 3e-3 (draft), 5e-4
 /// (standard) and 5e-5 (fine), wherever in a step it begins.
@@ -37,4 +37,4 @@ struct ContactTimes {
     static double stable(double stiffness, double mass) { return 2 * std::sqrt(mass / stiffness); }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 inline bool any_less(double a, double b) { return a < b; }
 
@@ -26,4 +26,4 @@ struct DashpotEnds {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Small particles on a carrier that hits a rigid wall: which of them come off (the simple model of Ariane, Sommerfeld
 /// & Alexiadis 2018, Powder Technology; docs/escape.md). All in SI units; the defaults are that paper's.
@@ -114,4 +114,4 @@ struct EscapeModel {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/models/dem/contact.hpp"
 #include "solver/models/dem/contact_constants.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// How two bodies press on each other along the normal, without dashpots.
 template <class T>
@@ -34,4 +34,4 @@ struct HertzContact {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

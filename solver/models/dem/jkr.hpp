@@ -8,7 +8,7 @@
 
 #include "solver/models/dem/hertz.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Soft spheres that stick (Johnson, Kendall & Roberts, Proc. R. Soc. A 324, 1971): in place of Hertz
 ///   F = k_n a^3 / R* - sqrt(8 pi W E*) a^(3/2),   d = a^2 / R* - sqrt(2 pi W a / E*),   E* = 3/4 k_n   [N]
@@ -76,4 +76,4 @@ struct JkrContact {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "solver/models/dem/contact.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a contact does across its normal, and what it remembers.
 template <class T>
@@ -129,4 +129,4 @@ struct PlainHistory {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

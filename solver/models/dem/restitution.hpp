@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The dashpot that gives a Hertz contact the restitution e, whatever its speed, size and stiffness (Tsuji, Tanaka &
 /// Ishida 1992):
@@ -48,4 +48,4 @@ struct RestitutionDashpot {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

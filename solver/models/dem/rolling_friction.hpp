@@ -5,7 +5,7 @@
 
 #include "solver/models/dem/contact.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A torque on i against its rolling over j, and the angle of its spring after it.
 template <class T>
@@ -70,4 +70,4 @@ struct RollingSpring {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

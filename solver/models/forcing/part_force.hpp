@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A force on a part that the scene prescribes, F(t, x) [N].
 ///   per particle: each particle takes F;  total: the N particles of the part take F / N each.
@@ -23,4 +23,4 @@ struct PartForce {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

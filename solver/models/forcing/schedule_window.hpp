@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// When something acts: from one time until another, once or again every period.
 struct ScheduleWindow {
@@ -34,4 +34,4 @@ struct ScheduleWindow {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

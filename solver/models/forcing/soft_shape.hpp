@@ -7,7 +7,7 @@
 
 #include "base/vec.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The softened repulsion from a moving shape that chosen parts alone feel, a ghost for all others: of range r* and
 /// strength K, in the distance d from the shape (the thesis, eq. 6.7, with the distance from a curve in place of those
@@ -102,4 +102,4 @@ struct Circle {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,8 +4,9 @@
 #include <cstdint>
 
 #include "scene/scene.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// When a seed looks for liquid to turn solid: in every event, in its first one alone, or in its first and every N-th
 /// after it. Seeds that are always active make round aggregates, those active once threads.
@@ -27,4 +28,4 @@ struct Activity {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -5,7 +5,7 @@
 
 #include "base/random_number.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A liquid particle within reach of a seed that is active.
 struct Encounter {
@@ -31,4 +31,4 @@ struct Dice {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/models/solidify/encounter.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Seeds and liquid particles each choose the nearest of the others; those that chose each other bind with probability
 /// p. So a particle gets at most one bond in one event, as with LAMMPS' fix bond/create (Thompson et al. 2022,
@@ -17,4 +17,4 @@ struct MutuallyClosest {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/models/solidify/encounter.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Every liquid particle within reach of a seed, however many there are, turns solid with probability p in one event,
 /// and has one bond, to the nearest seed.
@@ -15,4 +15,4 @@ struct PerCandidate {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/models/solidify/encounter.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Every seed tries each liquid particle within its reach, one throw of the dice a pair: of k seeds in reach, a liquid
 /// particle turns solid with 1 - (1 - p)^k in one event, and has a bond to each seed whose throw succeeded.
@@ -16,4 +16,4 @@ struct PerPair {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

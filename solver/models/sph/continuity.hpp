@@ -3,7 +3,7 @@
 
 #include "solver/models/pair.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Rate of density of particle i (Monaghan 1994, in volume form):
 ///   drho_i/dt = rho_i SUM_j V_j v_ij . grad_i W_ij   [kg/m^3/s]
@@ -15,4 +15,4 @@ struct ContinuityRate {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

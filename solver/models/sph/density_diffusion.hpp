@@ -3,7 +3,7 @@
 
 #include "solver/models/pair.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Numerical diffusion of density that quietens pressure (Molteni & Colagrossi 2009):
 ///   drho_i/dt = delta h c0 SUM_j V_j 2 (rho_i - rho_j) / r^2 x_ij . grad_i W_ij
@@ -39,4 +39,4 @@ struct StratifiedDiffusion {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,7 +4,7 @@
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A symmetric matrix in D dimensions: its diagonal, then xy (and yz, zx in space).
 template <class T, int D>
@@ -84,4 +84,4 @@ struct GradientCorrection {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

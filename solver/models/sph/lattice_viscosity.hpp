@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a viscous law makes of a fluid's viscosity on its undisturbed square or cubic lattice, where sums stand for
 /// integrals, as parts of it. `shear` meets v_x = y^2/2, `longitudinal` v_x = x^2/2. In the continuum Morris' law gives
@@ -49,4 +49,4 @@ LatticeViscosity lattice_viscosity_of_monaghan(int dimension, double spacing, do
     return sum;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

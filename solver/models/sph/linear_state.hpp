@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dmp {
+namespace dmp::solver {
 
 /// The linear equation of state of a weakly compressible liquid (Morris, Fox & Zhu 1997, eq. 8, less its constant):
 ///   p = c0^2 (rho - rho0)   [Pa]
@@ -23,4 +23,4 @@ struct LinearEquation {
     [[nodiscard]] double lowest_pressure() const { return -sound_speed * sound_speed * rest_density; }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -4,8 +4,9 @@
 #include "scene/scene.hpp"
 #include "solver/models/sph/linear_state.hpp"
 #include "solver/models/sph/tait.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// How the pressure of one fluid part follows from its density: the equation that the scene chose, and a background
 /// pressure p_b on top [Pa]. The force between two particles goes with the sum of their pressures: p_b pushes particles
@@ -36,4 +37,4 @@ struct LiquidState {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -7,7 +7,7 @@
 #include "solver/models/pair.hpp"
 #include "solver/models/sph/viscosity_means.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Viscous force on particle i along the line between the particles (Monaghan & Gingold 1983; Monaghan 1992), whose
 /// strength alpha gives a real viscosity (Monaghan 2005, eq. 8.8):
@@ -55,4 +55,4 @@ struct MonaghanViscosity {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

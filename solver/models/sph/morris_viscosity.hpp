@@ -4,7 +4,7 @@
 #include "solver/models/pair.hpp"
 #include "solver/models/sph/viscosity_means.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Viscous force on particle i (Morris, Fox & Zhu 1997, eq. 22, times m_i):
 ///   F_i = SUM_j V_i V_j 2 mu_ij (1/r dW/dr) v_ij   [N],   mu_ij the mean of both viscosities
@@ -21,4 +21,4 @@ struct MorrisLaw {
 using MorrisViscosity = MorrisLaw<ArithmeticMean>;
 using HarmonicMorrisViscosity = MorrisLaw<HarmonicMean>;
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A term that is not there: what it is added to stays as it is, at no cost.
 struct NoTerm {
@@ -21,4 +21,4 @@ struct NoViscosity {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/models/pair.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Pressure force on particle i (Bonet & Lok 1999; the variational partner of ContinuityRate):
 ///   F_i = - SUM_j V_i V_j (p_i + p_j) grad_i W_ij   [N]
@@ -15,4 +15,4 @@ struct PressureForce {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

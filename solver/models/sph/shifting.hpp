@@ -5,8 +5,9 @@
 
 #include "particles/kernels.hpp"
 #include "solver/models/pair.hpp"
+#include "solver/uses.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
 ///   dx_i = - s U dt R SUM_j [1 + 0.2 (W_ij / W(dx))^4] V_j grad_i W_ij,   |dx_i| <= 0.1 dx
@@ -52,4 +53,4 @@ struct Shifting {
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Density of particle i as a sum over its neighbours and itself (Monaghan 1992, eq. 2.9), in place of ContinuityRate:
 ///   rho_i = SUM_j m_j W_ij   [kg/m^3],   m_j = rho0_i V_j of a solid particle j, rho0_i the fluid's own rest density
@@ -17,4 +17,4 @@ struct SummationDensity {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Tait's equation of state for a weakly compressible liquid (Monaghan 1994 with gamma = 7):
 ///   p = (c0^2 rho0 / 7) [(rho/rho0)^7 - 1]   [Pa]
@@ -26,4 +26,4 @@ struct TaitEquation {
     [[nodiscard]] double lowest_pressure() const { return -sound_speed * sound_speed * rest_density / 7; }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

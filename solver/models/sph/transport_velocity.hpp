@@ -3,7 +3,7 @@
 
 #include "solver/models/pair.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// Transport velocity (Adami, Hu & Adams 2013): particles move with v~ = v + u, u the velocity that a background
 /// pressure p_b = rho c0^2, constant in space, would give them in half a step from rest, which spreads them evenly:
@@ -31,4 +31,4 @@ struct TransportVelocity {
     static double step(double sound_speed, double dt) { return -0.5 * dt * dt * sound_speed * sound_speed; }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

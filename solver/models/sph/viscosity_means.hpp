@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a pair's two viscosities count for together: twice their mean [Pa s].
 
@@ -23,4 +23,4 @@ struct HarmonicMean {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

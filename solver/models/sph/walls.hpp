@@ -5,7 +5,7 @@
 
 #include "solver/models/pair.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// What a fluid particle sees in a solid one: a fluid particle in its place, on which the ordinary pair laws act.
 
@@ -123,4 +123,4 @@ struct PlainSolid {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace dmp {
+namespace dmp::solver {
 
 enum class BreakCriterion { force, strain };
 
@@ -19,4 +19,4 @@ struct BondBreak {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,7 @@
 
 #include "solver/models/springs/spring.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A harmonic bond between nodes a and b with a dashpot along it: U = k_b (r - r0)^2 (no 1/2),
 ///   F_a = -[2 k_b (r - r0) + c (v_a - v_b) . e] e,   e = (x_a - x_b) / r,   F_b = -F_a   [N]
@@ -46,4 +46,4 @@ struct BondForce : Spring {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

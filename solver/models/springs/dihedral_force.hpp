@@ -3,7 +3,7 @@
 
 #include "solver/models/springs/spring.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A dihedral with a rotational dashpot over nodes a, b, c, d: U = k_d (phi - phi0)^2 (no 1/2), phi in (-pi, pi] the
 /// angle between the planes abc and bcd, positive when d is turned clockwise from a, seen from b to c; pi: all in one
@@ -51,4 +51,4 @@ struct DihedralForce : Spring {
     static constexpr double line = 1e-24;  ///< a smaller sine squared is that of three nodes on one line
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

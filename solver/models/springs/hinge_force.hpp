@@ -6,7 +6,7 @@
 
 #include "solver/models/springs/spring.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A hinge with a rotational dashpot at a node between arms to nodes a and b: U = k_a (theta - theta0)^2 (no 1/2).
 ///
@@ -86,4 +86,4 @@ struct HingeForce : Spring {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

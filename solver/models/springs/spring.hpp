@@ -7,7 +7,7 @@
 
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A spring sees its nodes through K arms, each from one of them to another.
 template <int D, std::size_t K>
@@ -60,4 +60,4 @@ inline Vector<double, 3> unit_across(const Vector<double, 3>& direction) {
     return (1 / std::sqrt(dot(across, across))) * across;
 }
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -6,7 +6,7 @@
 #include "solver/models/sph/viscosity_means.hpp"
 #include "solver/sweeps/vector.hpp"
 
-namespace dmp {
+namespace dmp::solver {
 
 /// A particle as the diffusion of a species sees it. T is double, or Lanes for the particles of a cluster side by side.
 template <class T, int D>
@@ -101,4 +101,4 @@ struct SpeciesDiffusion {
     }
 };
 
-}  // namespace dmp
+}  // namespace dmp::solver

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 TEST(PlaceText, ShowsWhatIsKnown) {
@@ -44,4 +46,4 @@ TEST(ErrorKinds, CanBeToldApartAndCaughtTogether) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -11,17 +11,14 @@
 #include <sys/stat.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using dmp::testing::files_in;
-using dmp::testing::FileSizeLimit;
-using dmp::testing::TemporaryFolder;
-using dmp::testing::text_thrown;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -255,4 +252,4 @@ TEST_F(Hdf5File, AFullDiskIsAResourceErrorAndTakesNoRoom) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

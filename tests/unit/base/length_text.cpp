@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 TEST(LengthText, has_the_unit_that_reads_well) {
@@ -35,4 +37,4 @@ TEST(LengthText, of_a_box_is_its_extent) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

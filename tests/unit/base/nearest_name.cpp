@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
@@ -54,4 +56,4 @@ TEST(QuotedList, ReadsLikeASentence) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 constexpr int many = 200000;
@@ -67,4 +69,4 @@ TEST(RandomNumber, of_neighbouring_keys_are_not_correlated) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,15 +9,15 @@
 
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/damage.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::testing;
 using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -154,4 +154,4 @@ TEST(UnfinishedName, IsUndoneByFinishedName) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,6 +5,7 @@
 
 #include "bench/half_list.hpp"
 #include "bench/start.hpp"
+#include "tests/modules.hpp"
 
 namespace dmp::bench {
 namespace {

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "bench/measure.hpp"
 #include "bench/particle_file.hpp"
+#include "tests/modules.hpp"
 
 namespace dmp::bench {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "bench/options.hpp"
+#include "tests/modules.hpp"
 
 namespace dmp::bench {
 namespace {

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "bench/start.hpp"
 #include "solver/simulation.hpp"
+#include "tests/modules.hpp"
 
 namespace dmp::bench {
 namespace {

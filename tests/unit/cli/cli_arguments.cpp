@@ -5,10 +5,13 @@
 
 #include "base/errors.hpp"
 #include "cli/arguments.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::cli;
+using namespace cli;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -19,10 +22,10 @@ Command read(std::initializer_list<const char*> words) {
 }
 
 /// What is thrown for these words, or an error that says nothing was.
-dmp::InputError error_of(std::initializer_list<const char*> words) {
+InputError error_of(std::initializer_list<const char*> words) {
     try {
         read(words);
-    } catch (const dmp::InputError& error) {
+    } catch (const InputError& error) {
         return error;
     }
     return {"nothing was thrown", ""};
@@ -39,7 +42,7 @@ TEST(Arguments, RunTakesAllItsOptions) {
     EXPECT_EQ(run.out, "there");
     EXPECT_EQ(run.until, "0.2 s");
     EXPECT_EQ(run.threads, 3);
-    EXPECT_EQ(run.vector_unit, dmp::VectorUnit::avx2);
+    EXPECT_EQ(run.vector_unit, VectorUnit::avx2);
     EXPECT_TRUE(run.dry_run);
 }
 
@@ -67,7 +70,7 @@ TEST(Arguments, RunNeedsOnlyAScene) {
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.until, "");
     EXPECT_EQ(run.threads, 0);
-    EXPECT_EQ(run.vector_unit, dmp::VectorUnit::widest);
+    EXPECT_EQ(run.vector_unit, VectorUnit::widest);
     EXPECT_FALSE(run.dry_run);
 }
 
@@ -165,7 +168,7 @@ TEST(Arguments, MissingSceneValueAndBadNumberAreErrors) {
 }
 
 TEST(Arguments, UnknownVectorUnitNamesTheKnownOnes) {
-    EXPECT_EQ(std::get<RunCommand>(read({"run", "x", "--vector-unit=avx512"})).vector_unit, dmp::VectorUnit::avx512);
+    EXPECT_EQ(std::get<RunCommand>(read({"run", "x", "--vector-unit=avx512"})).vector_unit, VectorUnit::avx512);
     for (const char* wrong : {"sse", "AVX2", "widest", "generic", ""}) {
         const auto error = error_of({"run", "x", "--vector-unit", wrong});
         EXPECT_EQ(error.problem(),
@@ -200,3 +203,5 @@ TEST(Arguments, VersionNamesVersionAndLicence) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -5,10 +5,13 @@
 
 #include "cli/diagnosis.hpp"
 #include "solver/resources.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::cli;
+using namespace cli;
 using testing::HasSubstr;
 
 constexpr double gibibyte = 1024.0 * 1024 * 1024;
@@ -115,8 +118,10 @@ TEST(Doctor, SeesThisMachine) {
     EXPECT_GT(machine.disk_free, 0);
     EXPECT_EQ(machine.write_error, "");
     ASSERT_FALSE(machine.vector_units.empty());
-    EXPECT_EQ(machine.vector_units.back(), word(dmp::chosen_vector_unit(dmp::VectorUnit::widest)));
+    EXPECT_EQ(machine.vector_units.back(), word(chosen_vector_unit(VectorUnit::widest)));
     EXPECT_NE(look_at_machine("/no/such/folder").write_error, "");
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

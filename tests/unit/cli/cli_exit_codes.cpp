@@ -10,10 +10,13 @@
 #include "base/errors.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/failure.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::cli;
+using namespace cli;
 using testing::HasSubstr;
 
 struct Outcome {
@@ -34,18 +37,18 @@ TEST(ExitCode, OfAnActionThatEndsIsItsOwn) {
 }
 
 TEST(ExitCode, InputErrorIsTwoAndSaysWhereAndWhatToDo) {
-    const auto outcome = outcome_of(dmp::InputError({"scene.toml", 12, 5}, "spacing is negative", "Give a length."));
+    const auto outcome = outcome_of(InputError({"scene.toml", 12, 5}, "spacing is negative", "Give a length."));
     EXPECT_EQ(outcome.code, exit_bad_input);
     EXPECT_EQ(outcome.text, "error: scene.toml:12:5: spacing is negative\n  Give a length.\n");
 }
 
 TEST(ExitCode, WithoutAPlaceThereIsNoColon) {
-    EXPECT_EQ(outcome_of(dmp::InputError("no", "do this\nor that")).text, "error: no\n  do this\n  or that\n");
+    EXPECT_EQ(outcome_of(InputError("no", "do this\nor that")).text, "error: no\n  do this\n  or that\n");
 }
 
 TEST(ExitCode, DivergenceIsThreeAndLackIsFour) {
-    EXPECT_EQ(outcome_of(dmp::DivergenceError("it blew up", "")).code, exit_diverged);
-    EXPECT_EQ(outcome_of(dmp::ResourceError("disk full", "")).code, exit_out_of_resource);
+    EXPECT_EQ(outcome_of(DivergenceError("it blew up", "")).code, exit_diverged);
+    EXPECT_EQ(outcome_of(ResourceError("disk full", "")).code, exit_out_of_resource);
     EXPECT_EQ(outcome_of(std::bad_alloc()).code, exit_out_of_resource);
 }
 
@@ -71,3 +74,5 @@ TEST(ErrorText, IsColouredOnlyWhenAsked) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -6,11 +6,14 @@
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::cli;
+using namespace cli;
 
 class OutputFolder : public testing::Test {
   protected:
@@ -44,7 +47,7 @@ TEST_F(OutputFolder, WithFilesOfOthersIsRefusedAndLeftAlone) {
     try {
         prepare_folder(folder_);
         FAIL() << "a folder with other people's files was taken";
-    } catch (const dmp::InputError& error) {
+    } catch (const InputError& error) {
         EXPECT_EQ(error.where().file, folder_.string());
         EXPECT_THAT(error.what_to_do(), testing::HasSubstr("--out"));
     }
@@ -54,11 +57,11 @@ TEST_F(OutputFolder, WithFilesOfOthersIsRefusedAndLeftAlone) {
 TEST_F(OutputFolder, OfARunKilledBeforeItsFirstFileIsTakenAgain) {
     fs::create_directories(folder_ / "frames");
     EXPECT_EQ(prepare_folder(folder_), "");
-    put(dmp::unfinished_name("scene.resolved.toml"));
+    put(unfinished_name("scene.resolved.toml"));
     EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 1 file of an earlier run"));
     EXPECT_TRUE(fs::is_empty(folder_));
     put("frames/thesis.tex");
-    EXPECT_THROW(prepare_folder(folder_), dmp::InputError) << "somebody else's frames";
+    EXPECT_THROW(prepare_folder(folder_), InputError) << "somebody else's frames";
 }
 
 TEST_F(OutputFolder, OfAnEarlierRunLosesThatRunsFilesOnly) {
@@ -85,7 +88,7 @@ TEST_F(OutputFolder, OfAnEarlierRunLosesItsHdf5Frames) {
 
 TEST_F(OutputFolder, OfAnEarlierRunLosesItsCheckpoints) {
     for (const char* name : {"fluid.pvd", "checkpoints/step_000000123.h5", "checkpoints/step_000000456.h5"}) put(name);
-    put(dmp::unfinished_name("checkpoints/step_000000789.h5"));
+    put(unfinished_name("checkpoints/step_000000789.h5"));
     EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 4 files of an earlier run"));
     EXPECT_FALSE(has("checkpoints"));
 }
@@ -99,8 +102,8 @@ TEST_F(OutputFolder, KeepsWhatElseIsBesideTheCheckpoints) {
 
 TEST_F(OutputFolder, OfAKilledRunLosesWhatItLeftUnfinished) {
     put("fluid.pvd");
-    put(dmp::unfinished_name("frames/fluid_000001.vtp"));
-    put(dmp::unfinished_name("measures.csv"));
+    put(unfinished_name("frames/fluid_000001.vtp"));
+    put(unfinished_name("measures.csv"));
     EXPECT_THAT(prepare_folder(folder_), testing::HasSubstr("Removed 3 files of an earlier run"));
     EXPECT_TRUE(fs::is_empty(folder_));
 }
@@ -114,8 +117,10 @@ TEST_F(OutputFolder, OfAnEarlierRunLosesItsEmptyFramesFolder) {
 
 TEST_F(OutputFolder, BelowAFileIsAnInputError) {
     put("file");
-    EXPECT_THROW(prepare_folder(folder_ / "file/below"), dmp::InputError);
-    EXPECT_THROW(prepare_folder(folder_ / "file"), dmp::InputError);
+    EXPECT_THROW(prepare_folder(folder_ / "file/below"), InputError);
+    EXPECT_THROW(prepare_folder(folder_ / "file"), InputError);
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "cli/progress.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::cli;
+using namespace cli;
 
 TEST(TimeLeft, KnowsNothingBeforeTheFirstProgress) { EXPECT_TRUE(std::isinf(TimeLeft().seconds())); }
 
@@ -27,7 +30,7 @@ TEST(TimeLeft, FollowsAChangeOfPace) {
 }
 
 TEST(Progress, TextNamesPercentTimeStepsSpeedFramesAndWhatIsLeft) {
-    const dmp::RunProgress progress{
+    const RunProgress progress{
         .time = 1.68, .until = 4, .step = 20512, .dt = 8e-5, .largest_speed = 0.081, .frames = 43};
     EXPECT_EQ(progress_text(progress, 151),
               " 42 %  1.68 of 4 s  20 512 steps  0.081 m/s at most  43 frames  2 min 31 s left");
@@ -38,10 +41,12 @@ TEST(Progress, NothingIsWrittenWhenStderrIsNoTerminal) {
     testing::internal::CaptureStderr();
     {
         ProgressLine line;
-        line.show(dmp::RunProgress{.time = 1, .until = 2});
+        line.show(RunProgress{.time = 1, .until = 2});
         line.show("drawing pictures");
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "cli/text.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 
 namespace {
 
-using namespace dmp::cli;
+using namespace cli;
 
 TEST(Text, CountsAreGroupedByThousands) {
     EXPECT_EQ(count_text(0), "0");
@@ -51,3 +54,5 @@ TEST(Text, AListingAlignsItsTexts) {
 }
 
 }  // namespace
+
+}  // namespace dmp::tests

@@ -5,16 +5,17 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
 
-namespace dmp::cli {
+namespace dmp::tests {
+
+using namespace cli;
 namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-using testing_mesh::flap_channel;
-using testing_scene::Folder;
 
 /// A scene in a folder of its own, with a cache beside it.
 class MeshCacheTest : public ::testing::Test {
@@ -27,7 +28,7 @@ class MeshCacheTest : public ::testing::Test {
         return read_scene("scene.toml", overrides);
     }
     [[nodiscard]] static ParticlesWithOrigin made() {
-        return {testing_mesh::mesh_file("scene.toml").particles,
+        return {mesh_file("scene.toml").particles,
                 {"drawing", "channel.geo", {{"flap", "k_b 3 N/m"}}, {"lattice stretched"}}};
     }
     /// Kept as if it had taken three seconds.
@@ -106,4 +107,4 @@ TEST_F(MeshCacheTest, a_cache_that_cannot_be_written_to_is_noted) {
 }
 
 }  // namespace
-}  // namespace dmp::cli
+}  // namespace dmp::tests

@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/inside_test.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -338,4 +339,4 @@ TEST(PoiseuilleChannel, IsARectangle) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

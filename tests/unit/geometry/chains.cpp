@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 Vec p(double x, double y) { return {x, y, 0}; }
@@ -135,4 +137,4 @@ TEST(SelfCrossing, SeesLoopsThatOverlap) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

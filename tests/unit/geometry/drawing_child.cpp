@@ -12,25 +12,26 @@
 
 #include "geometry/geometry_bytes.hpp"
 #include "temporary_drawing.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::HasSubstr;
 
-class DrawingChildren : public testing::DrawingTest {
+class DrawingChildren : public DrawingTest {
   protected:
     void SetUp() override {
-        testing::DrawingTest::SetUp();
-        drawing_ = write("d.geo", testing::unit_square + "Physical Surface(\"water\") = {1};\n");
+        DrawingTest::SetUp();
+        drawing_ = write("d.geo", unit_square + "Physical Surface(\"water\") = {1};\n");
     }
 
     std::string drawing_;
 
     /// What comes of a child that runs this shell command.
     [[nodiscard]] std::string fault(const std::string& command, double seconds = 20) const {
-        return testing::text_thrown<Error>([&] {
+        return text_thrown<Error>([&] {
             (void)read_drawing_apart(options_for(drawing_),
                                      {.command = {"/bin/sh", "-c", command}, .seconds = seconds});
         });
@@ -59,7 +60,7 @@ TEST_F(DrawingChildren, IsAskedForTheDrawingWithItsOptions) {
     options.unit = 0.5;
     options.parameters["width"] = 3;
     options.parameter_places["width"] = {"scene.toml", 1, 2};
-    (void)testing::text_thrown<Error>([&] {
+    (void)text_thrown<Error>([&] {
         (void)read_drawing_apart(options, {.command = {"/bin/sh", "-c", "cat > " + path("request")}});
     });
     std::ifstream stream(path("request"), std::ios::binary);
@@ -94,7 +95,7 @@ TEST_F(DrawingChildren, AHangIsAnErrorToo) {
 TEST_F(DrawingChildren, AnAnswerOfNoKindOrWithoutAnEndIsRefused) {
     (void)write("answer", "Z" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
     EXPECT_THAT(fault("cat " + path("answer") + " >&3"), HasSubstr("its reader broke off"));
-    EXPECT_THAT(testing::text_thrown<InputError>([&] {
+    EXPECT_THAT(text_thrown<InputError>([&] {
                     (void)read_drawing_apart(options_for(drawing_), {.command = {"/bin/sh", "-c", "cat /dev/zero >&3"},
                                                                      .seconds = 20,
                                                                      .largest_answer = 1U << 20U});
@@ -105,7 +106,7 @@ TEST_F(DrawingChildren, AnAnswerOfNoKindOrWithoutAnEndIsRefused) {
 TEST_F(DrawingChildren, ErrorsComeThroughWordForWord) {
     (void)write("answer", "I" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
     EXPECT_EQ(fault("cat " + path("answer") + " >&3"), "scene.toml:3:4: what\n  to do");
-    EXPECT_THAT(testing::text_thrown<ResourceError>(
+    EXPECT_THAT(text_thrown<ResourceError>(
                     [&] { (void)read_drawing_apart(options_for(drawing_), {.command = {"/no/such/program"}}); }),
                 HasSubstr("the process that reads drawings cannot be started: /no/such/program"));
 }
@@ -137,7 +138,7 @@ TEST(GeometryBytes, OfNoGeometryAreRefused) {
     const auto refused = [&](const auto& change) {
         Geometry geometry = whole;
         change(geometry);
-        return testing::text_thrown<std::runtime_error>([&] { (void)geometry_of(bytes_of(geometry)); });
+        return text_thrown<std::runtime_error>([&] { (void)geometry_of(bytes_of(geometry)); });
     };
     EXPECT_THAT(refused([](Geometry& g) { g.dimension = 4; }), HasSubstr("dimensions"));
     EXPECT_THAT(refused([](Geometry& g) { g.solids[0].surface.triangles[0][1] = 1; }), HasSubstr("has not"));
@@ -150,8 +151,7 @@ TEST(GeometryBytes, OfNoGeometryAreRefused) {
 TEST(GeometryBytes, OfNoTruthValueAreRefused) {
     std::string bytes = bytes_of(DrawingOptions{});
     bytes[8] = 2;  // behind the file's empty name: whether there is a unit
-    EXPECT_THAT(testing::text_thrown<std::runtime_error>([&] { (void)drawing_options_of(bytes); }),
-                HasSubstr("truth value"));
+    EXPECT_THAT(text_thrown<std::runtime_error>([&] { (void)drawing_options_of(bytes); }), HasSubstr("truth value"));
 }
 
 TEST(GeometryBytes, ThatStateMoreThanTheyCanHoldAreRefusedBeforeRoomIsMade) {
@@ -165,9 +165,9 @@ TEST(GeometryBytes, ThatStateMoreThanTheyCanHoldAreRefusedBeforeRoomIsMade) {
     const std::size_t at = 8 + 4 + 6 * 8 + 8 + 8;  // file, dimension, box, regions, curves
     for (unsigned byte = 0; byte < 8; ++byte) bytes[at + byte] = static_cast<char>(count >> (8 * byte) & 0xffU);
     const long before = largest_memory();
-    EXPECT_THAT(testing::text_thrown<std::runtime_error>([&] { (void)geometry_of(bytes); }), HasSubstr("end early"));
+    EXPECT_THAT(text_thrown<std::runtime_error>([&] { (void)geometry_of(bytes); }), HasSubstr("end early"));
     EXPECT_LT(largest_memory() - before, 100'000'000);
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

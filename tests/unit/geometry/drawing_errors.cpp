@@ -6,13 +6,14 @@
 #include <unistd.h>
 
 #include "temporary_drawing.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::HasSubstr;
 
-class DrawingErrors : public testing::DrawingTest {
+class DrawingErrors : public DrawingTest {
   protected:
     /// The whole message of the error that reading ends in, with the test's folder cut out of it.
     [[nodiscard]] std::string error_of(const DrawingOptions& options) const {
@@ -48,7 +49,7 @@ TEST_F(DrawingErrors, UnreadableFile) {
     constexpr uid_t nobody = 65534;
     const bool is_root = geteuid() == 0;
     for (const char* name : {"locked.geo", "locked.stl"}) {
-        std::filesystem::permissions(write(name, testing::unit_square + named), std::filesystem::perms::none);
+        std::filesystem::permissions(write(name, unit_square + named), std::filesystem::perms::none);
         ASSERT_EQ(is_root ? seteuid(nobody) : 0, 0);
         const std::string error = error_of_file(name);
         ASSERT_EQ(is_root ? seteuid(0) : 0, 0);
@@ -75,7 +76,7 @@ TEST_F(DrawingErrors, Formats) {
 }
 
 TEST_F(DrawingErrors, Options) {
-    auto options = options_for(write("d.geo", testing::unit_square + named));
+    auto options = options_for(write("d.geo", unit_square + named));
     options.unit = 0;
     EXPECT_THAT(error_of(options), HasSubstr("scene.toml:6:8: the drawing's unit must be a positive length"));
     options.unit = std::numeric_limits<double>::infinity();
@@ -89,10 +90,9 @@ TEST_F(DrawingErrors, SyntaxErrorsHaveTheirLine) {
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0}\nLine(1) = {1, 2};\n"),
               "d.geo:3: gmsh cannot read the drawing: syntax error near 'Line'\n"
               "  Look for a missing ';' or bracket on this line or the one before.");
-    EXPECT_THAT(error_of_text(testing::unit_square + named + "Point(9) = {0, 0, 0}"),
-                HasSubstr("syntax error at the end"));
+    EXPECT_THAT(error_of_text(unit_square + named + "Point(9) = {0, 0, 0}"), HasSubstr("syntax error at the end"));
     // What comes before the mistake is a whole drawing: it must not pass for it.
-    EXPECT_THAT(error_of_text(testing::unit_square + named + "Pysical Curve(\"wall\") = {1};\n"),
+    EXPECT_THAT(error_of_text(unit_square + named + "Pysical Curve(\"wall\") = {1};\n"),
                 HasSubstr("d.geo:12: gmsh cannot read the drawing: syntax error near"));
 }
 
@@ -100,29 +100,29 @@ TEST_F(DrawingErrors, OtherErrorsOfGmshAllAppear) {
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {a, 0, 0};\nLine(1) = {1, 7};\n"),
               "d.geo:2: gmsh cannot read the drawing: Unknown variable 'a'; Unknown control point 7 in GEO curve 1; "
               "line 3: Could not add line\n  Correct the drawing; 'gmsh d.geo' shows it.");
-    EXPECT_EQ(error_of_text("Error(\"too long\");\n" + testing::unit_square + named),
+    EXPECT_EQ(error_of_text("Error(\"too long\");\n" + unit_square + named),
               "d.geo: gmsh cannot read the drawing: too long\n  Correct the drawing; 'gmsh d.geo' shows it.");
-    EXPECT_THAT(error_of_text("Include \"none.geo\";\n" + testing::unit_square + named), HasSubstr("none.geo"));
+    EXPECT_THAT(error_of_text("Include \"none.geo\";\n" + unit_square + named), HasSubstr("none.geo"));
 }
 
 TEST_F(DrawingErrors, WhatGmshPassesOver) {
-    EXPECT_EQ(error_of_text(testing::unit_square + named + "// For\nFor i In {1:3}\n  a = i;\n"),
+    EXPECT_EQ(error_of_text(unit_square + named + "// For\nFor i In {1:3}\n  a = i;\n"),
               "d.geo:13: 'For' without its 'EndFor'\n  Add 'EndFor'; gmsh itself does not notice.");
-    EXPECT_EQ(error_of_text("/* If\n */ If (1)\n  If (1)\n  EndIf\n" + testing::unit_square + named),
+    EXPECT_EQ(error_of_text("/* If\n */ If (1)\n  If (1)\n  EndIf\n" + unit_square + named),
               "d.geo:2: 'If' without its 'EndIf'\n  Add 'EndIf'; gmsh itself does not notice.");
     EXPECT_EQ(error_of_text("If (1)\nEndFor\nEndIf\n"),
               "d.geo:2: 'EndFor' without its 'For'\n  Add 'For'; gmsh itself does not notice.");
-    EXPECT_EQ(error_of_text(testing::unit_square + "a = 1; b = 2;"),
+    EXPECT_EQ(error_of_text(unit_square + "a = 1; b = 2;"),
               "d.geo:11: several statements on a last line without line break\n"
               "  End the file with a line break; gmsh drops all but the first of them.");
-    EXPECT_EQ(error_of_text(testing::unit_square + "text = \"If For\"; // EndIf\n" + named), "no error");
+    EXPECT_EQ(error_of_text(unit_square + "text = \"If For\"; // EndIf\n" + named), "no error");
 }
 
 TEST_F(DrawingErrors, UnknownParameter) {
     auto options = options_for(write("d.geo",
                                      "DefineConstant[ leaflet_length = {1, Name \"leaflet_length\"},\n"
                                      "  tip_gap = {2, Name \"tip_gap\"}, plain = 3 ];\nfixed = 4;\n" +
-                                         testing::unit_square + named));
+                                         unit_square + named));
     options.parameters = {{"leaflet_lenght", 2}};
     options.parameter_places["leaflet_lenght"] = {.file = "scene.toml", .line = 7, .column = 16};
     EXPECT_EQ(error_of(options),
@@ -144,7 +144,7 @@ TEST_F(DrawingErrors, UnknownParameter) {
 }
 
 TEST_F(DrawingErrors, ParameterOfADrawingThatOffersNone) {
-    auto options = options_for(write("d.geo", testing::unit_square + named));
+    auto options = options_for(write("d.geo", unit_square + named));
     options.parameters = {{"a", 1}};
     EXPECT_EQ(error_of(options),
               "scene.toml:6:8: the drawing 'd.geo' offers no constant 'a' for setting\n"
@@ -158,9 +158,8 @@ TEST_F(DrawingErrors, ParameterOfADrawingThatOffersNone) {
 TEST_F(DrawingErrors, ParameterThatTheDrawingFixes) {
     const std::string advice =
         "\n  Remove ReadOnly or SetNumber for it from the drawing, or the parameter from the scene.";
-    auto options =
-        options_for(write("d.geo", "DefineConstant[ a = {1, ReadOnly 1, Name \"a\"} ];\nSetNumber(\"b\", 3);\n" +
-                                       testing::unit_square + named));
+    auto options = options_for(write(
+        "d.geo", "DefineConstant[ a = {1, ReadOnly 1, Name \"a\"} ];\nSetNumber(\"b\", 3);\n" + unit_square + named));
     options.parameters = {{"a", 2}};
     EXPECT_EQ(error_of(options), "scene.toml:6:8: the drawing 'd.geo' sets 'a' itself" + advice);
     options.parameters = {{"b", 2}};
@@ -173,9 +172,9 @@ TEST_F(DrawingErrors, Groups) {
     const std::string no_names =
         "d.geo: the drawing has no named groups\n"
         "  Name its parts, as in Physical Surface(\"blood\") = {1}; or Physical Curve(\"wall\") = {2, 3};";
-    EXPECT_EQ(error_of_text(testing::unit_square), no_names);
+    EXPECT_EQ(error_of_text(unit_square), no_names);
     EXPECT_EQ(error_of_text("\n"), no_names);
-    EXPECT_EQ(error_of_text(testing::unit_square + named + "Physical Curve(7) = {1};\n"),
+    EXPECT_EQ(error_of_text(unit_square + named + "Physical Curve(7) = {1};\n"),
               "d.geo: Physical Curve 7 has no name\n  Name it, as in Physical Curve(\"wall\") = {...};, or remove it.");
 }
 
@@ -252,4 +251,4 @@ TEST_F(DrawingErrors, PointsThatAreNoPlaces) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

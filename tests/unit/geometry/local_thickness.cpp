@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace dmp::testing;
 
 TEST(LocalThickness, of_a_box_is_between_its_sides) {
     const LocalThickness found = local_thickness(box({0, 0, 0}, {3, 2, 1}), 10);
@@ -87,4 +86,4 @@ TEST(LocalThickness, takes_blunt_edges_for_edges) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using namespace dmp::testing;
 using ::testing::HasSubstr;
 
 TEST(MidSurface, of_a_plate_lies_half_way_between_its_faces) {
@@ -63,4 +63,4 @@ TEST(MidSurface, other_bodies_are_refused_with_the_reason_and_a_place) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 CurveSet wave(int segments) {
@@ -96,4 +98,4 @@ TEST(NearestCurve, ManyPointsAreFast) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

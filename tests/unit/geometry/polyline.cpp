@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/geometry.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 const Polyline corner{.points = {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}};
@@ -80,4 +81,4 @@ TEST(Geometry, FindsItsPartsByNameAndListsEachNameOnce) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,16 +10,17 @@
 #include <omp.h>
 
 #include "temporary_drawing.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-using ReadDrawing = testing::DrawingTest;
+using ReadDrawing = DrawingTest;
 
 const std::string named_square =
-    testing::unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"wall\") = {1, 3};\n";
+    unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"wall\") = {1, 3};\n";
 
 TEST_F(ReadDrawing, NamesScalesAndBoundsASquare) {
     auto options = options_for(write("drawing.geo", named_square + "Physical Point(\"corner\") = {3};\n"));
@@ -90,7 +91,7 @@ TEST_F(ReadDrawing, ASplineKeepsItsEndsAndPassesItsPoints) {
 }
 
 TEST_F(ReadDrawing, CurvesJoinIntoChainsAcrossTheGroupsNumbers) {
-    const Geometry geometry = read(testing::unit_square + "Physical Curve(\"u\") = {4, 1, 2};\n");
+    const Geometry geometry = read(unit_square + "Physical Curve(\"u\") = {4, 1, 2};\n");
     const auto& pieces = geometry.curve_set("u")->pieces;
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_EQ(pieces[0].points, (std::vector<Vec>{{0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
@@ -98,7 +99,7 @@ TEST_F(ReadDrawing, CurvesJoinIntoChainsAcrossTheGroupsNumbers) {
 }
 
 TEST_F(ReadDrawing, TheEdgeBetweenTwoSurfacesOfARegionIsInside) {
-    const Geometry geometry = read(testing::unit_square +
+    const Geometry geometry = read(unit_square +
                                    "Point(5) = {2, 0, 0};\nPoint(6) = {2, 1, 0};\n"
                                    "Line(5) = {2, 5};\nLine(6) = {5, 6};\nLine(7) = {6, 3};\n"
                                    "Curve Loop(2) = {5, 6, 7, -2};\nPlane Surface(2) = {2};\n"
@@ -207,4 +208,4 @@ TEST_F(ReadDrawing, SeveralThreadsMayRead) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -3,11 +3,12 @@
 #include <numbers>
 
 #include "temporary_drawing.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using ReadSolids = testing::DrawingTest;
+using ReadSolids = DrawingTest;
 
 const std::string occ = "SetFactory(\"OpenCASCADE\");\n";
 
@@ -63,10 +64,9 @@ TEST_F(ReadSolids, AHollowBodyAndTheBuiltInKernel) {
                                               "Physical Volume(\"shell\") = {3};\n")));
     EXPECT_NEAR(hollow.solid("shell")->volume(), 26, 1e-12);
 
-    const Geometry prism = read_drawing(options_for(
-        write("prism.geo", testing::unit_square +
-                               "out[] = Extrude {0, 0, 2} { Surface{1}; };\n"
-                               "Physical Volume(\"prism\") = {out[1]};\nPhysical Surface(\"lid\") = {out[0]};\n")));
+    const Geometry prism = read_drawing(options_for(write(
+        "prism.geo", unit_square + "out[] = Extrude {0, 0, 2} { Surface{1}; };\n"
+                                   "Physical Volume(\"prism\") = {out[1]};\nPhysical Surface(\"lid\") = {out[0]};\n")));
     EXPECT_NEAR(prism.solid("prism")->volume(), 2, 1e-12);
     EXPECT_NEAR(prism.surface_set("lid")->surface.area(), 1, 1e-12);
 }
@@ -84,4 +84,4 @@ TEST_F(ReadSolids, AMeshIsTakenAsItIs) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,8 +10,9 @@
 
 #include "geometry/geometry.hpp"
 #include "geometry/inside_test.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -181,4 +182,4 @@ TEST(InsideTest, ManyPointsAreFast) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -14,8 +14,9 @@
 #include "base/errors.hpp"
 #include "geometry/surface_pieces.hpp"
 #include "surface_shapes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 /// By its ends, how many triangles each edge has.
@@ -64,7 +65,7 @@ TEST(RemeshSurface, twoLargeTrianglesBecomeManyEvenOnes) {
 
 /// The upper half of the unit ball.
 TriangleSurface dome(int n) {
-    TriangleSurface half = testing::ball(n);
+    TriangleSurface half = ball(n);
     std::erase_if(half.triangles, [&](const std::array<int, 3>& triangle) {
         return std::ranges::any_of(triangle, [&](int corner) { return half.corners[corner].z() < -1e-9; });
     });
@@ -88,7 +89,7 @@ TEST(RemeshSurface, manySmallTrianglesBecomeFewerEvenOnes) {
 }
 
 TEST(RemeshSurface, aClosedSurfaceStaysClosedAndFacesOutward) {
-    const TriangleSurface fine = remesh_surface(testing::ball(40), 0.15);
+    const TriangleSurface fine = remesh_surface(ball(40), 0.15);
     EXPECT_LT(fine.triangles.size(), 2500U);  // of 12800
     EXPECT_NEAR(fine.enclosed_volume() / (4.0 / 3 * std::numbers::pi), 1, 0.02);
     for (const auto& [ends, triangles] : edges_of_triangles(fine)) EXPECT_EQ(triangles, 2);
@@ -127,8 +128,8 @@ TEST(RemeshSurface, refusesWhatHasOneSideOrBranches) {
     branch.corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
     branch.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
     EXPECT_THROW(remesh_surface(branch, 0.2), InputError);
-    EXPECT_THROW(remesh_surface(testing::cube(), 0), std::invalid_argument);
+    EXPECT_THROW(remesh_surface(cube(), 0), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -13,12 +13,11 @@
 #include "geometry/triangle_tree.hpp"
 #include "geometry/weld_corners.hpp"
 #include "geometry/wrap_surface.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace dmp::testing;
 
 TEST(SurfaceEdges, are_counted_by_what_meets_in_them) {
     EdgeCounts counts = count_edges(cube());
@@ -232,4 +231,4 @@ TEST(WrapSurface, is_closed_and_outside_by_the_offset) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -15,13 +15,13 @@
 #include "geometry/repair_solids.hpp"
 #include "geometry/surface_edges.hpp"
 #include "geometry/winding_number.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using namespace dmp::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -416,4 +416,4 @@ TEST(Repair, of_a_million_triangles_takes_seconds) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

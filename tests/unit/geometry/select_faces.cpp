@@ -6,18 +6,19 @@
 #include <gmock/gmock.h>
 
 #include "temporary_drawing.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::HasSubstr;
 
-class SelectFaces : public testing::DrawingTest {
+class SelectFaces : public DrawingTest {
   protected:
     /// A pipe of radius 1 along x, from 0 to 4.
     void SetUp() override {
-        testing::DrawingTest::SetUp();
+        DrawingTest::SetUp();
         auto options = options_for(write("pipe.geo",
                                          "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 4, 0, 0, 1};\n"
                                          "Physical Volume(\"blood\") = {1};\n"));
@@ -55,7 +56,7 @@ TEST_F(SelectFaces, ByPlaneBoxNormalAndWhatIsLeft) {
 
 TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     const auto fault = [&](const FaceSelection& selection) {
-        return testing::text_thrown<InputError>([&] { select_faces(pipe_, {selection}); });
+        return text_thrown<InputError>([&] { select_faces(pipe_, {selection}); });
     };
     FaceSelection selection{.name = "lid", .of = "blod", .place = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(selection),
@@ -70,11 +71,10 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     EXPECT_THAT(fault(selection), HasSubstr("the drawing has a 'blood' already"));
 }
 
-using SelectCurves = testing::DrawingTest;
+using SelectCurves = DrawingTest;
 
 TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
-    Geometry square =
-        read(testing::unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"floor\") = {1};\n");
+    Geometry square = read(unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"floor\") = {1};\n");
     FaceSelection left{.name = "left", .of = "water"};
     left.in_plane[0] = 0;
     FaceSelection up{.name = "lid", .of = "water"};
@@ -96,7 +96,7 @@ TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
     ASSERT_EQ(square.curve_set("both")->pieces.size(), 1U);  // one chain
     EXPECT_EQ(square.curve_set("both")->length(), 3);
     const auto fault = [&](const FaceSelection& selection) {
-        return testing::text_thrown<InputError>([&] { select_faces(square, {selection}); });
+        return text_thrown<InputError>([&] { select_faces(square, {selection}); });
     };
     FaceSelection wrong{.name = "rim", .of = "wter", .place = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(wrong), HasSubstr("scene.toml:9:1: selection 'rim': the drawing has no area or curve 'wter'"));
@@ -109,4 +109,4 @@ TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,12 +6,12 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using namespace dmp::testing;
 using ::testing::IsEmpty;
 
 Geometry solids(std::vector<Solid> all) {
@@ -96,4 +96,4 @@ TEST(SolidsThatMeet, do_not_where_round_surfaces_are_of_other_triangles) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

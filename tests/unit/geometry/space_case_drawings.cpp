@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/geometry.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, chord_error = 5e-6;
@@ -149,4 +150,4 @@ TEST(TricuspidValve, RefusesWhatCannotBeDrawn) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using namespace dmp::testing;
 using Pairs = std::vector<std::pair<int, int>>;
 
 TriangleSurface surface_of(std::vector<Vec> corners, std::vector<std::array<int, 3>> triangles) {
@@ -90,4 +90,4 @@ TEST(SolidOverlap, of_bodies_that_touch_is_none) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

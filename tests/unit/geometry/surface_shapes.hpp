@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "geometry/triangle_surface.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing {
+namespace dmp::tests {
 
 /// A box of twelve triangles that face outward.
 inline TriangleSurface box(const Vec& low, const Vec& high) {
@@ -76,4 +77,4 @@ inline TriangleSurface ball(int n) {
     return surface;
 }
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

@@ -12,12 +12,11 @@
 #include "geometry/orient_surface.hpp"
 #include "geometry/points_inside.hpp"
 #include "geometry/surface_crossings.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace dmp::testing;
 
 std::vector<LineRow> rows_over(double low, double step, int count) {
     std::vector<LineRow> rows;
@@ -209,4 +208,4 @@ TEST(OrientOutward, says_what_is_open_or_manifold) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

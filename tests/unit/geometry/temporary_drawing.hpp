@@ -9,8 +9,9 @@
 #include <unistd.h>
 
 #include "geometry/geometry.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing {
+namespace dmp::tests {
 
 /// A folder of its own for each test, removed afterwards.
 class DrawingTest : public ::testing::Test {
@@ -52,4 +53,4 @@ inline const std::string unit_square =
     "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\n"
     "Curve Loop(1) = {1, 2, 3, 4};\nPlane Surface(1) = {1};\n";
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/surface_edges.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 const auto nowhere = [](const Vec&, const Vec&) { return false; };
@@ -53,4 +54,4 @@ TEST(ThickenedSheet, follows_a_bend) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

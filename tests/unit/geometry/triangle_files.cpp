@@ -13,8 +13,9 @@
 #include "geometry/triangle_drawing.hpp"
 #include "geometry/triangle_file.hpp"
 #include "temporary_drawing.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -85,7 +86,7 @@ std::string with_word(std::size_t length) {
     return "ply\nformat ascii 1.0\nelement vertex 1\nproperty " + std::string(length, 'y') + " x\nend_header\n";
 }
 
-class TriangleDrawings : public testing::DrawingTest {
+class TriangleDrawings : public DrawingTest {
   protected:
     [[nodiscard]] Geometry read_file(const std::string& name, const std::string& text,
                                      std::optional<double> unit = 1e-3) const {
@@ -372,4 +373,4 @@ TEST(PlainName, IsWhatScenesAllow) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

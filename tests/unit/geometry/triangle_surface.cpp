@@ -7,13 +7,13 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using namespace dmp::testing;
 using ::testing::HasSubstr;
 
 using Triangle = std::array<std::array<float, 3>, 3>;
@@ -125,4 +125,4 @@ TEST(WrongStl, is_refused_with_its_line) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

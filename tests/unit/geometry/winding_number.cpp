@@ -9,12 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "geometry/winding_vote.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace dmp::testing;
 
 TEST(SolidAngle, of_an_octant_is_half_pi) {
     const std::array<Vec, 3> triangle{Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1)};
@@ -109,4 +108,4 @@ TEST(TurnOpenPieces, turns_each_piece_by_its_own_vote) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

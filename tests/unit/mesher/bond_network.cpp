@@ -10,16 +10,13 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using testing_mesh::channel;
-using testing_mesh::fault_of;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 std::vector<Bond> bonds_of(const std::vector<Vec>& place, double within) {
     std::vector<Bond> bonds;
@@ -234,4 +231,4 @@ TEST(BondedSolids, whose_particles_are_too_far_apart_are_refused) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,15 +12,14 @@
 #include "geometry/triangle_surface.hpp"
 #include "meshed_text.hpp"
 #include "scene/quantity.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing_mesh::mesh_file;
-using testing_mesh::Meshed;
 
 /// A block of 2 x 1 x 1 with a ball of radius 0.3 missing in its middle.
 const std::string block =
@@ -91,44 +90,42 @@ void write_other_triangles(const TriangleSurface& surface) {
         obj += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " + std::to_string(c + 1) + "\n";
     }
     const std::string counts[] = {std::to_string(surface.corners.size()), std::to_string(surface.triangles.size())};
-    testing_scene::Folder::write(obj, "block.obj");
-    testing_scene::Folder::write("OFF\n" + counts[0] + " " + counts[1] + " 0\n" + corners + faces, "block.off");
-    testing_scene::Folder::write("ply\nformat ascii 1.0\nelement vertex " + counts[0] +
-                                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                                     counts[1] + "\nproperty list uchar int vertex_index\nend_header\n" + corners +
-                                     faces,
-                                 "block.ply");
+    Folder::write(obj, "block.obj");
+    Folder::write("OFF\n" + counts[0] + " " + counts[1] + " 0\n" + corners + faces, "block.off");
+    Folder::write("ply\nformat ascii 1.0\nelement vertex " + counts[0] +
+                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " + counts[1] +
+                      "\nproperty list uchar int vertex_index\nend_header\n" + corners + faces,
+                  "block.ply");
 }
 
 /// Writes the block in all formats; `size` is that of a millimetre in the drawing's units.
 void write_all_formats() {
-    testing_scene::Folder::write(block, "block.geo");
-    testing_scene::Folder::write(block +
-                                     "Mesh.MeshSizeFromCurvature = 100;\nMesh.SaveAll = 1;\n"
-                                     "Save \"block.step\";\nSave \"block.brep\";\nMesh 2;\nSave \"block.msh\";\n"
-                                     "Save \"block.stl\";\n",
-                                 "export.geo");
+    Folder::write(block, "block.geo");
+    Folder::write(block +
+                      "Mesh.MeshSizeFromCurvature = 100;\nMesh.SaveAll = 1;\n"
+                      "Save \"block.step\";\nSave \"block.brep\";\nMesh 2;\nSave \"block.msh\";\n"
+                      "Save \"block.stl\";\n",
+                  "export.geo");
     DrawingOptions options;
     options.file = "export.geo";
     (void)read_drawing(options);
     const std::string step = std::regex_replace(text_of("block.step"), std::regex("PRODUCT\\('[^']*',\\s*'[^']*'"),
                                                 "PRODUCT('block','block'");
-    testing_scene::Folder::write(step, "block_mm.step");
+    Folder::write(step, "block_mm.step");
     // The same numbers as metres: a thousand times the size.
-    testing_scene::Folder::write(
-        std::regex_replace(step, std::regex("SI_UNIT\\(\\.MILLI\\.,\\.METRE\\.\\)"), "SI_UNIT($$,.METRE.)"),
-        "block_m.STP");
+    Folder::write(std::regex_replace(step, std::regex("SI_UNIT\\(\\.MILLI\\.,\\.METRE\\.\\)"), "SI_UNIT($$,.METRE.)"),
+                  "block_m.STP");
     std::string stl = text_of("block.stl");
     stl.replace(0, stl.find('\n'), "solid block");
-    testing_scene::Folder::write(stl, "block_text.stl");
+    Folder::write(stl, "block_text.stl");
     const TriangleSurface surface = read_stl("block.stl", 1, {});
     write_binary_stl(surface);
     write_other_triangles(surface);
 }
 
 TEST(CadMeshes, OneBodyInEachFormatGivesTheSameParticles) {
-    const testing_scene::Folder folder;
-    testing_scene::Folder::write(scene);
+    const Folder folder;
+    Folder::write(scene);
     write_all_formats();
     const Meshed reference = mesh_file("scene.toml");
     const auto particles = static_cast<double>(reference.report.parts[0].particles);
@@ -151,7 +148,7 @@ TEST(CadMeshes, OneBodyInEachFormatGivesTheSameParticles) {
         put("\"block\"", "\"" + name + "\"");
         put("block.geo", file);
         if (unit.empty()) put("unit = \"1 mm\"\n", "");
-        testing_scene::Folder::write(changed);
+        Folder::write(changed);
         const Meshed meshed = mesh_file("scene.toml");
         EXPECT_THAT(meshed.geometry.names(), ElementsAre(name, "wall"));
         EXPECT_NEAR(static_cast<double>(meshed.report.parts[0].particles) / particles, 1, 0.005);
@@ -164,7 +161,7 @@ TEST(CadMeshes, OneBodyInEachFormatGivesTheSameParticles) {
 }
 
 TEST(CadMeshes, AMetreInAStepFileIsAMetre) {
-    const testing_scene::Folder folder;
+    const Folder folder;
     write_all_formats();
     DrawingOptions options;
     options.file = "block_m.STP";
@@ -175,16 +172,16 @@ TEST(CadMeshes, AMetreInAStepFileIsAMetre) {
     for (std::size_t at = 0; (at = scaled.find(" mm", at)) != std::string::npos;) scaled.replace(at, 3, " m");
     scaled.replace(scaled.find("unit = \"1 m\"\n"), 13, "");
     scaled.replace(scaled.find("block.geo"), 9, "block_m.STP");
-    testing_scene::Folder::write(scaled);
+    Folder::write(scaled);
     const auto in_metres = mesh_file("scene.toml").report.parts[0].particles;
-    testing_scene::Folder::write(scene);
+    Folder::write(scene);
     const auto in_millimetres = mesh_file("scene.toml").report.parts[0].particles;
     EXPECT_NEAR(static_cast<double>(in_metres) / static_cast<double>(in_millimetres), 1, 0.005);
 }
 
 TEST(CadMeshes, BodiesWithoutNamesAreNumberedAndUnitsAreChecked) {
-    const testing_scene::Folder folder;
-    testing_scene::Folder::write(
+    const Folder folder;
+    Folder::write(
         "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nBox(2) = {3, 0, 0, 1, 1, 2};\n"
         "Physical Volume(\"both\") = {1, 2};\nSave \"two.step\";\nSave \"two.brep\";\n",
         "export.geo");
@@ -198,7 +195,7 @@ TEST(CadMeshes, BodiesWithoutNamesAreNumberedAndUnitsAreChecked) {
     EXPECT_NEAR(two.solid("solid_2")->volume(), 2e-9, 1e-16);
     options.unit = 1e-3;
     options.place = {"scene.toml", 2, 3};
-    const auto fault = [&] { return testing::text_thrown<InputError>([&] { (void)read_drawing(options); }); };
+    const auto fault = [&] { return text_thrown<InputError>([&] { (void)read_drawing(options); }); };
     EXPECT_EQ(fault(),
               "scene.toml:2:3: the drawing 'two.step' states its unit itself, and the scene gives another\n"
               "  Leave geometry.unit out, or correct the unit in the program that made the drawing.");
@@ -208,13 +205,13 @@ TEST(CadMeshes, BodiesWithoutNamesAreNumberedAndUnitsAreChecked) {
     EXPECT_THAT(fault(), HasSubstr("is it 4 x 1 x 2 m, 4 x 1 x 2 mm or 4 x 1 x 2 um?"));
     options.file = "cut.step";
     const std::string step = text_of("two.step");
-    testing_scene::Folder::write(step.substr(0, step.size() / 2), "cut.step");
+    Folder::write(step.substr(0, step.size() / 2), "cut.step");
     EXPECT_THAT(fault(), HasSubstr("cut.step"));
-    testing_scene::Folder::write("hello", "cut.step");
+    Folder::write("hello", "cut.step");
     EXPECT_THAT(fault(), HasSubstr("cut.step"));
     options.unit = 1;
     options.file = "cut.brep";
-    testing_scene::Folder::write("DBRep_DrawableShape\n", "cut.brep");
+    Folder::write("DBRep_DrawableShape\n", "cut.brep");
     EXPECT_THAT(fault(), HasSubstr("cut.brep"));
 }
 
@@ -230,16 +227,16 @@ TEST(CadMeshes, LooseFacesOfAnIgesFileAreSewnToABody) {
 }
 
 TEST(CadMeshes, AnOpenSurfaceIsNoFluidAndSaysWhy) {
-    const testing_scene::Folder folder;
-    testing_scene::Folder::write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n", "block.obj");
+    const Folder folder;
+    Folder::write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n", "block.obj");
     std::string changed = scene;
     changed.replace(changed.find("block.geo"), 9, "block.obj");
-    testing_scene::Folder::write(changed);
+    Folder::write(changed);
     EXPECT_THAT(
-        testing::text_thrown<InputError>([] { (void)mesh_file("scene.toml"); }),
+        text_thrown<InputError>([] { (void)mesh_file("scene.toml"); }),
         HasSubstr("'block' is a surface in the drawing, but a volume for a fluid is needed here; it is not closed: "
                   "3 edges of its surface have one side only"));
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

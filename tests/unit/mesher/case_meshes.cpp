@@ -10,12 +10,10 @@
 #include "geometry/nearest_curve.hpp"
 #include "meshed_text.hpp"
 #include "particles/kernels.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::mesh_case;
-using testing_mesh::Meshed;
 
 const MeshReport::PartLine& line_of(const Meshed& meshed, const std::string& part) {
     const auto& parts = meshed.report.parts;
@@ -333,4 +331,4 @@ TEST(PoiseuilleMesh, HasTwentyRowsAndExactWalls) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

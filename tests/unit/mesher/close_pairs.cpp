@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 /// Particles anywhere in a box of 2 x 1 x 1.
@@ -110,4 +112,4 @@ TEST(ClosePairs, leaves_out_what_it_is_told_to) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

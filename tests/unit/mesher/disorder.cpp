@@ -6,16 +6,12 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::Contains;
-using testing_mesh::channel;
-using testing_mesh::flap_channel;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 Texts disturbed(const Texts& texts, const std::string& lines) {
     return texts.with("spacing = \"0.125 m\"\n", "spacing = \"0.125 m\"\n" + lines);
@@ -96,4 +92,4 @@ TEST(Disorder, StandsInTheReport) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,14 +10,10 @@
 
 #include "meshed_text.hpp"
 #include "mesher/searchable_particles.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 /// Distance of the nearest place on that side [m].
 double nearest_of(const std::vector<FeaturePlace>& places, const Vec& point, bool in_fluid) {
@@ -176,4 +172,4 @@ TEST(FittedFeatures, edges_in_space_keep_their_particles) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,13 +9,10 @@
 #include "meshed_text.hpp"
 #include "mesher/searchable_particles.hpp"
 #include "particles/kernels.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::mesh_case;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 /// Mean and standard deviation of SUM V W over fluid particles.
 struct KernelSums {
@@ -166,4 +163,4 @@ TEST(FittedMeshes, are_the_same_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

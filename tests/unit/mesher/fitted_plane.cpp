@@ -9,17 +9,10 @@
 #include "meshed_text.hpp"
 #include "mesher/inspect.hpp"
 #include "mesher/searchable_particles.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::fault_of;
-using testing_mesh::flap_channel;
-using testing_mesh::mesh_case;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 MeshReport inspected(const Meshed& meshed) {
     MeshResult result{meshed.particles, meshed.report, {}};
@@ -194,4 +187,4 @@ TEST(FittedInPlane, refuses_disorder) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,17 +6,14 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing_mesh::channel;
-using testing_mesh::fault_of;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 constexpr double spacing = 0.125;
 
@@ -157,4 +154,4 @@ TEST(JoinedParts, that_are_held_have_nothing_to_gain) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 constexpr std::array<bool, 3> open{}, along_x{true, false, false}, along_both{true, true, false};
@@ -97,4 +99,4 @@ TEST(HexagonalLattice, KeepsTheStaggerAcrossPeriodsAndMargins) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -2,14 +2,10 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::fault_of;
-using testing_mesh::flap_channel;
-using testing_mesh::Texts;
 
 TEST(MeshErrors, TheTestsOwnScenesAreGood) {
     EXPECT_EQ(fault_of(channel), "no error");
@@ -177,4 +173,4 @@ TEST(MeshErrors, SpringsThatCannotBeBothSoftAndStiff) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

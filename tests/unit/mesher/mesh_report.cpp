@@ -10,15 +10,10 @@
 #include "meshed_text.hpp"
 #include "mesher/inspect.hpp"
 #include "mesher/leak_test.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::flap_channel;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 const Texts duct{Texts(channel).with("schema = 1", "schema = 1\ndimension = 3").scene,
                  "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 2, 1, 1};\nPhysical Volume(\"water\") = {1};\n"
@@ -46,8 +41,8 @@ Inspected inspect_texts(const Texts& texts) {
 
 /// A ball of fluid in a wall, without a detour over gmsh.
 Inspected inspect_ball(const std::string& particles) {
-    const testing_scene::Folder folder;
-    testing_scene::Folder::write(ball_scene(particles).scene);
+    const Folder folder;
+    Folder::write(ball_scene(particles).scene);
     const Scene scene = read_scene("scene.toml", {});
     Geometry geometry;
     geometry.dimension = 3;
@@ -202,17 +197,17 @@ TEST(LeakTest, EveryArrangementIsTight) {
 }
 
 TEST(LeakTest, WhatIsEmptyInABodyCountsAsOutside) {
-    const testing_scene::Folder folder;
+    const Folder folder;
     const std::string body =
         duct.with("periodic = [\"x\"]", "periodic = [\"x\", \"y\", \"z\"]").with("0.125 m", "0.05 m").scene;
-    testing_scene::Folder::write(body);
+    Folder::write(body);
     const Scene scene = read_scene("scene.toml", {});
     Geometry geometry;
     geometry.dimension = 3;
     geometry.solids = {{"water", box_surface(Vec(2, 1, 1))}, {"wall", icosphere(5, 0.4)}};
     for (Vec& corner : geometry.solids[1].surface.corners) corner += Vec(1, 0.5, 0.5);
     geometry.box = {Vec::Zero(), Vec(2, 1, 1)};
-    Inspected mesh{dmp::mesh(geometry, scene), {}};
+    Inspected mesh{mesh(geometry, scene), {}};
     mesh.detail = inspect(mesh.result, geometry, scene);
     const ParticleSet& set = mesh.result.particles;
     EXPECT_GT(find_leaks(set).cells, 100U);
@@ -258,4 +253,4 @@ TEST(MeshReport, SaysSoInWordsAndForPrograms) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

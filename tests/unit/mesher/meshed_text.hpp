@@ -8,9 +8,10 @@
 
 #include "mesher/drawing_of.hpp"
 #include "mesher/mesh.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::testing_mesh {
+namespace dmp::tests {
 
 /// A scene with everything that was made of it.
 struct Meshed {
@@ -107,9 +108,9 @@ Physical Point("root") = {10};
 )"};
 
 inline Meshed mesh_texts(const Texts& texts) {
-    const testing_scene::Folder folder;
-    testing_scene::Folder::write(texts.scene);
-    testing_scene::Folder::write(texts.drawing, "channel.geo");
+    const Folder folder;
+    Folder::write(texts.scene);
+    Folder::write(texts.drawing, "channel.geo");
     return mesh_file("scene.toml");
 }
 
@@ -123,4 +124,4 @@ inline std::string fault_of(const Texts& texts) {
     return "no error";
 }
 
-}  // namespace dmp::testing_mesh
+}  // namespace dmp::tests

@@ -5,18 +5,15 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing_mesh::channel;
-using testing_mesh::fault_of;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 /// The channel with a block of 0.5 m x 1 m on its bottom, clamped there, drawn over the water.
 const Texts block{channel.scene + R"([[part]]
@@ -211,4 +208,4 @@ TEST(PlaneSolids, end_at_periodic_sides_and_it_is_said) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -11,16 +11,10 @@
 #include "meshed_text.hpp"
 #include "mesher/sample_fluids.hpp"
 #include "mesher/searchable_particles.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::fault_of;
-using testing_mesh::mesh_case;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 constexpr double spacing = 0.05;
 
@@ -154,4 +148,4 @@ TEST(SampledMesh, refuses_disorder) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,15 +5,10 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::flap_channel;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 std::size_t count_of(const ParticleSet& set, const std::string& part) {
     std::size_t count = 0;
@@ -304,4 +299,4 @@ TEST(PeriodicInBothAxes, HasNoWalls) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

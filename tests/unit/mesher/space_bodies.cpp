@@ -7,17 +7,15 @@
 
 #include "geometry/nearest_triangle.hpp"
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing_mesh::fault_of;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 /// A duct of 2 m x 1 m x 1 m along x between walls, periodic along x, and a column on its floor, drawn over the fluid.
 const Texts column{R"(schema = 1
@@ -294,4 +292,4 @@ TEST(SpaceBodies, a_body_at_the_side_of_the_box_is_noted) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -8,13 +8,10 @@
 
 #include "meshed_text.hpp"
 #include "mesher/inspect.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::mesh_case;
-using testing_mesh::mesh_file;
-using testing_mesh::Meshed;
 
 /// Struts, and as much of the artery as they take.
 const std::vector<std::string> short_artery{"geometry.parameters.length=6 mm", "geometry.parameters.first=0.6 mm"};
@@ -63,8 +60,8 @@ TEST(StentMesh, BloodKeepsOffTheStrutsAndTheWall) {
 }
 
 TEST(StentMesh, StepFileGivesTheSameParticles) {
-    const testing_scene::Folder folder;
-    testing_scene::Folder::write(R"(schema = 1
+    const Folder folder;
+    Folder::write(R"(schema = 1
 dimension = 3
 [geometry]
 file = ")" DMP_SOURCE_DIR R"(/cases/stent/stent.step"
@@ -132,4 +129,4 @@ TEST(TricuspidValveMesh, HasThreeLeafletsThatItsBloodKeepsOff) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 std::vector<Vec> points_of(const SpaceLattice& lattice) {
@@ -87,4 +89,4 @@ TEST(SpaceLattice, is_stretched_to_a_period_and_to_a_plane_of_symmetry) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

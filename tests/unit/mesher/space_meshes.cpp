@@ -6,13 +6,10 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::fault_of;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 /// A duct of 2 m x 1 m x 1 m along x between walls, periodic along x.
 const Texts duct{R"(schema = 1
@@ -165,7 +162,7 @@ TEST(SpaceMeshes, wrong_dimensions_and_kinds) {
         fault_of(duct.with("dimension = 3", "dimension = 2")),
         "scene.toml:2:13: the drawing has volumes, and the scene has 2 dimensions (channel.geo)\n  write dimension "
         "= 3, or name another drawing");
-    EXPECT_EQ(fault_of(testing_mesh::channel.with("schema = 1", "schema = 1\ndimension = 3")),
+    EXPECT_EQ(fault_of(channel.with("schema = 1", "schema = 1\ndimension = 3")),
               "scene.toml:2:13: the drawing lies in the plane, and the scene has 3 dimensions (channel.geo)\n  write "
               "dimension = 2, or name another drawing");
     EXPECT_EQ(fault_of(duct.with("name = \"water\"", "name = \"wall\"")
@@ -174,13 +171,11 @@ TEST(SpaceMeshes, wrong_dimensions_and_kinds) {
               "(channel.geo)\n  it names 'wall' and 'water'");
     EXPECT_THAT(fault_of(duct.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\ndisorder = 0.1")),
                 testing::HasSubstr("particles.disorder: lattices in space cannot be disturbed yet"));
-    EXPECT_THAT(
-        fault_of(testing_mesh::channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\"")),
-        testing::HasSubstr("\"fcc\" is a lattice in space"));
-    EXPECT_THAT(
-        fault_of(testing_mesh::channel.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"z_low\"]")),
-        testing::HasSubstr("a scene in the plane has no side 'z_low'"));
+    EXPECT_THAT(fault_of(channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\"")),
+                testing::HasSubstr("\"fcc\" is a lattice in space"));
+    EXPECT_THAT(fault_of(channel.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"z_low\"]")),
+                testing::HasSubstr("a scene in the plane has no side 'z_low'"));
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

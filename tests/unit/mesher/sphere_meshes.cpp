@@ -9,12 +9,12 @@
 #include "mesher/mesh_spheres.hpp"
 #include "mesher/sphere_packing.hpp"
 #include "particles/touching_spheres.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using namespace testing_scene;
 using ::testing::HasSubstr;
 
 const std::string head = "schema = 1\ndimension = 3\n[run]\nduration = \"1 s\"\n[output]\nevery = \"1 s\"\n";
@@ -274,4 +274,4 @@ TEST(WrongSphereTable, says_where_and_what_to_do) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,9 +10,10 @@
 
 #include "meshed_text.hpp"
 #include "particles/kernels.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 Part part_with(double bending, double axial, bool lower) {
@@ -139,7 +140,7 @@ TEST(LadderConstants, KeepTheShearStiffnessWhereTheAxialOneIsOutOfRangeOrRefuse)
     EXPECT_LT(lowered.axial_stiffness(), 5000);
     EXPECT_NEAR(lowered.bending_stiffness() / 3e-6, 1, 1e-14);
     part.lower_axial_stiffness = false;
-    EXPECT_EQ(testing::text_thrown<InputError>([&] { (void)ladder_constants(part, 1e-4, 1e-4); }).substr(0, 109),
+    EXPECT_EQ(text_thrown<InputError>([&] { (void)ladder_constants(part, 1e-4, 1e-4); }).substr(0, 109),
               "scene.toml:32:19: part 'leaflets': two rows 0.0001 m apart with EI = 3e-06 N*m^2 and GA = 200 N have EA "
               "= 100");
 }
@@ -224,7 +225,7 @@ std::vector<Vec> moved(const ParticleSet& set, const Move& move) {
 }
 
 TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
-    const auto meshed = testing_mesh::mesh_texts(testing_mesh::flap_channel);
+    const auto meshed = mesh_texts(flap_channel);
     const ParticleSet& set = meshed.particles;
     ASSERT_EQ(meshed.report.springs.size(), 1U);
     const auto& line = meshed.report.springs[0];
@@ -251,15 +252,15 @@ TEST(LadderEnergy, IsThatOfTheBeamAskedFor) {
 }
 
 TEST(LadderEnergy, WithAShearStiffnessIsThatAskedFor) {
-    testing_mesh::Texts texts = testing_mesh::flap_channel;
-    const double spacing = testing_mesh::mesh_texts(texts).particles.spacing;
+    Texts texts = flap_channel;
+    const double spacing = mesh_texts(texts).particles.spacing;
     const double shear_stiffness = 0.5 / square(spacing);
     std::ostringstream with_shear;
     with_shear << "axial_stiffness = \"" << 12 / square(spacing) << " N\"\nshear_stiffness = \"" << shear_stiffness
                << " N\"";
     const std::string without = "axial_stiffness = \"100 N\"";
     texts.scene.replace(texts.scene.find(without), without.size(), with_shear.str());
-    const auto meshed = testing_mesh::mesh_texts(texts);
+    const auto meshed = mesh_texts(texts);
     const ParticleSet& set = meshed.particles;
     const auto& line = meshed.report.springs[0];
     EXPECT_GT(set.hinges.size(), 0U);
@@ -280,16 +281,16 @@ TEST(LadderEnergy, WithAShearStiffnessIsThatAskedFor) {
 
 TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
     // h = 0.6 spacings: EA = 1000 N lies above 5 EI / spacing^2.
-    testing_mesh::Texts texts = testing_mesh::flap_channel;
+    Texts texts = flap_channel;
     const std::string as_strip = "bending_stiffness = \"3 N*m^2\"\naxial_stiffness = \"100 N\"\n";
     const auto at = texts.scene.find(as_strip);
     ASSERT_NE(at, std::string::npos);
-    const auto spacing = testing_mesh::mesh_texts(texts).particles.spacing;
+    const auto spacing = mesh_texts(texts).particles.spacing;
     std::ostringstream material;
     material << "youngs_modulus = \"" << 1000 / (0.6 * spacing) << " Pa\"\nthickness = \"" << 0.6 * spacing
              << " m\"\ncross_bonds = true\n";
     texts.scene.replace(at, as_strip.size(), material.str());
-    const auto meshed = testing_mesh::mesh_texts(texts);
+    const auto meshed = mesh_texts(texts);
     const ParticleSet& set = meshed.particles;
     const auto& line = meshed.report.springs[0];
     const double bending_stiffness = 1000 * square(0.6 * spacing) / 12;
@@ -309,4 +310,4 @@ TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,16 +7,14 @@
 
 #include "meshed_text.hpp"
 #include "mesher/facing_part.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using testing_mesh::mesh_texts;
-using testing_mesh::Meshed;
-using testing_mesh::Texts;
 
 /// A duct of 4 m x 2 m x 2 m, closed all around, and two boxes in it, one upon the other, the lower one on the floor.
 const Texts boxes{R"(schema = 1
@@ -198,7 +196,7 @@ TEST(FacingPart, is_cut_where_it_begins) {
 }
 
 TEST(FacingPart, is_the_same_by_any_number_of_threads) {
-    const TriangleSurface surface = dmp::testing::ball(16);
+    const TriangleSurface surface = ball(16);
     const auto part = [&](int threads) {
         const int before = omp_get_max_threads();
         omp_set_num_threads(threads);
@@ -215,4 +213,4 @@ TEST(FacingPart, is_the_same_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,8 +9,9 @@
 
 #include "solver/parallel/domain.hpp"
 #include "solver/parallel/halo.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double spacing = 1.0 / 1024;  // [m]; all other lengths are in spacings
@@ -86,4 +87,4 @@ TEST(Balance, BentTubeWithABulgeAndLeaflets) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,9 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 const FieldList state{Field::position, Field::velocity, Field::density};
@@ -225,4 +226,4 @@ TEST(Domain, TellsAllRanksOfAParticleWithoutAPlace) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

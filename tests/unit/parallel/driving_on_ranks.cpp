@@ -2,14 +2,11 @@
 // Forces on parts and moving shapes: the same bits on any number of ranks.
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/walled_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::formula_of;
-using testing_solver::run_of;
-using testing_solver::WalledWater;
 
 TEST(DrivingOnRanks, water_that_is_pushed_and_stirred) {
     WalledWater made(9, 7, {"plates"}, [](int column, int) { return column >= 0 && column < 9 ? 1 : 0; });
@@ -45,4 +42,4 @@ TEST(DrivingOnRanks, water_that_is_pushed_and_stirred) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

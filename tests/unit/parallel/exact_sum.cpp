@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -123,4 +125,4 @@ TEST(ExactSum, CarriesInTime) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

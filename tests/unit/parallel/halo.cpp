@@ -9,9 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 const FieldList all_fields{Field::position, Field::velocity, Field::density, Field::pressure};
@@ -256,4 +257,4 @@ TEST(Halo, HandlesFewParticles) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -14,8 +14,9 @@
 
 #include "particles/particle_set.hpp"
 #include "solver/store/particle_group.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 /// Particles whose every value is a function of their id and of how often they moved, so that every rank knows what
 /// every other is to hold. Places are whole multiples of a power of two, kept as integers.
@@ -140,4 +141,4 @@ inline std::vector<std::array<bool, 3>> combinations(int dimension) {
     return all;
 }
 
-}  // namespace dmp
+}  // namespace dmp::tests

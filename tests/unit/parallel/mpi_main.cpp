@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/parallel/ranks.hpp"
+#include "tests/modules.hpp"
 
 namespace {
 

@@ -6,9 +6,10 @@
 #include "solver/parallel/domain.hpp"
 #include "solver/parallel/halo.hpp"
 #include "solver/parallel/ranks.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 class Alone : public testing::Test {
@@ -92,4 +93,4 @@ TEST_F(Alone, AHaloHoldsTheImages) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,8 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/parallel/communicator.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 struct Sample {
@@ -134,4 +135,4 @@ TEST(Ranks, Exchange) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

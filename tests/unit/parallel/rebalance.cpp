@@ -8,8 +8,9 @@
 
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/store/particle_store.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr int columns = 160, rows = 20;
@@ -66,4 +67,4 @@ TEST(Rebalance, follows_water_that_gathers_at_one_end) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -97,4 +99,4 @@ TEST(Regions, RefuseBoxesThatDoNotComeFromCuts) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,8 +10,9 @@
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/residence_times.hpp"
 #include "solver/setup.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double spacing = 0.1, viscosity = 0.7;
@@ -216,4 +217,4 @@ TEST(ResidenceTimes, cost_no_field_when_they_are_not_asked_for) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

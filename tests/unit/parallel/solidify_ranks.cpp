@@ -5,13 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/clot_scenes.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_solver;
 
 /// A clot that grows from the lower wall into the flow, another from a seed in its middle, both torn by it.
 SceneAndParticles clotting() {
@@ -144,7 +143,7 @@ std::filesystem::path checkpoint_in(std::filesystem::path folder, const Ranks& r
 TEST(SolidifyOnRanks, goes_on_after_a_restart_on_any_number_of_them) {
     const SceneAndParticles made = clotting();
     const Outcome whole = run_on(made, Ranks::alone());
-    const testing::TemporaryFolder on_each;
+    const TemporaryFolder on_each;
     std::string first = on_each.path().string();
     Ranks::world().broadcast(first);
     const std::filesystem::path folder = first;
@@ -159,4 +158,4 @@ TEST(SolidifyOnRanks, goes_on_after_a_restart_on_any_number_of_them) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

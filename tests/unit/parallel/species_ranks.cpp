@@ -2,15 +2,14 @@
 // Species on several ranks: the bits of one.
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/dissolved.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using testing_solver::run_of;
-
 void expect_same_bits(SpeciesStepping stepping) {
-    testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
+    SceneAndParticles made = stirred_mixture();
     made.scene.accuracy.species_stepping = stepping;
     made.scene.run.duration = 0.2;
     const Ranks ranks = Ranks::world();
@@ -34,4 +33,4 @@ TEST(SpeciesOnRanks, are_the_same_bits) { expect_same_bits(SpeciesStepping::expl
 TEST(SpeciesOnRanks, are_the_same_bits_implicitly) { expect_same_bits(SpeciesStepping::implicitly); }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "solver/spheres/sphere_run.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_spheres;
 
 Resources on(const Ranks& ranks) {
     Resources resources(1);
@@ -47,7 +46,7 @@ std::string resumed(const SphereScene& made, const Ranks& before, const Ranks& a
     SphereRun first(made.scene, made.set, on(before));
     EXPECT_TRUE(first.run(options).interrupted);
     std::vector<std::string> file;
-    if (before.is_first()) file = testing::files_in(std::filesystem::path(folder) / "checkpoints");
+    if (before.is_first()) file = files_in(std::filesystem::path(folder) / "checkpoints");
     std::string name = file.empty() ? "" : file.back();
     Ranks::world().broadcast(name);
     SphereRun second(made.scene, made.set, on(after));
@@ -96,7 +95,7 @@ TEST(SpheresOnRanks, same_bits_in_free_flight) { expect_the_same_bits(free_crowd
 void expect_checkpoints_of_any_number_of_ranks(const SphereScene& made) {
     const Ranks ranks = Ranks::world();
     const std::string expected = run_of(made, Ranks::alone()).state_hash;
-    const testing::TemporaryFolder own;
+    const TemporaryFolder own;
     std::string shared_folder = own.path().string();
     ranks.broadcast(shared_folder);
     // Of all ranks, taken up by each alone.
@@ -111,7 +110,7 @@ void expect_checkpoints_of_any_number_of_ranks(const SphereScene& made) {
     if (ranks.is_first()) {
         SphereRun first(made.scene, made.set, on(Ranks::alone()));
         EXPECT_TRUE(first.run(options).interrupted);
-        name = testing::files_in(std::filesystem::path(shared_folder) / "alone/checkpoints").back();
+        name = files_in(std::filesystem::path(shared_folder) / "alone/checkpoints").back();
     }
     ranks.broadcast(name);
     SphereRun second(made.scene, made.set, on(ranks));
@@ -134,4 +133,4 @@ TEST(SpheresOnRanks, checkpoints_beside_fast_walls_are_of_any_number_of_ranks) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,15 +9,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/solver/small_scenes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace lattice_solids;
 using ::testing::ElementsAre;
-using testing_solver::SceneAndParticles;
 
 constexpr double spacing = 0.1;
 constexpr int side = 14;
@@ -68,7 +68,7 @@ ParticleSet water_around(const ParticleSet& nodes) {
 /// A cube of water, periodic along all axes, sheared, with a solid with hinges and a shell with dihedrals that reach
 /// through the planes halfway across it: however ranks divide the cube, they share a body.
 SceneAndParticles solid_and_shell_in_water() {
-    SceneAndParticles made = testing_solver::endless_water();
+    SceneAndParticles made = endless_water();
     Scene& scene = made.scene;
     scene.dimension = 3;
     scene.flow.acceleration[0] = Expression("sin(4 * z)", "sin(4 * z)");
@@ -175,4 +175,4 @@ TEST(PlanInSpace, names_hinges_and_dihedrals_of_the_bodies_that_have_them) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -2,16 +2,11 @@
 // Implicit viscosity on several ranks: the bits of one.
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/layered_channel.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::add_flags;
-using testing_solver::add_rod;
-using testing_solver::layered;
-using testing_solver::LayeredChannel;
-using testing_solver::SceneAndParticles;
 
 RunSummary run_on(const SceneAndParticles& made, const Ranks& ranks) {
     Resources resources(1);
@@ -57,4 +52,4 @@ TEST(ImplicitViscosity, is_the_same_bits_on_any_number_of_ranks) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

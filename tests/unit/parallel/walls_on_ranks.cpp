@@ -2,15 +2,11 @@
 // Walls that move and planes of symmetry: the same bits on any number of ranks.
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/mirrored_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::formula_of;
-using testing_solver::run_of;
-using testing_solver::vortex;
-using testing_solver::WalledWater;
 
 void expect_same_bits(const WalledWater& made) {
     const Ranks ranks = Ranks::world();
@@ -59,4 +55,4 @@ TEST(WallsOnRanks, a_lid_over_half_a_cavity) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,8 +6,9 @@
 #include <gmock/gmock.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::AllOf;
@@ -70,4 +71,4 @@ TEST(Apart, NoPlaceAtAllIsRefused) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 std::array<double, 3> point_of(const Coordinates& points, int dimension, std::size_t i) {
@@ -145,4 +147,4 @@ TEST(CellGrid, NoPointsOnePointAndEqualPoints) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

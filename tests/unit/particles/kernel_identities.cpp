@@ -9,8 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "particles/kernels.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 /// Sums over a square lattice of spacing 1 around the particle at its origin, V = 1.
@@ -162,4 +163,4 @@ TEST(KernelIdentities, ConvergeToTheContinuum) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

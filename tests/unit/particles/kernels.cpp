@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -142,4 +144,4 @@ TEST(KernelValues, AtTheCentreAndHalfWay) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

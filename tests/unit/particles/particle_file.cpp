@@ -11,15 +11,15 @@
 
 #include "base/errors.hpp"
 #include "base/sealed_file.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/damage.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -334,4 +334,4 @@ TEST_F(ParticleFile, OtherFilesAreRefused) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-namespace dmp {
+#include "tests/modules.hpp"
+
+namespace dmp::tests {
 namespace {
 
 TEST(ParticleSet, CountsByKindOverAllPartsOfIt) {
@@ -22,4 +24,4 @@ TEST(ParticleSet, CountsByKindOverAllPartsOfIt) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

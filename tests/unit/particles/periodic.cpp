@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "particles/periodic_images.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 /// source and number of periods along x, y, z
@@ -143,4 +144,4 @@ TEST(Wrapped, DoesNotHideWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

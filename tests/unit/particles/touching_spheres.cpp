@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "base/closest_point.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 /// Spheres of very unlike radii at random in a box of 1 m, among them a fluid particle.
@@ -82,4 +83,4 @@ TEST(ClosestOnTriangle, is_nearer_than_any_other_point_of_it) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,8 +9,9 @@
 #include "postproc/colour_map.hpp"
 #include "postproc/frame_scene.hpp"
 #include "postproc/paraview_script.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -119,4 +120,4 @@ TEST(ParaviewScript, KnowsTheSpacing) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,12 +7,12 @@
 #include <gmock/gmock.h>
 
 #include "postproc/virtual_display.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 
 /// A cube or square of fluid, 12 spacings wide, walls on its floor, and a chain of bonds.
@@ -60,4 +60,4 @@ TEST(MeshPictures, AreDrawnOfWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

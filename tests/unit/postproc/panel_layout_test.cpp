@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "postproc/viewpoint.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -107,4 +108,4 @@ TEST(Viewpoint, SaysWhereASliceLies) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

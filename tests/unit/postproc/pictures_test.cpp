@@ -17,13 +17,12 @@
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "synthetic_run.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using dmp::testing::channel_frame;
-using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -283,4 +282,4 @@ TEST(Canvas, CountsColours) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

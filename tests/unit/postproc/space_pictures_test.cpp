@@ -15,12 +15,12 @@
 #include "postproc/pictures.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_sink.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -410,4 +410,4 @@ TEST_F(SpacePictures, SayWhatTheyCouldNotShow) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -13,12 +13,12 @@
 #include "postproc/pictures.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_sink.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 
 constexpr Colour red{200, 0, 0}, blue{0, 0, 200};
@@ -134,4 +134,4 @@ TEST(SpherePictures, are_drawn_of_a_run_in_space) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "solver/frame.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::testing {
+namespace dmp::tests {
 
 inline void add_particle(FrameGroup& group, float x, float y, int part) {
     group.id.push_back(static_cast<std::int64_t>(group.id.size()));
@@ -62,4 +63,4 @@ inline Frame channel_frame(double time, bool with_walls) {
     return frame;
 }
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

@@ -12,11 +12,11 @@
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "synthetic_run.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using dmp::testing::TemporaryFolder;
 using ::testing::HasSubstr;
 
 const double missing = std::numeric_limits<double>::quiet_NaN();
@@ -179,4 +179,4 @@ TEST(Summary, NotANumberBecomesNull) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,13 +12,14 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 TEST(TriangleFile, is_what_vtk_reads_back) {
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const auto file = folder.path() / "bad_triangles.vtp";
     const std::vector<Vec> corners{{0, 0, 0}, {0.1, 0, 0}, {0, 1.0 / 3, 0}, {0, 0, -1e-7}};
     const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {0, 3, 1}};
@@ -42,4 +43,4 @@ TEST(TriangleFile, that_cannot_be_written_is_an_error) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -20,16 +20,13 @@
 #include "base/safe_file.hpp"
 #include "postproc/read_frames.hpp"
 #include "synthetic_run.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using dmp::testing::channel_frame;
-using dmp::testing::files_in;
-using dmp::testing::FileSizeLimit;
-using dmp::testing::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -270,7 +267,7 @@ TEST(VtkSink, GoesOnWhereSolidsCameLateAndNotWhereFramesAreMissing) {
     }
     const auto problem = [&](long frames) {
         VtkSink sink(folder.path(), label);
-        return testing::text_thrown<InputError>([&] { sink.go_on(frames); });
+        return text_thrown<InputError>([&] { sink.go_on(frames); });
     };
     EXPECT_THAT(problem(5), HasSubstr("the series names fewer frames than the run has written"));
     VtkSink sink(folder.path(), label);
@@ -387,4 +384,4 @@ TEST(ReadFrames, BrokenFilesAreNamed) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -3,9 +3,10 @@
 
 #include <ostream>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::testing_scene {
+namespace dmp::tests {
 
 /// good_scene with `found` replaced, or the override `found`, and the message it must give.
 struct Fault {
@@ -18,4 +19,4 @@ struct Fault {
 inline void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.name; }
 inline std::string name_of(const testing::TestParamInfo<Fault>& info) { return info.param.name; }
 
-}  // namespace dmp::testing_scene
+}  // namespace dmp::tests

@@ -1,11 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Forces on parts and moving shapes: what is read, and each way to get it wrong.
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 const std::string driven_scene = good_scene + R"toml([[force]]
 name = "squeeze"
@@ -132,4 +131,4 @@ TEST(WrongDriving, across_a_plane_of_symmetry) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

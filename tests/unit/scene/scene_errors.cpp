@@ -1,11 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Every kind of bad input: the exact place, what was found and what to do.
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 class BadScene : public testing::TestWithParam<Fault> {};
 
@@ -372,4 +371,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

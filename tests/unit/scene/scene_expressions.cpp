@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "scene/formula.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -250,4 +251,4 @@ TEST(FormulaError, deep_nesting_is_an_error_and_no_crash) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -2,17 +2,13 @@
 // [[join]]: which parts may be joined.
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::HasSubstr;
-using testing_scene::Fault;
-using testing_scene::fault_of;
-using testing_scene::name_of;
-using testing_scene::read_text;
-using testing_scene::scene_with;
 
 std::string joined(const std::string& keys) { return scene_with("[flow]", "[[join]]\n" + keys + "\n\n[flow]"); }
 
@@ -28,7 +24,7 @@ TEST(SceneJoins, have_defaults) {
 }
 
 TEST(SceneJoins, are_in_the_resolved_scene_and_in_its_hash) {
-    const Scene plain = read_text(testing_scene::good_scene),
+    const Scene plain = read_text(good_scene),
                 with = read_text(joined("name = \"root\"\nparts = [\"leaflets\", \"wall\"]\nstiffness = \"3 N/m\""));
     EXPECT_NE(plain.hash, with.hash);
     EXPECT_THAT(resolved_scene(with), HasSubstr("[[join]]\nname = \"root\"\nparts = [\"leaflets\", \"wall\"]"));
@@ -74,4 +70,4 @@ TEST(SceneJoins, of_a_wall_that_moves_are_refused) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

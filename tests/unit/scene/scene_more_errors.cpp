@@ -1,11 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Bad overrides, and what goes wrong between several keys.
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 class BadOverride : public testing::TestWithParam<Fault> {};
 
@@ -175,4 +174,4 @@ TEST(BadPath, says_what_is_missing) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

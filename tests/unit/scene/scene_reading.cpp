@@ -4,13 +4,13 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::ElementsAre;
-using namespace testing_scene;
 
 const std::string cases = std::string(DMP_SOURCE_DIR) + "/cases";
 
@@ -400,4 +400,4 @@ TEST(ReadScene, walls_that_move_and_planes_of_symmetry) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

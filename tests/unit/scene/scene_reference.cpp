@@ -9,8 +9,9 @@
 #include "base/errors.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/schema.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::HasSubstr;
@@ -129,4 +130,4 @@ TEST(SceneReference, is_the_page_in_the_docs) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

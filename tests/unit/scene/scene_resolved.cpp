@@ -2,12 +2,11 @@
 // What overrides and levels of quality make of a scene, and how it is written down.
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 const std::string cases = std::string(DMP_SOURCE_DIR) + "/cases";
 
@@ -218,4 +217,4 @@ TEST(SceneHash, sees_values_and_not_how_they_are_written) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

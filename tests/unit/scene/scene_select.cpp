@@ -2,15 +2,14 @@
 // [[select]]: faces of a drawing in space.
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing_scene::fault_of;
-using testing_scene::read_text;
 
 /// A pipe with this between its drawing and its particles.
 std::string pipe_with(const std::string& selections, const std::string& dimension = "3") {
@@ -69,4 +68,4 @@ TEST(SceneSelect, refusesWhatSelectsNothing) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -1,12 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // [[solidify]] and [[break]]: what they read as, and what is wrong with them where.
 #include "scene/schema.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 /// good_scene is 49 lines long.
 const std::string solidify = R"(
@@ -169,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

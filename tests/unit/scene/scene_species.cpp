@@ -2,12 +2,11 @@
 // Species in scenes: what is read, and what goes wrong.
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 // Begins at line 36 of the scene.
 const std::string drug = R"toml([[species]]
@@ -195,4 +194,4 @@ TEST(WrongScene, several_species_and_no_word_of_which) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

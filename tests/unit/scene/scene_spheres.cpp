@@ -1,11 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of spheres: what is read, and each way to get it wrong.
+#include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_scene;
 
 const std::string spheres_scene = R"(schema = 1
 dimension = 3
@@ -316,4 +315,4 @@ TEST(WrongSpheres, walls_for_spheres_without_spheres) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

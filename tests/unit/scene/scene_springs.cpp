@@ -2,16 +2,14 @@
 // What springs parts are made of: strips in the plane, materials in space.
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using testing_scene::fault_of;
-using testing_scene::read_text;
-using testing_scene::scene_with;
 
 const std::string strip =
     "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"\nmass_per_length = \"0.42 kg/m\"";
@@ -66,4 +64,4 @@ TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

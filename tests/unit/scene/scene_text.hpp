@@ -11,8 +11,9 @@
 
 #include "base/errors.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_scene {
+namespace dmp::tests {
 
 /// A complete small scene with a fluid, a wall, a springs part and two measures.
 inline const std::string good_scene = R"(schema = 1
@@ -116,4 +117,4 @@ inline std::string fault_of(const std::string& text, const std::vector<std::stri
     return "no error";
 }
 
-}  // namespace dmp::testing_scene
+}  // namespace dmp::tests

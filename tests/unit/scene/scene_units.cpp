@@ -8,8 +8,9 @@
 #include "scene/quantity.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/units.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 Dimension dimension_of(const std::string& unit) { return Expected("1 " + unit).dimension(); }
@@ -157,4 +158,4 @@ TEST(QuantityError, points_into_the_text) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

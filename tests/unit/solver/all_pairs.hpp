@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "solver/store/particle_store.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 /// A disordered crowd of all kinds of particles, fluid with a wall and two spring bodies strewn among it, all shaken by
 /// a third of a spacing: 20 x 20 of them in the plane, 8 x 8 x 8 in space.
@@ -117,4 +118,4 @@ inline bool never_meet(const ParticleSet& set, std::size_t i, std::size_t j) {
     return set.kind(i) == ParticleKind::rigid || (set.kind(i) == ParticleKind::springs && set.body[i] == set.body[j]);
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

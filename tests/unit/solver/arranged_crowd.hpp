@@ -10,8 +10,9 @@
 #include "all_pairs.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 /// What the sweeps leave, by particle id; 0 where there is no such field.
 struct Sums {
@@ -172,4 +173,4 @@ class ArrangedCrowd {
     bool border_apart_ = false, with_correction_ = false;
 };
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "mesher/shell_lattice.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/lattice_solids.hpp"
 
-namespace dmp::lattice_solids {
+namespace dmp::tests::lattice_solids {
 
 struct Surface {
     std::vector<Vec> points;
@@ -82,4 +83,4 @@ inline void append(ParticleSet& set, const ParticleSet& other, const Vec& shift,
     }
 }
 
-}  // namespace dmp::lattice_solids
+}  // namespace dmp::tests::lattice_solids

@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/layered_channel.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 constexpr double clot_spacing = 1e-3;
 
@@ -81,4 +82,4 @@ inline std::set<std::pair<std::int64_t, std::int64_t>> bonds_of(const Frame& fra
     return bonds;
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/small_scenes.hpp"
 #include "tests/unit/solver/walled_water.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 inline Value<Expression> placed(const std::string& formula) {
     return {Expression(formula, formula), Place{"scene.toml", 7, 3}};
@@ -119,4 +120,4 @@ inline std::map<float, double> by_x(const Frame& frame, const std::string& field
     return mean;
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "solver/time/driving.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 inline Expression driving_formula(const std::string& text) { return Expression(text, text); }
 
@@ -46,4 +47,4 @@ inline DrivenBead bead_in_a_parabola() {
     return made;
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/frame.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing {
+namespace dmp::tests {
 
 inline void expect_same_bits(const std::vector<float>& read, const std::vector<float>& written) {
     ASSERT_EQ(read.size(), written.size());
@@ -46,4 +47,4 @@ inline void expect_equal(const Frame& read, const Frame& written) {
     }
 }
 
-}  // namespace dmp::testing
+}  // namespace dmp::tests

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "solver/models/dem/contact_law.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 struct Sphere {
     Vector<double, 3> position, velocity, spin;
@@ -118,4 +119,4 @@ class FewSpheres {
     std::vector<History> histories_;
 };
 
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -8,9 +8,10 @@
 #include "scene/scene.hpp"
 #include "solver/time/spring_bodies.hpp"
 #include "solver/time/spring_network.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/statics.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 using V2 = Vector<double, 2>;
 using Vectors = std::vector<V2>;
 using PlaneBody = SpringNetwork<2>;
@@ -77,4 +78,4 @@ inline Vectors end_load(const ParticleSet& set, const V2& force) {
     return load;
 }
 
-}  // namespace dmp
+}  // namespace dmp::tests

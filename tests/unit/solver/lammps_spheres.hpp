@@ -11,8 +11,9 @@
 
 #include "solver/models/dem/contact.hpp"
 #include "solver/models/dem/contact_constants.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 /// What LAMMPS found for spheres in contact (tests/peers/lammps_spheres).
 struct LammpsSpheres {
@@ -58,4 +59,4 @@ inline LammpsSpheres read_lammps_spheres(const std::filesystem::path& file) {
     return spheres;
 }
 
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "mesher/cell_lattice.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/statics.hpp"
 
-namespace dmp::lattice_solids {
+namespace dmp::tests::lattice_solids {
 
 using V3 = Vector<double, 3>;
 using Body = SpringNetwork<3>;
@@ -61,4 +62,4 @@ inline std::vector<Vec> block(int nx, int ny, int nz, double spacing) {
     return points;
 }
 
-}  // namespace dmp::lattice_solids
+}  // namespace dmp::tests::lattice_solids

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 /// Layers of liquids between two resting walls at y = 0 and y = width, periodic along x; particles on a lattice.
 struct LayeredChannel {
@@ -107,4 +108,4 @@ inline double profile_error(const Frame& frame, const std::function<double(doubl
     return std::sqrt(square / reference);
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

@@ -1,9 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/modules.hpp"
 #include "walled_water.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 /// A cell of a Taylor-Green vortex, driven by a force and without walls: the square [0, 1]^2 between four planes of
 /// symmetry, or the period of 2 x 2 such cells.
@@ -24,4 +25,4 @@ inline WalledWater vortex(bool mirrored) {
     return made;
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

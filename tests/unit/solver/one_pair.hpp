@@ -7,8 +7,9 @@
 
 #include "particles/kernels.hpp"
 #include "solver/models/pair.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::one_pair {
+namespace dmp::tests::one_pair {
 
 using Point = FluidPoint<double, 2>;
 using Solid = SolidPoint<double, 2>;
@@ -34,4 +35,4 @@ inline void expect_near(const V2& found, const V2& expected, double tolerance) {
     for (int axis = 0; axis < 2; ++axis) EXPECT_NEAR(found[axis], expected[axis], tolerance) << "axis " << axis;
 }
 
-}  // namespace dmp::one_pair
+}  // namespace dmp::tests::one_pair

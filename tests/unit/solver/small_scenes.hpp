@@ -11,8 +11,9 @@
 #include "mesher/mesh.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/simulation.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 /// Keeps every frame.
 class KeptFrames : public FrameSink {
@@ -123,4 +124,4 @@ inline const FrameField* field_of(const FrameGroup& group, const std::string& na
     return nullptr;
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

@@ -10,16 +10,14 @@
 
 #include "base/errors.hpp"
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
-using testing_solver::case_of;
-using testing_solver::field_of;
-using testing_solver::SceneAndParticles;
 
 constexpr long steps_allowed = 100;  // between the first bad particle and the end
 constexpr double spacing = 0.5e-3, half_width = 4e-3;
@@ -196,4 +194,4 @@ TEST(BlowUps, a_drive_a_thousand_times_as_strong) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

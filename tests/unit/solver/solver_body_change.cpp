@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/time/body_change.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 ParticleSpace space_of(bool periodic) {
@@ -176,4 +177,4 @@ TEST(BodyChange, a_walls_particle_that_holds_nothing_any_more_is_no_body) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,8 +6,9 @@
 
 #include "solver/solidify/body_events.hpp"
 #include "solver/time/spring_network.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using Body = SpringNetwork<2>;
@@ -107,4 +108,4 @@ TEST(BondBreaking, a_chain_pulled_slowly_breaks_once_at_the_length_of_the_law) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

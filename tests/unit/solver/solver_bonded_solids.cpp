@@ -8,15 +8,12 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
 #include "tests/unit/solver/statics.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_mesh::channel;
-using testing_mesh::mesh_texts;
-using testing_mesh::Texts;
 
 constexpr double modulus = 1e6, width = 0.5, spacing = 0.03125;
 
@@ -136,4 +133,4 @@ TEST(BondedSolid, that_follows_what_is_drawn_is_nearly_as_stiff) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

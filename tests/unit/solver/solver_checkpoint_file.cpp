@@ -6,15 +6,15 @@
 
 #include "base/errors.hpp"
 #include "solver/state/checkpoint_file.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/damage.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::testing;
 using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -103,4 +103,4 @@ TEST_F(CheckpointFile, AFullDiskKeepsTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

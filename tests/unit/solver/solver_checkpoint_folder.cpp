@@ -12,15 +12,15 @@
 #include "base/safe_file.hpp"
 #include "solver/state/checkpoint_file.hpp"
 #include "solver/state/checkpoint_folder.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/damage.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -191,4 +191,4 @@ TEST_F(KilledWriter, LeavesAGoodCheckpointWheneverItDies) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,15 +12,10 @@
 
 #include "all_pairs.hpp"
 #include "solver/neighbours/neighbours.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::ById;
-using testing_solver::crowd;
-using testing_solver::for_all_pairs;
-using testing_solver::Meeting;
-using testing_solver::never_meet;
 
 /// A neighbour as its owner and the whole periods it is away: what is left when copies have no numbers.
 using Neighbour = std::pair<std::size_t, std::array<int, 3>>;
@@ -319,4 +314,4 @@ TEST(Neighbours, look_through_their_list_before_pairs_can_be_missed) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

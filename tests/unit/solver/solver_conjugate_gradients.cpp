@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/time/conjugate_gradients.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 /// A matrix that is written down, preconditioned with its diagonal; the error is the residual's length.
@@ -94,4 +95,4 @@ TEST(ConjugateGradients, end_where_the_matrix_is_not_positive_or_no_number) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

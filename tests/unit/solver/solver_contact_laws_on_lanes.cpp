@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/models/dem/contact_law.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using Wide = Vector<Lanes, 3>;
@@ -139,4 +140,4 @@ TEST(ContactLawsOnLanes, do_not_care_which_sphere_is_first) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,8 +12,9 @@
 #include "solver/models/dem/contact_steps.hpp"
 #include "solver/models/dem/hertz.hpp"
 #include "solver/models/dem/restitution.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -145,4 +146,4 @@ TEST(ContactMaterial, wrong_values_are_named) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

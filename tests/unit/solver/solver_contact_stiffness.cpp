@@ -11,16 +11,10 @@
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/setup.hpp"
 #include "solver/time/spring_bodies.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::add_flags;
-using testing_solver::add_rod;
-using testing_solver::endless_water;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 constexpr double strength = 2, range = 0.1;
 
@@ -134,4 +128,4 @@ TEST(ContactStiffness, shortens_the_step_for_light_nodes_that_are_pressed_togeth
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -8,16 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 #include "walled_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::case_of;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 constexpr double width = 1e-3, length = 4e-4, viscosity = 1e-6, density = 1000, lid_speed = 1.25e-5;
 
@@ -110,8 +105,8 @@ TEST(Couette, lid_may_slide_by_a_formula_of_time_and_place) {
 
 TEST(Couette, is_a_straight_line_in_space_too) {
     // Walls y = 0 and y = 1 of a slab that is periodic in x and z, made without a drawing.
-    using testing_solver::formula_of;
-    using testing_solver::WalledWater;
+    using formula_of;
+    using WalledWater;
     constexpr int rows = 10, wide = 5;
     const WalledWater plane(wide, rows, {"wall", "lid"}, [](int column, int row) {
         return column < 0 || column >= wide ? 0 : row < 0 ? 1 : row >= rows ? 2 : 0;
@@ -122,14 +117,14 @@ TEST(Couette, is_a_straight_line_in_space_too) {
     static_cast<ParticleSpace&>(set) = static_cast<const ParticleSpace&>(plane.particles);
     set.dimension = 3;
     made.scene.dimension = 3;
-    set.box.high[2] = wide * testing_solver::spacing;
+    set.box.high[2] = wide * spacing;
     made.make_periodic(0);
     made.make_periodic(2);
     for (int layer = 0; layer < wide; ++layer)
         for (std::size_t i = 0; i < plane.particles.size(); ++i) {
             made.add(plane.particles.part[i], plane.particles.position[i] + Vec(0, 0, (layer + 0.5) * 0.1),
                      plane.particles.wall_normal[i], plane.particles.wall_distance[i]);
-            set.volume.back() *= testing_solver::spacing;
+            set.volume.back() *= spacing;
         }
     made.part(2).surface_velocity = std::array{formula_of("1"), Expression(), formula_of("0.5")};
     made.scene.parts[0].viscosity = 1000.0;
@@ -156,4 +151,4 @@ TEST(Couette, explain_names_the_lid) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

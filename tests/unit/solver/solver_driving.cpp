@@ -6,18 +6,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/driven_scenes.hpp"
 #include "tests/unit/solver/small_scenes.hpp"
 #include "tests/unit/solver/walled_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::bead_in_a_parabola;
-using testing_solver::endless_water;
-using testing_solver::force_on;
-using testing_solver::formula_of;
-using testing_solver::SceneAndParticles;
 
 RunSummary run(const SceneAndParticles& made, int threads = 1) {
     Resources resources(threads);
@@ -71,9 +66,9 @@ SceneAndParticles two_rods() {
     made.particles.box = {Vec::Zero(), Vec(0.8, 0.8, 0)};
     made.scene.parts.clear();
     made.scene.flow.periodic = {};
-    testing_solver::add_flags(made);
-    testing_solver::add_rod(made, Vec(0.4, 0.4, 0), 0);
-    testing_solver::add_rod(made, Vec(0.6, 0.4, 0), 1);
+    add_flags(made);
+    add_rod(made, Vec(0.4, 0.4, 0), 0);
+    add_rod(made, Vec(0.6, 0.4, 0), 1);
     return made;
 }
 
@@ -119,7 +114,7 @@ TEST(MovingShape, gives_its_impulse_to_the_account_of_a_run) {
 }
 
 TEST(Driving, goes_on_from_a_checkpoint_with_the_same_bits) {
-    testing_solver::WalledWater made(8, 6, {"box"}, [](int, int) { return 1; });
+    WalledWater made(8, 6, {"box"}, [](int, int) { return 1; });
     ForceOnPart force = force_on("water", "100 * sin(8 * t) * y", "0", ForceAmount::total);
     force.from = 0.15;
     force.until = 0.35;
@@ -127,9 +122,8 @@ TEST(Driving, goes_on_from_a_checkpoint_with_the_same_bits) {
     made.scene.run.duration = 0.4;
     made.scene.output.every = 0.2;
     const auto folder = std::filesystem::temp_directory_path() / ("dmp_driving_" + std::to_string(::getpid()));
-    testing_solver::KeptFrames kept;
-    EXPECT_EQ(testing_solver::run_in_two_parts(made, folder).state_hash,
-              testing_solver::run_of(made, &kept).state_hash);
+    KeptFrames kept;
+    EXPECT_EQ(run_in_two_parts(made, folder).state_hash, run_of(made, &kept).state_hash);
     std::filesystem::remove_all(folder);
 }
 
@@ -143,4 +137,4 @@ TEST(Driving, is_nothing_where_nobody_asks_for_it) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

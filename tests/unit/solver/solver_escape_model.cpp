@@ -9,8 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/models/dem/escape_model.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
@@ -99,4 +100,4 @@ TEST(EscapeModel, corrected_loses_all_at_high_speed_and_more_at_any_than_slower)
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -13,15 +13,12 @@
 #include "particles/kernels.hpp"
 #include "small_scenes.hpp"
 #include "solver/models/sph/lattice_viscosity.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::HasSubstr;
-using testing_solver::case_of;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
 
 constexpr double width = 1e-3, acceleration = 1e-4;  // [m], [m/s^2]
 
@@ -175,4 +172,4 @@ TEST(ViscosityMean, harmonic_keeps_shear_stress_continuous_between_two_fluids) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

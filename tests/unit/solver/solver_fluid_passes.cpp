@@ -12,11 +12,10 @@
 #include "all_pairs.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/time/fluid_passes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::crowd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -315,4 +314,4 @@ TEST(FluidPasses, of_no_fluid_have_no_speed) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,13 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/driven_scenes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::bead_in_a_parabola;
-using testing_solver::DrivenBead;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -173,4 +171,4 @@ TEST(MovingShape, is_felt_by_its_parts_alone_and_across_a_period) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

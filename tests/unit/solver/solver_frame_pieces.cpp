@@ -7,17 +7,17 @@
 #include "solver/output/frame_file.hpp"
 #include "solver/output/frame_index.hpp"
 #include "solver/output/frame_pieces.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/damage.hpp"
 #include "tests/unit/postproc/synthetic_run.hpp"
 #include "tests/unit/solver/equal_frames.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::testing;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -173,4 +173,4 @@ TEST_F(FramePieces, GoWithTheFramesThatAreRemoved) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,16 +12,10 @@
 #include "small_scenes.hpp"
 #include "solver/free_surface.hpp"
 #include "solver/sound_speed.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::case_of;
-using testing_solver::endless_water;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 constexpr double height = 1, gravity = 9.81, density = 1000;  // [m], [m/s^2], [kg/m^3]
 constexpr int wall_rows = 3;
@@ -194,4 +188,4 @@ TEST(FreeSurface, is_named_in_the_plan_with_what_minds_it) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

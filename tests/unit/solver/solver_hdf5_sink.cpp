@@ -9,17 +9,17 @@
 #include "base/safe_file.hpp"
 #include "solver/output/frame_file.hpp"
 #include "solver/output/hdf5_sink.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/damage.hpp"
 #include "tests/unit/postproc/synthetic_run.hpp"
 #include "tests/unit/solver/equal_frames.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace dmp::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -179,4 +179,4 @@ TEST_F(Hdf5Frames, BelowAFileAreAnInputError) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

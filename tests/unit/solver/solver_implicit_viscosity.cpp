@@ -10,18 +10,11 @@
 
 #include "layered_channel.hpp"
 #include "solver/state/checkpoints.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::layered;
-using testing_solver::LayeredChannel;
-using testing_solver::profile_error;
-using testing_solver::SceneAndParticles;
 
 constexpr double width = 1e-3, speed = 1e-5;
 
@@ -180,7 +173,7 @@ TEST(ImplicitViscosity, goes_on_from_a_checkpoint_as_if_it_had_not_stopped) {
     SceneAndParticles made = mucus_over_water(20, 0.4);
     made.scene.output.every = made.scene.run.duration / 3;
     const Outcome whole = run(made);
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     StopsAtSecondFrame sink;
     RunOptions options;
     options.sink = &sink;
@@ -222,4 +215,4 @@ TEST(ImplicitViscosity, takes_its_limit_out_of_the_step_and_says_so) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -4,17 +4,10 @@
 
 #include "small_scenes.hpp"
 #include "solver/setup.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::add_flags;
-using testing_solver::add_rod;
-using testing_solver::endless_water;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 /// Water that is pushed along x, with a rod in the place of two of its particles.
 SceneAndParticles water_with_a_rod(double node_mass) {
@@ -92,4 +85,4 @@ TEST(InertialMass, of_spring_nodes_resists_the_liquids_push) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

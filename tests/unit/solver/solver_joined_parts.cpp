@@ -5,10 +5,11 @@
 #include <gmock/gmock.h>
 
 #include "mesher/join_parts.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/solver/small_scenes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace lattice_solids;
@@ -91,7 +92,7 @@ TEST(JoinedParts, are_one_body_whose_nodes_and_bonds_keep_where_they_are_from) {
 }
 
 TEST(JoinedParts, part_again_where_their_join_breaks) {
-    testing_solver::SceneAndParticles made = testing_solver::endless_water();
+    SceneAndParticles made = endless_water();
     TwoBlocks blocks(2e3, 1e6);
     Scene& scene = blocks.scene;
     scene.run.duration = 0.2;
@@ -132,4 +133,4 @@ TEST(JoinedParts, of_a_join_that_the_scene_does_not_have_are_refused) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

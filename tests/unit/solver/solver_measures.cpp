@@ -7,14 +7,10 @@
 
 #include "base/errors.hpp"
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::add_flags;
-using testing_solver::add_rod;
-using testing_solver::endless_water;
-using testing_solver::SceneAndParticles;
 
 Measure flux_line(const std::string& name, const Vec& from, const Vec& to) {
     Measure measure;
@@ -220,4 +216,4 @@ TEST(MeasureRows, come_at_measure_every_or_four_times_a_frame) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

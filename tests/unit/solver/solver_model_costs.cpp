@@ -5,14 +5,13 @@
 
 #include "small_scenes.hpp"
 #include "solver/model_costs.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsSupersetOf;
-using testing_solver::case_of;
-using testing_solver::endless_water;
 
 std::vector<std::string> names(const std::vector<MeasuredTime>& times) {
     std::vector<std::string> all;
@@ -77,4 +76,4 @@ TEST(ModelCosts, take_about_the_time_they_are_given) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,19 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 #include "walled_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::field_of;
-using testing_solver::formula_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::run_in_two_parts;
-using testing_solver::run_of;
-using testing_solver::spacing;
-using testing_solver::WalledWater;
 
 constexpr double pi = std::numbers::pi;
 
@@ -234,4 +226,4 @@ TEST(MovingWalls, are_told_by_explain) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

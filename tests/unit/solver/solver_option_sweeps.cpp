@@ -15,17 +15,10 @@
 #include "solver/models/sph/walls.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::ArrangedCrowd;
-using testing_solver::ById;
-using testing_solver::crowd;
-using testing_solver::crowd_settings;
-using testing_solver::for_all_pairs;
-using testing_solver::Meeting;
-using testing_solver::Sums;
 
 template <int N>
 struct Dimension {
@@ -225,4 +218,4 @@ TYPED_TEST(OptionSweeps, stratified_fluid_is_shifted_and_diffused_less) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -12,15 +12,10 @@
 #include "arranged_crowd.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/order_free.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::ArrangedCrowd;
-using testing_solver::Arrangement;
-using testing_solver::crowd;
-using testing_solver::crowd_settings;
-using testing_solver::Sums;
 
 constexpr double largest_term = 3.7;
 
@@ -227,4 +222,4 @@ INSTANTIATE_TEST_SUITE_P(Crowds, SumsOver,
                          });
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

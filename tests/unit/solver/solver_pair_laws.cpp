@@ -19,9 +19,10 @@
 #include "solver/models/sph/tait.hpp"
 #include "solver/models/sph/transport_velocity.hpp"
 #include "solver/models/sph/walls.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace one_pair;
@@ -374,4 +375,4 @@ TEST(PlainSolid, shows_the_solid_as_it_is) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,9 +10,10 @@
 #include "solver/models/sph/tait.hpp"
 #include "solver/models/sph/walls.hpp"
 #include "solver/sweeps/lanes.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace one_pair;
@@ -91,4 +92,4 @@ TEST_F(PairLawsOnLanes, walls_give_what_they_give_on_numbers) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

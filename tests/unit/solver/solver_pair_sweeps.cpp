@@ -19,18 +19,10 @@
 #include "solver/models/sph/walls.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::ArrangedCrowd;
-using testing_solver::ById;
-using testing_solver::crowd;
-using testing_solver::crowd_settings;
-using testing_solver::for_all_pairs;
-using testing_solver::Meeting;
-using testing_solver::never_meet;
-using testing_solver::Sums;
 
 template <int D>
 Vector<double, D> narrowed(const Vec& v) {
@@ -364,4 +356,4 @@ TEST(PairSweeps, unit_that_is_no_unit_of_this_processor_is_an_error) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -8,14 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::case_of;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
 
 constexpr double width = 1e-3, viscosity = 1e-6, acceleration = 1e-4, density = 1000;
 
@@ -130,4 +126,4 @@ TEST(Poiseuille, probe_follows_the_speed_in_the_middle) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
-using testing_solver::case_of;
-
-RunSummary run_on(const testing_solver::SceneAndParticles& made, const Resources& resources, double until) {
+RunSummary run_on(const SceneAndParticles& made, const Resources& resources, double until) {
     Simulation simulation(made.scene, made.particles, resources);
     RunOptions options;
     options.until = until;
@@ -19,7 +18,7 @@ RunSummary run_on(const testing_solver::SceneAndParticles& made, const Resources
 }
 
 /// Runs about `steps` steps on every vector unit and on 1, 2 and 3 threads.
-void expect_same_bits(const testing_solver::SceneAndParticles& made, long steps) {
+void expect_same_bits(const SceneAndParticles& made, long steps) {
     const double until = static_cast<double>(steps) * Simulation(made.scene, made.particles, 1).plan().dt;
     const RunSummary first = run_on(made, 1, until);
     EXPECT_EQ(first.state_hash.size(), 16U);
@@ -65,4 +64,4 @@ TEST(VeinValve, keeps_mass_and_accounts_for_all_momentum) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

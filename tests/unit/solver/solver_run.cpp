@@ -11,22 +11,15 @@
 #include "base/errors.hpp"
 #include "small_scenes.hpp"
 #include "solver/setup.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::Contains;
 using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing_solver::add_flags;
-using testing_solver::add_rod;
-using testing_solver::case_of;
-using testing_solver::endless_water;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 std::vector<std::string> models(const Plan& plan) {
     std::vector<std::string> names;
@@ -430,4 +423,4 @@ TEST(Setup, part_the_scene_does_not_know_is_an_error) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

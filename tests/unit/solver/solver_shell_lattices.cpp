@@ -15,14 +15,14 @@
 #include "base/errors.hpp"
 #include "mesher/spring_lattice.hpp"
 #include "solver/simulation.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace lattice_solids;
-using testing::text_thrown;
 
 /// Nodal forces of a uniform membrane stress [N/m] in the upper and in the lower layer.
 Loads layer_stress(const Surface& surface, const Eigen::Matrix2d& upper, const Eigen::Matrix2d& lower) {
@@ -195,4 +195,4 @@ TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_thr
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,17 +6,11 @@
 #include "small_scenes.hpp"
 #include "solver/models/sph/morris_viscosity.hpp"
 #include "solver/models/sph/walls.hpp"
+#include "tests/modules.hpp"
 #include "walled_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::field_of;
-using testing_solver::formula_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::run_of;
-using testing_solver::WalledWater;
 
 /// A channel, periodic in x, between walls of parts 1 (below) and 2 (above).
 WalledWater channel(int rows) {
@@ -59,7 +53,7 @@ TEST(SlipWalls, sticking_ones_do_hold_it_back) {
 
 TEST(SlipWalls, one_of_two_gives_half_a_parabola) {
     constexpr int rows = 20;
-    constexpr double height = rows * testing_solver::spacing, viscosity = 4, drive = 1;
+    constexpr double height = rows * spacing, viscosity = 4, drive = 1;
     WalledWater made = channel(rows);
     made.part(1).slip = true;
     made.scene.parts[0].viscosity = 1000 * viscosity;
@@ -170,4 +164,4 @@ TEST(ExtrapolatedWall, law_of_one_pair_in_the_plane) { expect_the_law<2>(); }
 TEST(ExtrapolatedWall, law_of_one_pair_in_space) { expect_the_law<3>(); }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -5,9 +5,10 @@
 
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/solid_fields.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -163,4 +164,4 @@ TEST_F(AverageFromLater, is_the_displacement_until_then) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

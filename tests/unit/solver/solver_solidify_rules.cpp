@@ -11,8 +11,9 @@
 #include "solver/models/springs/bond_break.hpp"
 #include "solver/solidify/encounters.hpp"
 #include "solver/time/body_change.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 /// Particles at the points of a square lattice of spacing 1, the first seed in its middle; only the four nearest are
@@ -251,4 +252,4 @@ TEST(BondBreak, is_by_tension_alone_at_the_length_that_its_limit_says) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -4,13 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/clot_scenes.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_solver;
 
 RunSummary run(const SceneAndParticles& made, FrameSink* sink = nullptr) {
     Simulation simulation(made.scene, made.particles, 1);
@@ -293,7 +292,7 @@ TEST(Solidify, refuses_what_the_particles_do_not_have) {
     const auto problem = [](const std::function<void(SceneAndParticles&)>& change) {
         SceneAndParticles made = moving_water(Vec::Zero());
         change(made);
-        return testing::text_thrown<InputError>([&] { Simulation(made.scene, made.particles, 1); });
+        return text_thrown<InputError>([&] { Simulation(made.scene, made.particles, 1); });
     };
     EXPECT_EQ(problem([](SceneAndParticles& made) {
                   made.scene.regions[0].from = Vec(0.31, 0.31, 0);
@@ -311,4 +310,4 @@ TEST(Solidify, refuses_what_the_particles_do_not_have) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

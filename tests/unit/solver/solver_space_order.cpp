@@ -15,8 +15,9 @@
 #include "solver/neighbours/sort_by_cell.hpp"
 #include "solver/neighbours/space_order.hpp"
 #include "solver/parallel/each_of.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double spacing = 0.1;
@@ -287,4 +288,4 @@ TEST(SearchGrid, of_nobody_or_of_one_finds_them) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

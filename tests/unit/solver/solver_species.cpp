@@ -6,20 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/dissolved.hpp"
 #include "tests/unit/solver/mirrored_water.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::by_x;
-using testing_solver::KeptFrames;
-using testing_solver::make_part;
-using testing_solver::placed;
-using testing_solver::run_of;
-using testing_solver::species_of;
-using testing_solver::strip;
-using testing_solver::WalledWater;
 
 constexpr double dx = 0.1;
 
@@ -113,8 +105,7 @@ TEST(Diffusion, of_a_gaussian_spreads_its_variance) {
     EXPECT_EQ(rows.back()[2], rows.back()[1]);
     EXPECT_EQ(rows.back()[3], rows.front()[3]);
     double highest = 0;
-    for (const float value :
-         testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
+    for (const float value : field_of(*group_of(frames.frames.back(), "fluid"), "concentration")->values)
         highest = std::max<double>(highest, value);
     const double exact_peak = 0.09 / 0.29 * std::exp(-2 * 0.05 * 0.05 / (2 * 0.29));
     EXPECT_NEAR(highest, exact_peak, 0.01 * exact_peak);
@@ -244,7 +235,7 @@ TEST(Diffusion, stepped_implicitly_gives_the_same_and_keeps_every_bit) {
 }
 
 TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
-    testing_solver::SceneAndParticles made = testing_solver::endless_water("sin(2*pi*t)");
+    SceneAndParticles made = endless_water("sin(2*pi*t)");
     made.scene.species = {species_of("drug", 0.1, "0.7")};
     made.scene.flow.initial_velocity = std::array<Expression, 3>{
         Expression("sin(2*3.14159265*y/0.8)", ""), Expression("sin(2*3.14159265*x/0.8)", ""), Expression()};
@@ -255,15 +246,14 @@ TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     RunOptions options;
     options.sink = &frames;
     const RunSummary run = simulation.run(options);
-    for (const float value :
-         testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), "concentration")->values)
+    for (const float value : field_of(*group_of(frames.frames.back(), "fluid"), "concentration")->values)
         EXPECT_NEAR(value, 0.7F, 1e-7);
     EXPECT_EQ(run.species[0].end, run.species[0].start);
 }
 
 TEST(Species, that_walls_are_closed_to_do_not_feel_others_that_walls_hold) {
-    testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
-    made.scene.species[1].concentration.all = testing_solver::placed("0.7");
+    SceneAndParticles made = stirred_mixture();
+    made.scene.species[1].concentration.all = placed("0.7");
     KeptFrames frames;
     Simulation simulation(made.scene, made.particles, 1);
     RunOptions options;
@@ -271,8 +261,7 @@ TEST(Species, that_walls_are_closed_to_do_not_feel_others_that_walls_hold) {
     const RunSummary run = simulation.run(options);
     EXPECT_GT(std::abs(run.species[0].from_walls), 0);
     const std::string field = "concentration_marker";
-    for (const float value :
-         testing_solver::field_of(*testing_solver::group_of(frames.frames.back(), "fluid"), field)->values)
+    for (const float value : field_of(*group_of(frames.frames.back(), "fluid"), field)->values)
         EXPECT_NEAR(value, 0.7F, 1e-7);
 }
 
@@ -280,11 +269,11 @@ TEST(Species, go_on_from_a_checkpoint_to_the_same_bits) {
     for (const SpeciesStepping stepping : {SpeciesStepping::explicitly, SpeciesStepping::implicitly}) {
         const auto folder = std::filesystem::path(testing::TempDir()) / "dmp_species";
         std::filesystem::remove_all(folder);
-        testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
+        SceneAndParticles made = stirred_mixture();
         made.scene.accuracy.species_stepping = stepping;
         KeptFrames kept;
         const RunSummary whole = run_of(made, &kept);
-        const RunSummary parts = testing_solver::run_in_two_parts(made, folder);
+        const RunSummary parts = run_in_two_parts(made, folder);
         std::filesystem::remove_all(folder);
         EXPECT_EQ(parts.state_hash, whole.state_hash);
         EXPECT_EQ(parts.species[0].end, whole.species[0].end);
@@ -312,7 +301,7 @@ TEST(Species, refuse_a_start_that_is_no_concentration) {
 }
 
 TEST(Species, cost_nothing_where_there_are_none) {
-    testing_solver::SceneAndParticles made = testing_solver::stirred_mixture();
+    SceneAndParticles made = stirred_mixture();
     const Plan with = Simulation(made.scene, made.particles, 1).plan();
     made.scene.species.clear();
     made.scene.measures.clear();
@@ -334,7 +323,7 @@ TEST(Species, cost_nothing_where_there_are_none) {
 }
 
 TEST(Species, are_mirrored_at_planes_of_symmetry) {
-    WalledWater half = testing_solver::vortex(true), whole = testing_solver::vortex(false);
+    WalledWater half = vortex(true), whole = vortex(false);
     for (WalledWater* made : {&half, &whole}) {
         made->scene.species = {species_of("dye", 0.05, "cos(pi * x) * cos(2 * pi * y) + 2")};
         made->scene.output.fields = {FluidField::concentration};
@@ -343,10 +332,9 @@ TEST(Species, are_mirrored_at_planes_of_symmetry) {
     const RunSummary run = run_of(half, &of_half);
     (void)run_of(whole, &of_whole);
     EXPECT_LT(std::abs(run.species[0].residual()), 1e-14);
-    const FrameGroup &quarter = *testing_solver::group_of(of_half.frames.back(), "fluid"),
-                     &all = *testing_solver::group_of(of_whole.frames.back(), "fluid");
-    const auto &found = testing_solver::field_of(quarter, "concentration")->values,
-               &expected = testing_solver::field_of(all, "concentration")->values;
+    const FrameGroup &quarter = *group_of(of_half.frames.back(), "fluid"),
+                     &all = *group_of(of_whole.frames.back(), "fluid");
+    const auto &found = field_of(quarter, "concentration")->values, &expected = field_of(all, "concentration")->values;
     for (std::size_t k = 0; k < quarter.size(); ++k) {
         double nearest = 1, value = 0;
         for (std::size_t j = 0; j < all.size(); ++j) {
@@ -382,8 +370,8 @@ TEST(Shifting, leaves_behind_what_is_dissolved) {
     scene.run.duration = 5.0;
     KeptFrames frames;
     const RunSummary run = run_of(made, &frames);
-    const FrameGroup& fluid = *testing_solver::group_of(frames.frames.back(), "fluid");
-    const auto& found = testing_solver::field_of(fluid, "concentration")->values;
+    const FrameGroup& fluid = *group_of(frames.frames.back(), "fluid");
+    const auto& found = field_of(fluid, "concentration")->values;
     // In spacings: how far particles have come across the flow, and how far from its place they show the marker.
     double moved = 0, off = 0;
     for (std::size_t k = 0; k < fluid.size(); ++k) {
@@ -397,4 +385,4 @@ TEST(Shifting, leaves_behind_what_is_dissolved) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

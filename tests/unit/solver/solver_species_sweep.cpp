@@ -11,14 +11,10 @@
 #include "solver/models/transport/species_diffusion.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::ById;
-using testing_solver::crowd;
-using testing_solver::for_all_pairs;
-using testing_solver::Meeting;
 
 using Point = SpeciesPoint<double, 2>;
 using WallPoint = SpeciesWallPoint<double, 2>;
@@ -366,4 +362,4 @@ INSTANTIATE_TEST_SUITE_P(Solver, SpeciesSweepOf, testing::Combine(testing::Value
                          });
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,9 +7,10 @@
 
 #include "solver/models/dem/contact_material.hpp"
 #include "solver/models/dem/contact_steps.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -214,4 +215,4 @@ TEST(SphereAdhesion, friction_holds_where_adhesion_presses) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,11 +7,10 @@
 
 #include "solver/spheres/sphere_run.hpp"
 #include "sphere_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_spheres;
 
 constexpr double radius = 1e-3;
 
@@ -111,4 +110,4 @@ TEST(SphereDriving, is_named_among_the_models) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

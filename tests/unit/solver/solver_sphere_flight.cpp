@@ -7,12 +7,11 @@
 #include "solver/spheres/quad.hpp"
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_run.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_spheres;
 
 /// A crowd, or one in which a gravity that happens to be 0 keeps every sphere under a step's eyes.
 SphereScene crowd_looked_at(bool always) {
@@ -94,4 +93,4 @@ TEST(SphereFlight, many_steps_are_the_same_bits_as_one_after_the_other) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

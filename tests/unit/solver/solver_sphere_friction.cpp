@@ -10,9 +10,10 @@
 
 #include "solver/models/dem/contact_material.hpp"
 #include "solver/models/dem/contact_steps.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -261,4 +262,4 @@ TEST(SphereFriction, impacts_without_slip_conserve_energy_where_history_is_resca
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

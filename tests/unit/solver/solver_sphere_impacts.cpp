@@ -9,9 +9,10 @@
 
 #include "solver/models/dem/contact_material.hpp"
 #include "solver/models/dem/contact_steps.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -249,4 +250,4 @@ TEST(SphereImpacts, of_unlike_spheres_keep_both_momenta) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -10,12 +10,11 @@
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_search.hpp"
 #include "solver/spheres/sphere_step.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_spheres;
 
 TEST(SphereSearch, finds_what_all_pairs_find_at_a_size_ratio_of_twenty) {
     SphereScene made;
@@ -129,4 +128,4 @@ TEST(SphereSkins, are_wide_for_the_fast_and_the_mean_on_average) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,13 +9,12 @@
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_run.hpp"
 #include "solver/time/step_limits.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/lammps_spheres.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using namespace testing_spheres;
 
 std::vector<VectorUnit> units() { return available_vector_units(); }
 
@@ -340,4 +339,4 @@ TEST(SphereEngine, refuses_what_it_cannot_do) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,9 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 const Ranks alone = Ranks::alone();
@@ -157,4 +158,4 @@ TEST(SpringBodies, node_goes_to_a_multiple_of_the_quantum_wherever_it_was_wrappe
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

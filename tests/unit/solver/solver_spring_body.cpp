@@ -10,9 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 class LadderWith : public testing::TestWithParam<double> {};
@@ -113,4 +114,4 @@ TEST(SpringBody, is_stable_below_its_step_limit_and_not_above) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

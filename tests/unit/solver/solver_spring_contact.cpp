@@ -11,9 +11,10 @@
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/setup.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double strength = 1e-2;
@@ -147,4 +148,4 @@ TEST(Contact, two_leaflets_do_not_pass_through_each_other) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,9 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "mesher/spring_lattice.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -182,4 +183,4 @@ TEST(SpringPlate, swings_with_the_period_of_the_oscillating_plate) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -15,14 +15,14 @@
 #include "base/errors.hpp"
 #include "mesher/cell_lattice.hpp"
 #include "mesher/spring_lattice.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/lattice_solids.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace lattice_solids;
-using testing::text_thrown;
 
 /// Nodal forces of a uniform stress in a block [Pa]: each face's traction, a quarter of each square at its corners.
 Loads uniform_stress(const std::vector<Vec>& points, double spacing, const Eigen::Matrix3d& stress) {
@@ -204,4 +204,4 @@ TEST(CubeLattice, refuses_what_it_cannot_be) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

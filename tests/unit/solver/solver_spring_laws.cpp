@@ -10,8 +10,9 @@
 #include "solver/models/springs/bond_force.hpp"
 #include "solver/models/springs/hinge_force.hpp"
 #include "solver/sweeps/lanes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using V2 = Vector<double, 2>;
@@ -207,4 +208,4 @@ TEST(HingeForce, chain_bent_to_a_closed_ring_needs_the_moment_of_theory) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 enum class Stepping { subcycled, implicit };
@@ -220,4 +221,4 @@ TEST(SpringBody, both_ways_to_step_give_the_same_large_motion) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

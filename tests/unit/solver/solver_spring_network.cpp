@@ -12,11 +12,12 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/statics.hpp"
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -249,7 +250,7 @@ TEST(SpringNetwork, momentum_and_moment_of_momentum_are_kept_in_space) {
 }
 
 TEST(SpringNetwork, goes_on_from_a_checkpoint_with_the_same_bits) {
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const Ranks alone = Ranks::alone();
     const ParticleSet set = strained_chain();
     Body body(set, part_with(0.05), 0);
@@ -276,7 +277,7 @@ TEST(SpringNetwork, goes_on_from_a_checkpoint_with_the_same_bits) {
 TEST(SpringNetwork, plane_bodies_have_no_dihedrals) {
     ParticleSet set = strained_chain();
     set.dimension = 2;
-    EXPECT_EQ(testing::text_thrown<InputError>([&] { (void)SpringBody::make(set, part_with(0), 0); }),
+    EXPECT_EQ(text_thrown<InputError>([&] { (void)SpringBody::make(set, part_with(0), 0); }),
               "'beam' has dihedrals, and there are none in the plane\n  write dimension = 3, or leave them out");
 }
 
@@ -314,4 +315,4 @@ TEST(SpringNetwork, a_ring_closes_under_end_moments_in_the_plane_and_in_space) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

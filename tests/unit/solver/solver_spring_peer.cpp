@@ -10,10 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/statics.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,7 +121,7 @@ TEST(SpringPeer, forces_energies_and_a_thousand_steps_are_those_lammps_found) {
 TEST(SpringPeer, lammps_on_this_machine_finds_the_same) {
     if (std::system("command -v lmp > /dev/null && command -v python3 > /dev/null") != 0)
         GTEST_SKIP() << "no lmp (Debian's package lammps) or no python3 on the path";
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const fs::path reference = folder.path() / "reference.txt";
     const std::string script = std::string(DMP_SOURCE_DIR) + "/tests/peers/lammps_springs/make_reference.py";
     ASSERT_EQ(std::system(("OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 python3 '" +
@@ -131,4 +132,4 @@ TEST(SpringPeer, lammps_on_this_machine_finds_the_same) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,9 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/bodies_in_space.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace lattice_solids;
@@ -118,7 +119,8 @@ TEST(SelfContactInSpace, repels_as_the_law_says_off_any_plane) {
     const Vectors now{{{0, 0, 0}}, {{0, 0, 0.4}}, {{0.3, 0.5, 0.2}}, {{4, 0, 0}}};
     Vectors force(4, V3{});
     contact.add_forces(now, force);
-    const V3 by_first = Repulsion{1e-2}.law(now[2] - now[0], 1.0), by_second = Repulsion{1e-2}.law(now[2] - now[1], 1.0);
+    const V3 by_first = Repulsion{1e-2}.law(now[2] - now[0], 1.0),
+             by_second = Repulsion{1e-2}.law(now[2] - now[1], 1.0);
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_GT(by_first[axis], 0);
         EXPECT_DOUBLE_EQ(force[2][axis], by_first[axis] + by_second[axis]);
@@ -152,4 +154,4 @@ TEST(SelfContactInSpace, keeps_two_sheets_of_a_body_apart) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

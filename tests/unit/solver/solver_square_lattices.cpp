@@ -5,9 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.hpp"
 #include "tests/unit/solver/lattice_solids.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using namespace lattice_solids;
@@ -130,4 +131,4 @@ TEST(SquareLattice, bends_as_a_plate) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -7,17 +7,12 @@
 #include "small_scenes.hpp"
 #include "solver/setup.hpp"
 #include "solver/starting_state.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::HasSubstr;
-using testing_solver::case_of;
-using testing_solver::endless_water;
-using testing_solver::field_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 Expression formula(const std::string& text) { return {text, text}; }
 
@@ -144,4 +139,4 @@ TEST(TaylorGreen, StartsWithItsEnergyAndLosesItAtFirstAsTheory) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

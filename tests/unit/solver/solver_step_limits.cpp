@@ -6,8 +6,9 @@
 #include <gmock/gmock.h>
 
 #include "solver/time/step_limits.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::ElementsAre;
@@ -65,4 +66,4 @@ TEST(StepLimits, the_shortest_rules) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

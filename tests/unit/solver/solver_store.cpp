@@ -9,8 +9,9 @@
 
 #include "all_pairs.hpp"
 #include "particles/periodic_images.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using testing::ElementsAre;
@@ -110,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Boxes, QuantumOf,
                                          space_of(3, {-0.3, 5.1, 99.9}, {0.7, 5.2, 100})));
 
 TEST(ParticleStore, sorts_particles_by_kind_on_multiples_of_the_quantum_with_the_mass_of_liquid) {
-    const ParticleSet set = testing_solver::crowd(3, {true, false, false});
+    const ParticleSet set = crowd(3, {true, false, false});
     const std::vector<double> density{1000, 1100, 1200};  // by part, which here is by kind
     const ParticleStore particles(set, density);
     EXPECT_EQ(particles.owned(), set.size());
@@ -224,4 +225,4 @@ TEST_F(Group, reordered_by_some_of_its_particles_loses_the_others) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

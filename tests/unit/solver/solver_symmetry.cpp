@@ -6,19 +6,10 @@
 
 #include "mirrored_water.hpp"
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::case_of;
-using testing_solver::field_of;
-using testing_solver::formula_of;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::run_in_two_parts;
-using testing_solver::run_of;
-using testing_solver::vortex;
-using testing_solver::WalledWater;
 
 /// Position and velocity by where the particle was drawn, in whole lattice cells.
 std::map<std::pair<long, long>, std::array<double, 4>> by_place(const WalledWater& made, const Frame& frame) {
@@ -110,4 +101,4 @@ TEST(Symmetry, is_told_by_explain) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -6,16 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::add_flags;
-using testing_solver::add_rod;
-using testing_solver::endless_water;
-using testing_solver::group_of;
-using testing_solver::KeptFrames;
-using testing_solver::SceneAndParticles;
 
 constexpr double stretch = 0.002, rest_length = 0.1;
 
@@ -84,4 +78,4 @@ TEST(ViscousSprings, creep_with_the_same_bits_on_any_threads) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -14,18 +14,10 @@
 #include "solver/models/sph/walls.hpp"
 #include "solver/sweeps/lanes.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
-
-using testing_solver::ArrangedCrowd;
-using testing_solver::Arrangement;
-using testing_solver::ById;
-using testing_solver::crowd;
-using testing_solver::crowd_settings;
-using testing_solver::for_all_pairs;
-using testing_solver::Meeting;
-using testing_solver::never_meet;
 
 /// Viscous forces on all particles of the velocities in `field`, one pair after another in plain numbers.
 template <int D, class Solid, class Law>
@@ -215,4 +207,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweepOf,
                          name_of);
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

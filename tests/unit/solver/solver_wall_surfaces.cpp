@@ -6,10 +6,11 @@
 #include "solver/output/frame_file.hpp"
 #include "solver/output/frame_pieces.hpp"
 #include "solver/output/wall_surfaces.hpp"
+#include "tests/modules.hpp"
 #include "tests/unit/solver/equal_frames.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 ParticleSpace room() {
@@ -65,14 +66,14 @@ TEST(WallSurfaces, keep_their_triangles_when_they_are_sorted_and_stored) {
     Frame frame;
     frame.parts = {"beads", "slope", "tube"};
     frame.groups = {group};
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     write_frame(folder.path() / "frame.h5", frame, {});
     const Frame read = read_frame(folder.path() / "frame.h5").frame;
-    testing::expect_equal(read, frame);
+    expect_equal(read, frame);
     EXPECT_EQ(read.groups[0].triangles, group.triangles);
     group.triangles[1] = 4;
     EXPECT_NE(problem_with(group), "");
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

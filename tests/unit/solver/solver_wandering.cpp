@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "solver/neighbours/wandering.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using Coordinates = std::vector<std::array<double, 3>>;
@@ -131,4 +132,4 @@ TEST(Wandering, is_measured_only_where_its_bound_says_too_far) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 
 #include "solver/warnings.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 namespace {
 
 using ::testing::AllOf;
@@ -221,4 +222,4 @@ TEST(Warnings, of_missing_contact_count_bodies) {
 }
 
 }  // namespace
-}  // namespace dmp
+}  // namespace dmp::tests

@@ -9,8 +9,9 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_spheres {
+namespace dmp::tests {
 
 inline Value<double> given(double value) { return {value, Place{"scene.toml", 1, 1}}; }
 
@@ -133,4 +134,4 @@ inline SphereScene crowd(std::size_t small_ones, double size_ratio, unsigned see
     return made;
 }
 
-}  // namespace dmp::testing_spheres
+}  // namespace dmp::tests

@@ -11,8 +11,9 @@
 
 #include "scene/scene.hpp"
 #include "solver/time/spring_network.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp {
+namespace dmp::tests {
 
 /// A set with one springs part 'beam' and nodes of these masses, and nothing between them yet.
 inline ParticleSet set_of_nodes(int dimension, const std::vector<Vec>& place, const std::vector<double>& mass) {
@@ -174,4 +175,4 @@ typename SpringNetwork<D>::Vectors statics(const SpringNetwork<D>& body, const P
     return position;
 }
 
-}  // namespace dmp
+}  // namespace dmp::tests

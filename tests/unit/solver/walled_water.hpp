@@ -10,8 +10,9 @@
 
 #include "solver/simulation.hpp"
 #include "solver/state/checkpoints.hpp"
+#include "tests/modules.hpp"
 
-namespace dmp::testing_solver {
+namespace dmp::tests {
 
 inline constexpr double spacing = 0.1;
 
@@ -131,4 +132,4 @@ RunSummary run_in_two_parts(const Made& made, const std::filesystem::path& folde
     return simulation.run(options);
 }
 
-}  // namespace dmp::testing_solver
+}  // namespace dmp::tests

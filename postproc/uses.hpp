@@ -1,0 +1,15 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Modules whose names this one uses without qualification (docs/architecture.md).
+namespace dmp::solver {}
+namespace dmp::particles {}
+namespace dmp::scene {}
+
+namespace dmp::postproc {
+
+using namespace solver;
+using namespace particles;
+using namespace scene;
+
+}  // namespace dmp::postproc
