@@ -6,8 +6,8 @@
 #include "bench/half_list.hpp"
 #include "bench/start.hpp"
 #include "bench/uses.hpp"
+#include "models/sph/kernels.hpp"
 #include "particles/cell_grid.hpp"
-#include "particles/kernels.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "bench/start.hpp"
 #include "bench/uses.hpp"
-#include "solver/resources.hpp"
+#include "solver/parallel/resources.hpp"
 
 namespace dmp::bench {
 

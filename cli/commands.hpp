@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/uses.hpp"
-#include "solver/resources.hpp"
+#include "solver/parallel/resources.hpp"
 
 namespace dmp::cli {
 
@@ -82,7 +82,8 @@ struct NewCommand {
     std::string unit;     ///< as for `dmp inspect`
 };
 
-/// What dmp starts itself with to read a drawing in another process (geometry/drawing_child.hpp); no help tells of it.
+/// What dmp starts itself with to read a drawing in another process (geometry/geometry_process.hpp); no help tells of
+/// it.
 struct ReadDrawingCommand {};
 inline constexpr const char* read_drawing_word = "read-drawing";
 

@@ -11,8 +11,8 @@
 #include "cli/output_folder.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
+#include "models/dem/escape_model.hpp"
 #include "scene/quantity.hpp"
-#include "solver/models/dem/escape_model.hpp"
 
 namespace dmp::cli {
 

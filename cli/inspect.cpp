@@ -1,11 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.hpp"
-#include "cli/drawing_report.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/geometry_report.hpp"
 #include "cli/prepare.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
-#include "geometry/drawing_file.hpp"
+#include "geometry/geometry_file.hpp"
 
 namespace dmp::cli {
 

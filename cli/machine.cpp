@@ -14,7 +14,7 @@
 
 #include "base/errors.hpp"
 #include "cli/uses.hpp"
-#include "solver/resources.hpp"
+#include "solver/parallel/resources.hpp"
 
 namespace dmp::cli {
 

@@ -16,7 +16,7 @@
 #include "base/text_hash.hpp"
 #include "cli/particle_input.hpp"
 #include "cli/uses.hpp"
-#include "mesher/drawing_of.hpp"
+#include "mesher/geometry_options.hpp"
 #include "mesher/mesh_spheres.hpp"
 #include "particles/particle_file.hpp"
 

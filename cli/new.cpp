@@ -5,14 +5,14 @@
 
 #include "base/safe_file.hpp"
 #include "cli/commands.hpp"
-#include "cli/drawing_report.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/first_scene.hpp"
+#include "cli/geometry_report.hpp"
 #include "cli/prepare.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
-#include "geometry/drawing_file.hpp"
-#include "geometry/triangle_drawing.hpp"
+#include "geometry/geometry_file.hpp"
+#include "geometry/triangle_geometry.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::cli {

@@ -3,7 +3,7 @@
 
 #include "cli/uses.hpp"
 #include "particles/particle_set.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 
 namespace dmp::cli {
 

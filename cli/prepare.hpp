@@ -11,7 +11,7 @@
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/parallel/ranks.hpp"
-#include "solver/run_label.hpp"
+#include "solver/results/run_label.hpp"
 
 namespace dmp::cli {
 

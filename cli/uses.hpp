@@ -1,9 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Modules whose names this one uses without qualification (docs/architecture.md).
+// The modules whose names this one uses without qualification (docs/architecture.md).
 namespace dmp::geometry {}
 namespace dmp::mesher {}
+namespace dmp::models {}
 namespace dmp::particles {}
 namespace dmp::postproc {}
 namespace dmp::scene {}
@@ -13,6 +14,7 @@ namespace dmp::cli {
 
 using namespace geometry;
 using namespace mesher;
+using namespace models;
 using namespace particles;
 using namespace postproc;
 using namespace scene;

@@ -2,7 +2,7 @@
 #include "cli/workstation.hpp"
 
 #include "cli/mesh_cache.hpp"
-#include "cli/mesh_drawing.hpp"
+#include "cli/mesh_geometry.hpp"
 #include "cli/uses.hpp"
 #include "postproc/vtk_sink.hpp"
 

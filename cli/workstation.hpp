@@ -8,8 +8,8 @@
 #include "cli/prepare.hpp"
 #include "cli/uses.hpp"
 #include "postproc/pictures.hpp"
-#include "solver/frame.hpp"
-#include "solver/run_label.hpp"
+#include "solver/results/frame.hpp"
+#include "solver/results/run_label.hpp"
 
 namespace dmp::cli {
 

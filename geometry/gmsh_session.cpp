@@ -10,8 +10,8 @@
 #include <omp.h>
 
 #include "base/nearest_name.hpp"
-#include "geometry/drawing_file.hpp"
 #include "geometry/geo_text.hpp"
+#include "geometry/geometry_file.hpp"
 
 namespace dmp::geometry {
 

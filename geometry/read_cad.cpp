@@ -6,12 +6,12 @@
 
 #include <gmsh.h>
 
-#include "geometry/drawing_file.hpp"
-#include "geometry/drawn_area.hpp"
-#include "geometry/drawn_curves.hpp"
-#include "geometry/drawn_surfaces.hpp"
+#include "geometry/cad_curves.hpp"
+#include "geometry/cad_surfaces.hpp"
+#include "geometry/geometry_file.hpp"
 #include "geometry/gmsh_session.hpp"
-#include "geometry/triangle_drawing.hpp"
+#include "geometry/planar_area.hpp"
+#include "geometry/triangle_geometry.hpp"
 
 namespace dmp::geometry {
 

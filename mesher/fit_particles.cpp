@@ -10,12 +10,12 @@
 
 #include <omp.h>
 
-#include "mesher/drawn_surface.hpp"
+#include "mesher/cad_surface.hpp"
 #include "mesher/fit_to_surfaces.hpp"
 #include "mesher/keep_particles.hpp"
 #include "mesher/searchable_particles.hpp"
 #include "mesher/uses.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 
 namespace dmp::mesher {
 

@@ -7,7 +7,7 @@
 
 #include "mesher/close_pairs.hpp"
 #include "mesher/uses.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 
 namespace dmp::mesher {
 

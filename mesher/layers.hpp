@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "mesher/drawn_surface.hpp"
+#include "mesher/cad_surface.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/searchable_particles.hpp"
 

@@ -10,7 +10,7 @@
 #include "base/length_text.hpp"
 #include "mesher/searchable_particles.hpp"
 #include "mesher/uses.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 
 namespace dmp::mesher {
 

@@ -6,7 +6,7 @@
 
 #include "mesher/searchable_particles.hpp"
 #include "mesher/uses.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 
 namespace dmp::mesher {
 

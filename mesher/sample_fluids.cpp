@@ -13,7 +13,7 @@
 #include "base/random_number.hpp"
 #include "mesher/close_pairs.hpp"
 #include "mesher/uses.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 
 namespace dmp::mesher {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesher/drawn_surface.hpp"
+#include "mesher/cad_surface.hpp"
 #include "mesher/mesh.hpp"
 #include "mesher/searchable_particles.hpp"
 

@@ -11,7 +11,7 @@
 #include "postproc/particle_view.hpp"
 #include "postproc/read_frames.hpp"
 #include "postproc/uses.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 
 namespace dmp::postproc {
 

@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 #include "postproc/uses.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 
 namespace dmp::postproc {
 

@@ -3,7 +3,7 @@
 
 #include "postproc/canvas.hpp"
 #include "postproc/uses.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 
 namespace dmp::postproc {
 

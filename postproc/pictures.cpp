@@ -8,12 +8,12 @@
 
 #include "base/errors.hpp"
 #include "postproc/frame_scene.hpp"
-#include "postproc/looks.hpp"
 #include "postproc/measure_plot.hpp"
 #include "postproc/panel_layout.hpp"
 #include "postproc/particle_view.hpp"
 #include "postproc/sheet.hpp"
 #include "postproc/tables.hpp"
+#include "postproc/views.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_messages.hpp"
 

@@ -18,7 +18,7 @@
 #include <vtkTypeInt64Array.h>
 
 #include "postproc/uses.hpp"
-#include "solver/frame_check.hpp"
+#include "solver/results/frame_check.hpp"
 
 namespace dmp::postproc {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "postproc/uses.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 
 namespace dmp::postproc {
 

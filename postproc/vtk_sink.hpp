@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "postproc/uses.hpp"
-#include "solver/frame.hpp"
-#include "solver/run_label.hpp"
+#include "solver/results/frame.hpp"
+#include "solver/results/run_label.hpp"
 
 namespace dmp::postproc {
 

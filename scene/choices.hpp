@@ -3,6 +3,10 @@
 
 #include <string>
 
+#include "models/solidify/activity.hpp"
+#include "models/sph/liquid_state.hpp"
+#include "scene/uses.hpp"
+
 namespace dmp::scene {
 
 /// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
@@ -32,7 +36,6 @@ enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };
 [[nodiscard]] inline int axis_of(BoxSide side) { return static_cast<int>(side) / 2; }
 [[nodiscard]] inline bool is_high(BoxSide side) { return static_cast<int>(side) % 2 != 0; }
 enum class WallModel { extrapolated, plain };
-enum class EquationOfState { tait, linear };
 enum class DensityModel { continuity, summation };
 enum class ViscousLaw { morris, monaghan, monaghan_approaching };
 enum class ViscosityMean { harmonic, arithmetic };
@@ -74,7 +77,6 @@ enum class FluidField {
 enum class Axis { x, y, z };
 /// Which liquid within reach of a seed turns solid, and when a seed looks for it (solver/models/solidify/).
 enum class SolidifyRule { per_pair, per_candidate, mutually_closest };
-enum class SeedActivity { always, once, one_in };
 /// What a particle that turns solid is bonded to: the seed that turned it, or all of the aggregate within reach.
 enum class BondTo { seed, neighbours };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };

@@ -1,21 +1,25 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tests of every module name its things without qualification.
+// Tests name the things of every module without qualification.
 namespace dmp::geometry {}
 namespace dmp::mesher {}
+namespace dmp::models {}
 namespace dmp::particles {}
 namespace dmp::postproc {}
 namespace dmp::scene {}
+namespace dmp::simd {}
 namespace dmp::solver {}
 
 namespace dmp::tests {
 
 using namespace geometry;
 using namespace mesher;
+using namespace models;
 using namespace particles;
 using namespace postproc;
 using namespace scene;
+using namespace simd;
 using namespace solver;
 
 }  // namespace dmp::tests

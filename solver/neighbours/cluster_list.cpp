@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simd/lanes.hpp"
 #include "solver/neighbours/search_grid.hpp"
 #include "solver/parallel/each_of.hpp"
-#include "solver/sweeps/lanes.hpp"
 
 namespace dmp::solver {
 

@@ -5,10 +5,10 @@
 #include <chrono>
 #include <optional>
 
+#include "solver/domain/domain.hpp"
+#include "solver/domain/halo.hpp"
 #include "solver/neighbours/cluster_list.hpp"
-#include "solver/neighbours/wandering.hpp"
-#include "solver/parallel/domain.hpp"
-#include "solver/parallel/halo.hpp"
+#include "solver/neighbours/displacement_tracker.hpp"
 
 namespace dmp::solver {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "solver/simulation.hpp"
-#include "solver/time/spring_bodies.hpp"
+#include "solver/elastic/spring_bodies.hpp"
+#include "solver/results/run_summary.hpp"
 
 namespace dmp::solver {
 

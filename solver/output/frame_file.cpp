@@ -7,8 +7,8 @@
 #include "base/errors.hpp"
 #include "base/numbered_files.hpp"
 #include "base/sealed_file.hpp"
-#include "solver/frame_check.hpp"
 #include "solver/output/frame_pieces.hpp"
+#include "solver/results/frame_check.hpp"
 
 namespace dmp::solver {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/frame.hpp"
-#include "solver/run_label.hpp"
+#include "solver/results/frame.hpp"
+#include "solver/results/run_label.hpp"
 
 namespace dmp::solver {
 

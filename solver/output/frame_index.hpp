@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/run_label.hpp"
+#include "solver/results/run_label.hpp"
 
 namespace dmp::solver {
 

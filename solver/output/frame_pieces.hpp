@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 
 namespace dmp::solver {
 

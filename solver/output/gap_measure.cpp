@@ -7,7 +7,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/errors.hpp"
-#include "solver/time/body_change.hpp"
+#include "solver/elastic/body_change.hpp"
 
 namespace dmp::solver {
 

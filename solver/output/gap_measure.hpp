@@ -5,7 +5,7 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
-#include "solver/time/spring_bodies.hpp"
+#include "solver/elastic/spring_bodies.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {

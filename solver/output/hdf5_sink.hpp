@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "solver/frame.hpp"
 #include "solver/output/frame_index.hpp"
 #include "solver/parallel/ranks.hpp"
-#include "solver/run_label.hpp"
+#include "solver/results/frame.hpp"
+#include "solver/results/run_label.hpp"
 
 namespace dmp::solver {
 

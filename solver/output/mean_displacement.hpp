@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/time/spring_bodies.hpp"
+#include "solver/elastic/spring_bodies.hpp"
 
 namespace dmp::solver {
 

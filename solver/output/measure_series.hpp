@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 #include "solver/state/archive.hpp"
 
 namespace dmp::solver {

@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "solver/elastic/body_change.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/species_measures.hpp"
-#include "solver/time/body_change.hpp"
 
 namespace dmp::solver {
 

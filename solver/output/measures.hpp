@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "solver/frame.hpp"
 #include "solver/output/gap_measure.hpp"
 #include "solver/output/measure_series.hpp"
+#include "solver/results/frame.hpp"
 #include "solver/time/fluid_step.hpp"
 #include "solver/uses.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "solver/frame.hpp"
 #include "solver/output/mean_displacement.hpp"
+#include "solver/results/frame.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {

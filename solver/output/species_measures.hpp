@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 #include "solver/time/fluid_step.hpp"
 #include "solver/uses.hpp"
 

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "solver/sweeps/order_free.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 
 namespace dmp::solver {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "particles/particle_set.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "solver/models/springs/bond_break.hpp"
+#include "models/springs/bond_break.hpp"
 #include "solver/solidify/solidification.hpp"
-#include "solver/time/schedule.hpp"
+#include "solver/state/schedule.hpp"
 
 namespace dmp::solver {
 

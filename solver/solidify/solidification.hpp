@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "models/solidify/activity.hpp"
 #include "scene/scene.hpp"
-#include "solver/models/solidify/activity.hpp"
-#include "solver/solidify/encounters.hpp"
+#include "solver/solidify/bond_candidates.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/time/fluid_step.hpp"
 #include "solver/uses.hpp"

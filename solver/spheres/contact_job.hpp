@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/models/dem/contact_constants.hpp"
-#include "solver/models/dem/contact_law.hpp"
-#include "solver/resources.hpp"
+#include "models/dem/contact_constants.hpp"
+#include "models/dem/contact_law.hpp"
+#include "solver/parallel/resources.hpp"
 #include "solver/spheres/sphere_rows.hpp"
-#include "solver/sweeps/order_free.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 
 namespace dmp::solver {
 

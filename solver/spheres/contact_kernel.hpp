@@ -5,10 +5,10 @@
 #include <array>
 #include <utility>
 
-#include "solver/models/dem/contact_law.hpp"
+#include "base/simd/lanes.hpp"
+#include "models/dem/contact_law.hpp"
 #include "solver/spheres/columns.hpp"
 #include "solver/spheres/contact_job.hpp"
-#include "solver/sweeps/lanes.hpp"
 
 namespace dmp::solver {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "solver/models/dem/contact_law.hpp"
+#include "models/dem/contact_law.hpp"
 
 namespace dmp::solver {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "solver/output/measure_series.hpp"
-#include "solver/spheres/stillness.hpp"
+#include "solver/spheres/steady_state.hpp"
 
 namespace dmp::solver {
 

@@ -3,7 +3,8 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
+#include "solver/results/run_summary.hpp"
 #include "solver/spheres/sphere_step.hpp"
 #include "solver/uses.hpp"
 

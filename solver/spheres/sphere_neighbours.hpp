@@ -3,9 +3,9 @@
 
 #include <chrono>
 
-#include "solver/neighbours/wandering.hpp"
-#include "solver/parallel/domain.hpp"
-#include "solver/parallel/halo.hpp"
+#include "solver/domain/domain.hpp"
+#include "solver/domain/halo.hpp"
+#include "solver/neighbours/displacement_tracker.hpp"
 #include "solver/spheres/contact_list.hpp"
 #include "solver/spheres/sphere_setup.hpp"
 #include "solver/spheres/sphere_skins.hpp"

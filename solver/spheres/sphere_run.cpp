@@ -9,8 +9,8 @@
 
 #include "base/errors.hpp"
 #include "solver/spheres/sphere_group.hpp"
+#include "solver/spheres/sphere_monitor.hpp"
 #include "solver/spheres/sphere_output.hpp"
-#include "solver/spheres/sphere_watch.hpp"
 #include "solver/state/state_hash.hpp"
 #include "solver/store/position_quantum.hpp"
 #include "solver/time/step_limits.hpp"
@@ -19,7 +19,7 @@ namespace dmp::solver {
 
 namespace {
 
-constexpr int steps_between_looks = 50;
+constexpr int steps_between_checks = 50;
 /// Speeds are looked up in steps of this many to an octave, so that the step keeps its length while speeds change
 /// little.
 constexpr double speeds_an_octave = 4;
@@ -145,12 +145,6 @@ void SphereRun::archive(Archive& file) {
     step_.archive(file);
 }
 
-long SphereRun::resume(const Hdf5Reader& reader) {
-    Archive file(ranks_, reader);
-    archive(file);
-    return static_cast<long>(frames_);
-}
-
 void SphereRun::write_frame(FrameSink* sink) {
     if (frames_ > 0 && time_ <= last_frame_) return;  // no time twice
     if (ranks_.any(sink != nullptr)) {
@@ -167,20 +161,7 @@ void SphereRun::write_what_is_due(FrameSink* sink) {
     if (frame_times_.due(time_)) write_frame(sink);
 }
 
-void SphereRun::look(FrameSink* sink) {
-    // The lowest rank that found something speaks for all.
-    const std::string own = trouble_with_spheres(step_, space_);
-    const auto speaker = static_cast<int>(ranks_.smallest(own.empty() ? ranks_.size() : ranks_.rank()));
-    if (speaker == ranks_.size()) return;
-    const std::vector<char> said =
-        ranks_.all_gather(ranks_.rank() == speaker ? std::vector<char>(own.begin(), own.end()) : std::vector<char>());
-    const std::string found(said.begin(), said.end());
-    const auto end = found.find('\n');
-    write_frame(sink);
-    throw DivergenceError("the simulation diverged at t = " + std::to_string(time_) + " s, step " +
-                              std::to_string(step_count_) + ": " + found.substr(0, end),
-                          found.substr(end + 1));
-}
+void SphereRun::stop_if_diverged(FrameSink* sink) { stop_on_violation(sink, trouble_with_spheres(step_, space_)); }
 
 void SphereRun::advance(const RunOptions& options, double until) {
     const double longest = longest_step();
@@ -193,7 +174,7 @@ void SphereRun::advance(const RunOptions& options, double until) {
     step_.advance(time_, dt);
     time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
     ++step_count_;
-    if (step_count_ % steps_between_looks == 0 || time_ == target) look(options.sink);
+    if (step_count_ % steps_between_checks == 0 || time_ == target) stop_if_diverged(options.sink);
     // What has not been pushed yet is not still.
     if (change == HUGE_VAL) stillness_.look(time_, step_, ranks_);
     write_what_is_due(options.sink);
@@ -208,39 +189,28 @@ RunProgress SphereRun::progress(double until) const {
             static_cast<long>(frames_)};
 }
 
-RunSummary SphereRun::run(const RunOptions& options) {
-    const double until = options.until > 0 ? options.until : scene_.run.duration.value;
-    Checkpoints checkpoints(ranks_, options.checkpoints);
-    const std::int64_t first_step = step_count_;
+void SphereRun::start(FrameSink* sink) {
     if (!begun_) step_.start(step_count_ == 0, time_);
     begun_ = true;
-    if (step_count_ == 0) {
-        at_start_ = conserved();
-        energy_at_start_ = energy();
-        look(options.sink);
-        write_what_is_due(options.sink);
-    }
-    const RunEnd end = run_steps(*this, ranks_, checkpoints, options, until);
-    if (stillness_.reached()) write_frame(options.sink);
+    if (step_count_ > 0) return;
+    at_start_ = conserved();
+    energy_at_start_ = energy();
+    stop_if_diverged(sink);
+    write_what_is_due(sink);
+}
+
+void SphereRun::finish(FrameSink* sink) {
+    if (stillness_.reached()) write_frame(sink);
     step_.give_state();
-    RunSummary summary = this->summary();
-    const Plan plan = this->plan();
-    summary.limits = plan.limits;
-    summary.ruling_limit = plan.ruling_limit;
-    summary.wall_s = end.wall;
-    summary.particle_steps_per_s =
-        static_cast<double>(step_count_ - first_step) * static_cast<double>(count_.at("spheres")) / end.wall;
-    summary.interrupted = end.interrupted;
-    summary.out_of_time = end.out_of_time;
-    summary.first_step = static_cast<long>(first_step);
+}
+
+RankShares SphereRun::shares(std::int64_t steps) const {
     const auto a_step = [&](std::int64_t all) {
-        return ranks_.largest(static_cast<double>(all)) /
-               static_cast<double>(std::max<std::int64_t>(1, step_count_ - first_step));
+        return ranks_.largest(static_cast<double>(all)) / static_cast<double>(std::max<std::int64_t>(1, steps));
     };
     const Halo& halo = step_.neighbours().halo();
-    summary.shares = {step_.neighbours().imbalance(), halo.copies_per_owned(), a_step(halo.traffic().messages),
-                      a_step(halo.traffic().bytes)};
-    return summary;
+    return {step_.neighbours().imbalance(), halo.copies_per_owned(), a_step(halo.traffic().messages),
+            a_step(halo.traffic().bytes)};
 }
 
 RunSummary SphereRun::summary() const {

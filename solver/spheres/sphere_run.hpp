@@ -1,30 +1,37 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/run_loop.hpp"
 #include "solver/spheres/sphere_measures.hpp"
 #include "solver/spheres/sphere_step.hpp"
-#include "solver/spheres/stillness.hpp"
-#include "solver/time/schedule.hpp"
+#include "solver/spheres/steady_state.hpp"
+#include "solver/state/schedule.hpp"
+#include "solver/time/run.hpp"
 
 namespace dmp::solver {
 
-/// A scene of spheres and their walls in motion: what Simulation is for such scenes.
-class SphereRun final : public Steps {
+/// The run of spheres and their walls.
+class SphereRun final : public Run {
   public:
     SphereRun(Scene scene, const ParticleSet& set, const Resources& resources);
 
-    [[nodiscard]] Plan plan() const;
-    long resume(const Hdf5Reader& reader);
-    RunSummary run(const RunOptions& options);
+    [[nodiscard]] Plan plan() const override;
 
+  protected:
+    [[nodiscard]] const Ranks& ranks() const override { return ranks_; }
     [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] double duration() const override { return scene_.run.duration; }
     [[nodiscard]] std::int64_t step() const override { return step_count_; }
+    [[nodiscard]] long frames() const override { return static_cast<long>(frames_); }
+    void start(FrameSink* sink) override;
     void advance(const RunOptions& options, double until) override;
+    void finish(FrameSink* sink) override;
+    [[nodiscard]] bool finished() const override { return stillness_.reached(); }
     void write_frame(FrameSink* sink) override;
+    void write_diverged_frame(FrameSink* sink) override { write_frame(sink); }
     void archive(Archive& file) override;
     [[nodiscard]] RunProgress progress(double until) const override;
-    [[nodiscard]] bool finished() const override { return stillness_.reached(); }
+    [[nodiscard]] RunSummary summary() const override;
+    [[nodiscard]] RankShares shares(std::int64_t steps) const override;
 
   private:
     [[nodiscard]] std::vector<StepLimit> contact_limits() const;
@@ -33,8 +40,7 @@ class SphereRun final : public Steps {
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] SphereEnergy energy() const;
     void write_what_is_due(FrameSink* sink);
-    void look(FrameSink* sink);
-    [[nodiscard]] RunSummary summary() const;
+    void stop_if_diverged(FrameSink* sink);
 
     Scene scene_;
     Ranks ranks_;

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "solver/models/dem/contact_material.hpp"
-#include "solver/models/dem/contact_steps.hpp"
-#include "solver/models_in_use.hpp"
+#include "models/dem/contact_material.hpp"
+#include "models/dem/contact_steps.hpp"
+#include "solver/forcing/driving_models.hpp"
 
 namespace dmp::solver {
 

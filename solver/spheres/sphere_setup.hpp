@@ -6,7 +6,7 @@
 
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
-#include "solver/simulation.hpp"
+#include "solver/results/plan.hpp"
 #include "solver/spheres/contact_list.hpp"
 #include "solver/spheres/sphere_walls.hpp"
 #include "solver/uses.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "solver/resources.hpp"
+#include "solver/forcing/driving.hpp"
+#include "solver/parallel/resources.hpp"
 #include "solver/spheres/sphere_neighbours.hpp"
-#include "solver/time/driving.hpp"
 #include "solver/time/outside_impulses.hpp"
 #include "solver/time/stage_timer.hpp"
 

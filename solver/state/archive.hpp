@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/hdf5_file.hpp"
+#include "base/simd/vector.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "solver/store/particle_store.hpp"
-#include "solver/sweeps/vector.hpp"
 
 namespace dmp::solver {
 

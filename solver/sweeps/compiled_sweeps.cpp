@@ -9,16 +9,16 @@
 #include <cmath>
 #include <type_traits>
 
-#include "particles/kernels.hpp"
-#include "solver/models/sph/monaghan_viscosity.hpp"
-#include "solver/models/sph/morris_viscosity.hpp"
-#include "solver/models/sph/no_viscosity.hpp"
+#include "base/simd/lanes.hpp"
+#include "models/sph/kernels.hpp"
+#include "models/sph/monaghan_viscosity.hpp"
+#include "models/sph/morris_viscosity.hpp"
+#include "models/sph/no_viscosity.hpp"
 #include "solver/sweeps/correction_sweep.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
-#include "solver/sweeps/lanes.hpp"
-#include "solver/sweeps/near_sweep.hpp"
-#include "solver/sweeps/species_along.hpp"
+#include "solver/sweeps/fused_diffusion.hpp"
+#include "solver/sweeps/prune_sweep.hpp"
 #include "solver/sweeps/species_sweep.hpp"
 #include "solver/sweeps/summation_sweep.hpp"
 #include "solver/sweeps/transport_sweep.hpp"

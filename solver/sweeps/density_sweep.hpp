@@ -1,12 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/models/sph/continuity.hpp"
-#include "solver/models/sph/density_diffusion.hpp"
-#include "solver/models/sph/shifting.hpp"
+#include "models/sph/continuity.hpp"
+#include "models/sph/density_diffusion.hpp"
+#include "models/sph/shifting.hpp"
 #include "solver/sweeps/cluster_loop.hpp"
-#include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 
 namespace dmp::solver {
 

@@ -1,8 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/models/sph/pressure_force.hpp"
-#include "solver/models/sph/walls.hpp"
+#include "models/sph/pressure_force.hpp"
+#include "models/sph/walls.hpp"
 #include "solver/sweeps/contact_sum.hpp"
 #include "solver/sweeps/point_reader.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "scene/scene.hpp"
 #include "solver/neighbours/cluster_list.hpp"
-#include "solver/resources.hpp"
+#include "solver/parallel/resources.hpp"
 #include "solver/store/particle_store.hpp"
 #include "solver/uses.hpp"
 

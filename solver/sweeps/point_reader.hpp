@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "solver/models/pair.hpp"
+#include "base/simd/vector.hpp"
+#include "models/pair.hpp"
 #include "solver/neighbours/space_order.hpp"
 #include "solver/store/particle_group.hpp"
-#include "solver/sweeps/vector.hpp"
 
 namespace dmp::solver {
 

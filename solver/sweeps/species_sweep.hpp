@@ -1,11 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/models/transport/species_diffusion.hpp"
+#include "models/transport/species_diffusion.hpp"
 #include "solver/sweeps/cluster_loop.hpp"
-#include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 
 namespace dmp::solver {
 

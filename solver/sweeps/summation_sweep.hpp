@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "solver/models/sph/summation_density.hpp"
+#include "models/sph/summation_density.hpp"
 #include "solver/sweeps/cluster_loop.hpp"
-#include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 
 namespace dmp::solver {
 

@@ -1,10 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/models/sph/walls.hpp"
+#include "models/sph/walls.hpp"
 #include "solver/sweeps/cluster_loop.hpp"
-#include "solver/sweeps/order_free.hpp"
 #include "solver/sweeps/point_reader.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 
 namespace dmp::solver {
 

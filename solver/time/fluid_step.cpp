@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "particles/periodic_images.hpp"
-#include "solver/solidify/turn_solid.hpp"
+#include "solver/elastic/turn_solid.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {

@@ -6,18 +6,18 @@
 #include <optional>
 #include <vector>
 
+#include "models/contact/contact_stiffness.hpp"
 #include "scene/scene.hpp"
-#include "solver/models/contact/contact_stiffness.hpp"
+#include "solver/elastic/spring_bodies.hpp"
+#include "solver/forcing/driving.hpp"
+#include "solver/forcing/wall_motion.hpp"
+#include "solver/implicit/implicit_viscosity.hpp"
 #include "solver/neighbours/neighbours.hpp"
+#include "solver/species/species_transport.hpp"
+#include "solver/sweeps/fluid_passes.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
-#include "solver/time/driving.hpp"
-#include "solver/time/fluid_passes.hpp"
-#include "solver/time/implicit_viscosity.hpp"
 #include "solver/time/outside_impulses.hpp"
-#include "solver/time/species_transport.hpp"
-#include "solver/time/spring_bodies.hpp"
 #include "solver/time/stage_timer.hpp"
-#include "solver/time/wall_motion.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "solver/simulation.hpp"
-#include "solver/time/driving.hpp"
+#include "solver/forcing/driving.hpp"
+#include "solver/results/plan.hpp"
 
 namespace dmp::solver {
 

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/commands.hpp"
-#include "geometry/drawing_child.hpp"
+#include "geometry/geometry_process.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/end_to_end/triangle_texts.hpp"
 #include "tests/modules.hpp"

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "geometry/geometry_bytes.hpp"
-#include "geometry/triangle_drawing.hpp"
 #include "geometry/triangle_file.hpp"
+#include "geometry/triangle_geometry.hpp"
 #include "tests/modules.hpp"
 
 namespace {

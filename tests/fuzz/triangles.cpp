@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "geometry/geometry_bytes.hpp"
-#include "geometry/triangle_drawing.hpp"
 #include "geometry/triangle_file.hpp"
+#include "geometry/triangle_geometry.hpp"
 #include "tests/modules.hpp"
 
 namespace {

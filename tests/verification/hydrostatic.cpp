@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/sph/tait.hpp"
+#include "models/sph/tait.hpp"
 #include "tests/modules.hpp"
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/diagnosis.hpp"
-#include "solver/resources.hpp"
+#include "solver/parallel/resources.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

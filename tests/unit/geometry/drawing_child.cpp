@@ -1,7 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // The process that reads drawings. Here stand-ins play the child; tests/end_to_end has the real one.
-#include "geometry/drawing_child.hpp"
-
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <sys/resource.h>
 
 #include "geometry/geometry_bytes.hpp"
+#include "geometry/geometry_process.hpp"
 #include "temporary_drawing.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"

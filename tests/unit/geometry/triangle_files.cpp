@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 
 #include "geometry/split_polygon.hpp"
-#include "geometry/triangle_drawing.hpp"
 #include "geometry/triangle_file.hpp"
+#include "geometry/triangle_geometry.hpp"
 #include "temporary_drawing.hpp"
 #include "tests/modules.hpp"
 

@@ -9,7 +9,7 @@
 #include "geometry/inside_test.hpp"
 #include "geometry/nearest_curve.hpp"
 #include "meshed_text.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

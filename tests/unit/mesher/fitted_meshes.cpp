@@ -8,7 +8,7 @@
 
 #include "meshed_text.hpp"
 #include "mesher/searchable_particles.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

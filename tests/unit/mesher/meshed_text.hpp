@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/drawing_of.hpp"
+#include "mesher/geometry_options.hpp"
 #include "mesher/mesh.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "meshed_text.hpp"
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/parallel/domain.hpp"
-#include "solver/parallel/halo.hpp"
+#include "solver/domain/domain.hpp"
+#include "solver/domain/halo.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

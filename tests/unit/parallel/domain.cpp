@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/parallel/domain.hpp"
+#include "solver/domain/domain.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/parallel/halo.hpp"
+#include "solver/domain/halo.hpp"
 
 #include <algorithm>
 #include <map>

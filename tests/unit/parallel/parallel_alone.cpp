@@ -2,9 +2,9 @@
 // One process alone: everything of solver/parallel works without MPI, which is never started here.
 #include <gtest/gtest.h>
 
+#include "solver/domain/domain.hpp"
+#include "solver/domain/halo.hpp"
 #include "solver/parallel/communicator.hpp"
-#include "solver/parallel/domain.hpp"
-#include "solver/parallel/halo.hpp"
 #include "solver/parallel/ranks.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/parallel/regions.hpp"
+#include "solver/domain/regions.hpp"
 
 #include <cmath>
 #include <limits>

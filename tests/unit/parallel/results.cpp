@@ -9,7 +9,7 @@
 
 #include "solver/output/fluid_fields.hpp"
 #include "solver/output/residence_times.hpp"
-#include "solver/setup.hpp"
+#include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

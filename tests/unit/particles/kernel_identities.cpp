@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

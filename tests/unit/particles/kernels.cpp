@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
 
 #include <cmath>
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "postproc/group_box.hpp"
-#include "postproc/looks.hpp"
 #include "postproc/particle_view.hpp"
 #include "postproc/pictures.hpp"
+#include "postproc/views.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_sink.hpp"
 #include "tests/modules.hpp"

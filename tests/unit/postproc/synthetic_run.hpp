@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/time/driving.hpp"
+#include "solver/forcing/driving.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

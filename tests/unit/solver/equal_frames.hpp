@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/frame.hpp"
+#include "solver/results/frame.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

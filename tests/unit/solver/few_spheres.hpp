@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/models/dem/contact_law.hpp"
+#include "models/dem/contact_law.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "solver/time/spring_bodies.hpp"
-#include "solver/time/spring_network.hpp"
+#include "solver/elastic/spring_bodies.hpp"
+#include "solver/elastic/spring_network.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/statics.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/dem/contact.hpp"
-#include "solver/models/dem/contact_constants.hpp"
+#include "models/dem/contact.hpp"
+#include "models/dem/contact_constants.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "particles/kernels.hpp"
-#include "solver/models/pair.hpp"
+#include "models/pair.hpp"
+#include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests::one_pair {

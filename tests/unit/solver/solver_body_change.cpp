@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/time/body_change.hpp"
+#include "solver/elastic/body_change.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/elastic/spring_network.hpp"
 #include "solver/solidify/body_events.hpp"
-#include "solver/time/spring_network.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

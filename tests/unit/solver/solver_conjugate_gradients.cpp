@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/time/conjugate_gradients.hpp"
+#include "solver/implicit/conjugate_gradients.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/dem/contact_law.hpp"
+#include "models/dem/contact_law.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
-#include "solver/models/dem/contact_material.hpp"
-#include "solver/models/dem/contact_steps.hpp"
-#include "solver/models/dem/hertz.hpp"
-#include "solver/models/dem/restitution.hpp"
+#include "models/dem/contact_material.hpp"
+#include "models/dem/contact_steps.hpp"
+#include "models/dem/hertz.hpp"
+#include "models/dem/restitution.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "models/contact/contact_stiffness.hpp"
 #include "small_scenes.hpp"
-#include "solver/models/contact/contact_stiffness.hpp"
+#include "solver/elastic/spring_bodies.hpp"
 #include "solver/neighbours/neighbours.hpp"
-#include "solver/setup.hpp"
-#include "solver/time/spring_bodies.hpp"
+#include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/dem/escape_model.hpp"
+#include "models/dem/escape_model.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

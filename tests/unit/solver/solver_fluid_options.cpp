@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "particles/kernels.hpp"
+#include "models/sph/kernels.hpp"
+#include "models/sph/lattice_viscosity.hpp"
 #include "small_scenes.hpp"
-#include "solver/models/sph/lattice_viscosity.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "all_pairs.hpp"
+#include "solver/sweeps/fluid_passes.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
-#include "solver/time/fluid_passes.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

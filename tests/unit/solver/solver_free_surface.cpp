@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
-#include "solver/free_surface.hpp"
-#include "solver/sound_speed.hpp"
+#include "solver/run/free_surface.hpp"
+#include "solver/run/sound_speed.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
-#include "solver/setup.hpp"
+#include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "arranged_crowd.hpp"
-#include "particles/kernels.hpp"
-#include "solver/models/sph/density_diffusion.hpp"
-#include "solver/models/sph/shifting.hpp"
-#include "solver/models/sph/walls.hpp"
-#include "solver/sweeps/lanes.hpp"
+#include "base/simd/lanes.hpp"
+#include "models/sph/density_diffusion.hpp"
+#include "models/sph/kernels.hpp"
+#include "models/sph/shifting.hpp"
+#include "models/sph/walls.hpp"
 #include "solver/sweeps/point_reader.hpp"
 #include "tests/modules.hpp"
 

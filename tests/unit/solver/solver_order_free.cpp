@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "arranged_crowd.hpp"
-#include "solver/sweeps/lanes.hpp"
-#include "solver/sweeps/order_free.hpp"
+#include "base/simd/lanes.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -2,14 +2,14 @@
 #include <array>
 #include <random>
 
-#include "solver/models/sph/continuity.hpp"
-#include "solver/models/sph/density_diffusion.hpp"
-#include "solver/models/sph/morris_viscosity.hpp"
-#include "solver/models/sph/pressure_force.hpp"
-#include "solver/models/sph/shifting.hpp"
-#include "solver/models/sph/tait.hpp"
-#include "solver/models/sph/walls.hpp"
-#include "solver/sweeps/lanes.hpp"
+#include "base/simd/lanes.hpp"
+#include "models/sph/continuity.hpp"
+#include "models/sph/density_diffusion.hpp"
+#include "models/sph/morris_viscosity.hpp"
+#include "models/sph/pressure_force.hpp"
+#include "models/sph/shifting.hpp"
+#include "models/sph/tait.hpp"
+#include "models/sph/walls.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "base/errors.hpp"
 #include "small_scenes.hpp"
-#include "solver/setup.hpp"
+#include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "models/sph/morris_viscosity.hpp"
+#include "models/sph/walls.hpp"
 #include "small_scenes.hpp"
-#include "solver/models/sph/morris_viscosity.hpp"
-#include "solver/models/sph/walls.hpp"
 #include "tests/modules.hpp"
 #include "walled_water.hpp"
 

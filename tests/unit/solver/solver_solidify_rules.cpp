@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/solidify/activity.hpp"
-#include "solver/models/springs/bond_break.hpp"
-#include "solver/solidify/encounters.hpp"
-#include "solver/time/body_change.hpp"
+#include "models/solidify/activity.hpp"
+#include "models/springs/bond_break.hpp"
+#include "solver/elastic/body_change.hpp"
+#include "solver/solidify/bond_candidates.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "all_pairs.hpp"
-#include "particles/kernels.hpp"
-#include "solver/models/transport/species_diffusion.hpp"
+#include "models/sph/kernels.hpp"
+#include "models/transport/species_diffusion.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "tests/modules.hpp"

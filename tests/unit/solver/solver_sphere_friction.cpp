@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/dem/contact_material.hpp"
-#include "solver/models/dem/contact_steps.hpp"
+#include "models/dem/contact_material.hpp"
+#include "models/dem/contact_steps.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/neighbours/neighbours.hpp"
-#include "solver/setup.hpp"
+#include "solver/run/setup.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"

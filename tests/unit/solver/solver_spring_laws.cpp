@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/models/contact/repulsion.hpp"
-#include "solver/models/springs/bond_force.hpp"
-#include "solver/models/springs/hinge_force.hpp"
-#include "solver/sweeps/lanes.hpp"
+#include "base/simd/lanes.hpp"
+#include "models/contact/repulsion.hpp"
+#include "models/springs/bond_force.hpp"
+#include "models/springs/hinge_force.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

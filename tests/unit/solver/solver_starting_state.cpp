@@ -5,8 +5,8 @@
 
 #include "base/errors.hpp"
 #include "small_scenes.hpp"
-#include "solver/setup.hpp"
-#include "solver/starting_state.hpp"
+#include "solver/run/setup.hpp"
+#include "solver/run/starting_state.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

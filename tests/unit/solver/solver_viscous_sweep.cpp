@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "arranged_crowd.hpp"
-#include "particles/kernels.hpp"
-#include "solver/models/sph/monaghan_viscosity.hpp"
-#include "solver/models/sph/morris_viscosity.hpp"
-#include "solver/models/sph/walls.hpp"
-#include "solver/sweeps/lanes.hpp"
+#include "base/simd/lanes.hpp"
+#include "models/sph/kernels.hpp"
+#include "models/sph/monaghan_viscosity.hpp"
+#include "models/sph/morris_viscosity.hpp"
+#include "models/sph/walls.hpp"
 #include "solver/sweeps/point_reader.hpp"
 #include "tests/modules.hpp"
 

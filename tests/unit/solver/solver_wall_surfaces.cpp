@@ -2,10 +2,10 @@
 // Walls for spheres as triangles to look at, and frames that hold them.
 #include <gtest/gtest.h>
 
-#include "solver/frame_check.hpp"
 #include "solver/output/frame_file.hpp"
 #include "solver/output/frame_pieces.hpp"
 #include "solver/output/wall_surfaces.hpp"
+#include "solver/results/frame_check.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/equal_frames.hpp"
 #include "tests/unit/temporary_files.hpp"

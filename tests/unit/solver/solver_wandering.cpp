@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/neighbours/wandering.hpp"
+#include "solver/neighbours/displacement_tracker.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "solver/warnings.hpp"
+#include "solver/run/warnings.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

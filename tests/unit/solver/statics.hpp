@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/scene.hpp"
-#include "solver/time/spring_network.hpp"
+#include "solver/elastic/spring_network.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

@@ -1,0 +1,159 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh_geometry.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/geometry_size.hpp"
+#include "cli/text.hpp"
+#include "cli/uses.hpp"
+#include "geometry/geometry_process.hpp"
+#include "geometry/repair_solids.hpp"
+#include "geometry/select_faces.hpp"
+#include "geometry/solids_that_meet.hpp"
+#include "geometry/triangle_file.hpp"
+#include "mesher/geometry_options.hpp"
+#include "mesher/mesh_spheres.hpp"
+#include "postproc/triangle_file.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+std::string springs_text(const MeshReport::SpringLine& line) {
+    if (line.cells) {
+        const CellConstants& cells = line.cells->constants;
+        return fmt::format("a solid of E {}, nu {:.3g}; k_b {} and {}", quantity_text(cells.youngs_modulus(), "Pa"),
+                           cells.poisson_ratio(), quantity_text(line.cells->stiffened * cells.edge_stiffness, "N/m"),
+                           quantity_text(line.cells->stiffened * cells.diagonal_stiffness, "N/m"));
+    }
+    if (line.network)
+        return fmt::format("a solid of E {}, nu {:.3g}; {} of k_b {} to {}",
+                           quantity_text(line.network->youngs_modulus, "Pa"), NetworkConstants::poisson_ratio,
+                           count_text(line.bonds, "bond"), quantity_text(line.network->softest, "N/m"),
+                           quantity_text(line.network->stiffest, "N/m"));
+    if (line.shell) {
+        const ShellConstants& shell = line.shell->constants;
+        return fmt::format("a shell of D {}, E h {}{}; k_b {}, k_d {}", quantity_text(shell.bending_stiffness(), "N m"),
+                           quantity_text(shell.membrane_stiffness(), "N/m"),
+                           shell.membrane_stiffness() < 0.999 * line.shell->membrane_stiffness_asked
+                               ? " (lowered from " + quantity_text(line.shell->membrane_stiffness_asked, "N/m") +
+                                     ": the layers cannot hold both at this spacing)"
+                               : "",
+                           quantity_text(shell.bond_stiffness, "N/m"), quantity_text(shell.dihedral_stiffness, "J"));
+    }
+    std::string text = "k_b " + quantity_text(line.bond_stiffness, "N/m");
+    if (line.cross_stiffness > 0) text += ", k_c " + quantity_text(line.cross_stiffness, "N/m");
+    if (line.hinges > 0) text += ", k_a " + quantity_text(line.hinge_stiffness, "J");
+    text += fmt::format(", EI {}, EA {}", quantity_text(line.bending_stiffness, "N m^2"),
+                        quantity_text(line.axial_stiffness, "N"));
+    if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 0.001) {
+        text += fmt::format(" ({} from {}: the lattice cannot hold both at this spacing)",
+                            line.axial_stiffness < line.axial_stiffness_asked ? "lowered" : "raised",
+                            quantity_text(line.axial_stiffness_asked, "N"));
+    }
+    return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));
+}
+
+/// A drawing and what was changed in it.
+struct Repaired {
+    Geometry geometry;
+    std::vector<std::string> changes;
+};
+
+RepairRung rung_of(RepairKind repair) {
+    switch (repair) {
+        case RepairKind::none:
+            return RepairRung::none;
+        case RepairKind::weld:
+            return RepairRung::weld;
+        case RepairKind::fill:
+            return RepairRung::fill;
+        case RepairKind::vote:
+            return RepairRung::vote;
+        case RepairKind::wrap:
+            break;
+    }
+    return RepairRung::wrap;
+}
+
+/// Closes fluids of which the drawing has an open surface, as far as that can be done.
+void repair_fluids(Repaired& drawing, const Scene& scene) {
+    const auto fluids = scene.names_of_parts(PartKind::fluid);
+    try {
+        RepairLimits limits;
+        limits.spacing = scene.particles.spacing;
+        limits.highest = rung_of(scene.geometry.repair);
+        limits.largest_hole = scene.geometry.largest_hole;
+        const auto lines = repair_solids(drawing.geometry, fluids, limits);
+        drawing.changes.insert(drawing.changes.end(), lines.begin(), lines.end());
+    } catch (const UnusableSurface& error) {
+        const std::string file = scene_name(scene) + "_bad_triangles.vtp";
+        write_triangles(file, error.bad_triangles().corners, error.bad_triangles().triangles);
+        throw InputError(error.where(), error.problem(), error.what_to_do() + " (the triangles are in " + file + ")");
+    }
+}
+
+/// The drawing with its fluids closed, and with the faces that the scene selects of what they are then.
+Repaired repaired_drawing(const Scene& scene) {
+    DrawingOptions options = drawing_of(scene);
+    const auto selections = std::exchange(options.selections, {});
+    Repaired drawing{read_drawing_of_a_stranger(options), {}};
+    if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
+    check_drawn_size(drawing.geometry, scene);
+    if (drawing.geometry.dimension == 3) {
+        auto names = scene.names_of_parts(PartKind::rigid);
+        for (std::string& name : scene.names_of_parts(PartKind::fluid)) names.push_back(std::move(name));
+        for (const SolidMeeting& meeting : solids_that_meet_themselves(drawing.geometry, names))
+            drawing.changes.push_back(meeting.text(1e-3, "mm") + ": what lies inside any part of it counts as inside");
+        repair_fluids(drawing, scene);
+        // Of curved surfaces that touch, triangles are off by 0.005 spacings or so.
+        for (const SolidMeeting& meeting : solids_that_overlap(drawing.geometry, names, 0.05 * scene.particles.spacing))
+            drawing.changes.push_back(meeting.text(1e-3, "mm") +
+                                      ": rigid bodies take the room first, then fluids in the scene's order");
+    }
+    select_faces(drawing.geometry, selections);
+    return drawing;
+}
+
+MeshResult with_notes(MeshResult result, const Repaired& drawing) {
+    result.report.notes.insert(result.report.notes.end(), drawing.changes.begin(), drawing.changes.end());
+    return result;
+}
+
+}  // namespace
+
+Geometry read_drawing_of_a_stranger(const DrawingOptions& options) {
+    return read_drawing_apart(options, {.command = {"/proc/self/exe", read_drawing_word}});
+}
+
+int execute(const ReadDrawingCommand& /*command*/) { return answer_drawing_request(); }
+
+MeshResult mesh_drawing(const Scene& scene) {
+    if (is_of_spheres(scene)) return mesh_spheres(scene);
+    const Repaired drawing = repaired_drawing(scene);
+    return with_notes(mesh(drawing.geometry, scene), drawing);
+}
+
+MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail) {
+    if (is_of_spheres(scene)) return mesh_spheres(scene);
+    const Repaired drawing = repaired_drawing(scene);
+    MeshResult result = with_notes(mesh(drawing.geometry, scene), drawing);
+    detail = inspect(result, drawing.geometry, scene);
+    return result;
+}
+
+Origin origin_of(const Scene& scene, const MeshReport& report) {
+    Origin origin{is_of_spheres(scene) ? "spheres" : "drawing", scene.geometry.file, {}, report.notes};
+    for (const auto& line : report.springs) origin.springs.emplace_back("springs " + line.part, springs_text(line));
+    for (const auto& line : report.joins)
+        origin.springs.emplace_back("join " + line.name,
+                                    fmt::format("{} of k_b {} between {} and {}", count_text(line.bonds, "bond"),
+                                                quantity_text(line.stiffness, "N/m"), line.parts[0], line.parts[1]));
+    return origin;
+}
+
+}  // namespace dmp::cli

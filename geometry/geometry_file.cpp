@@ -1,0 +1,131 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/geometry_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "base/length_text.hpp"
+#include "geometry/geo_text.hpp"
+#include "geometry/number_text.hpp"
+#include "geometry/triangle_file.hpp"
+
+namespace dmp::geometry {
+
+namespace {
+
+constexpr std::string_view formats_read =
+    "dmp reads .geo, .geo_unrolled, .msh, .step, .stp, .iges, .igs, .brep, .stl, .obj, .ply and .off drawings.";
+
+std::string extension_of(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+void check_script(const std::string& file) {
+    const GeoText text(file_text(file));
+    if (const auto open = text.unclosed_block()) {
+        const bool beginning = !open->word.starts_with("End");
+        const std::string partner = beginning ? "End" + open->word : open->word.substr(3);
+        throw InputError({.file = file, .line = open->line}, "'" + open->word + "' without its '" + partner + "'",
+                         "Add '" + partner + "'; gmsh itself does not notice.");
+    }
+    if (const int line = text.line_cut_short(); line > 0) {
+        throw InputError({.file = file, .line = line}, "several statements on a last line without line break",
+                         "End the file with a line break; gmsh drops all but the first of them.");
+    }
+}
+
+}  // namespace
+
+bool is_script(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".geo" || extension == ".geo_unrolled";
+}
+
+bool is_cad_file(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return states_its_unit(file) || extension == ".brep";
+}
+
+bool states_its_unit(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".step" || extension == ".stp" || is_iges_file(file);
+}
+
+bool is_iges_file(const std::string& file) {
+    const std::string extension = extension_of(file);
+    return extension == ".iges" || extension == ".igs";
+}
+
+bool needs_a_unit(const std::string& file) {
+    return is_triangle_file(file) || (is_cad_file(file) && !states_its_unit(file));
+}
+
+bool has_straight_edges_only(const std::string& file) { return is_triangle_file(file) || extension_of(file) == ".msh"; }
+
+std::string file_text(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream) throw InputError({.file = file}, "the drawing cannot be read", "Check its permissions.");
+    return text;
+}
+
+void check_drawing_file(const DrawingOptions& options) {
+    const std::string& file = options.file;
+    const std::string drawing = "the drawing '" + file + "'";
+    const auto refuse = [&](const std::string& what, const std::string& what_to_do) {
+        throw InputError(options.place, what, what_to_do);
+    };
+    if (!(options.metres() > 0) || !std::isfinite(options.metres())) {
+        refuse("the drawing's unit must be a positive length", "Give it as a length, like \"1 mm\".");
+    }
+    if (!(options.chord_error > 0)) {
+        refuse("the chord error must be a positive length", "Give it as a length, like \"1 um\".");
+    }
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (std::filesystem::is_directory(status)) refuse(drawing + " is a folder", "Name a file in it.");
+    if (!std::filesystem::exists(status)) refuse(drawing + " does not exist", "Check the path.");
+    const std::string extension = extension_of(file);
+    if (!is_script(file) && extension != ".msh" && !is_cad_file(file) && !is_triangle_file(file)) {
+        refuse(drawing + (extension.empty() ? " has no extension" : ": unknown extension " + extension),
+               std::string(formats_read));
+    }
+    if (!std::filesystem::is_regular_file(status) || !std::ifstream(file)) {
+        refuse(drawing + " cannot be read", "Check its permissions.");
+    }
+    if (std::filesystem::file_size(file, error) == 0) refuse(drawing + " is empty", "Save or export it again.");
+    if (states_its_unit(file) && options.metres() != 1) {
+        refuse(drawing + " states its unit itself, and the scene gives another",
+               "Leave geometry.unit out, or correct the unit in the program that made the drawing.");
+    }
+    if (!is_script(file) && !options.parameters.empty()) {
+        const auto& [name, value] = *options.parameters.begin();
+        const auto place = options.parameter_places.find(name);
+        throw InputError(place == options.parameter_places.end() ? options.place : place->second,
+                         "the drawing '" + file + "' offers no constant '" + name + "' for setting",
+                         extension == ".msh" ? "A mesh has no parameters; give its .geo script."
+                                             : "Only .geo scripts have parameters.");
+    }
+    if (is_script(file)) check_script(file);
+}
+
+void check_place(const Vec& place, const std::string& file) {
+    constexpr double furthest = 1e12;
+    if (!place.allFinite())
+        throw InputError({.file = file}, "the drawing has a point without finite coordinates",
+                         "Check the drawing, or the parameters it was given.");
+    if (place.cwiseAbs().maxCoeff() > furthest)
+        throw InputError({.file = file},
+                         "the drawing has a point at " + place_text(place) + ", further out than any drawing can mean",
+                         "Check the drawing and its unit (geometry.unit; on the command line --unit).");
+}
+
+}  // namespace dmp::geometry

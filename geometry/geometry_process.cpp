@@ -1,0 +1,243 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/geometry_process.hpp"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "geometry/geometry_bytes.hpp"
+#include "geometry/geometry_file.hpp"
+#include "geometry/number_text.hpp"
+#include "geometry/select_faces.hpp"
+#include "geometry/triangle_file.hpp"
+
+namespace dmp::geometry {
+
+namespace {
+
+constexpr int answer_descriptor = 3;
+/// The first byte of an answer.
+constexpr char is_geometry = 'G', is_input_error = 'I', is_resource_error = 'R';
+
+[[noreturn]] void cannot_start(const std::string& step) {
+    throw ResourceError("the process that reads drawings cannot be started: " + step + ": " + std::strerror(errno),
+                        "Free memory or processes, and try again.");
+}
+
+/// An open file, closed with this object.
+class Descriptor {
+  public:
+    /// Takes an open file over, moved out of the way of those that the child is to find at fixed numbers.
+    explicit Descriptor(int open) {
+        if (open < 0) cannot_start("files");
+        number_ = fcntl(open, F_DUPFD_CLOEXEC, 10);
+        ::close(open);
+        if (number_ < 0) cannot_start("files");
+    }
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+    void close() {
+        if (number_ >= 0) ::close(number_);
+        number_ = -1;
+    }
+
+  private:
+    int number_ = -1;
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+/// A file in memory, as a pipe would end this process when the child has gone before it has read.
+int file_with(const std::string& bytes) {
+    const int file = memfd_create("dmp_drawing_request", MFD_CLOEXEC);
+    if (file < 0 || !write_all(file, bytes) || lseek(file, 0, SEEK_SET) != 0) cannot_start("the request");
+    return file;
+}
+
+/// A running child, which is ended and collected with this object.
+class Child {
+  public:
+    Child(const std::vector<std::string>& command, int request, int answer) {
+        std::vector<std::string> words = command;
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
+        argv.push_back(nullptr);
+        posix_spawn_file_actions_t files;
+        if (posix_spawn_file_actions_init(&files) != 0) cannot_start("files");
+        posix_spawn_file_actions_adddup2(&files, request, STDIN_FILENO);
+        posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+        posix_spawn_file_actions_adddup2(&files, answer, answer_descriptor);
+        const int error = posix_spawn(&id_, argv[0], &files, nullptr, argv.data(), environ);
+        posix_spawn_file_actions_destroy(&files);
+        if (error != 0) {
+            id_ = -1;
+            errno = error;
+            cannot_start(command.front());
+        }
+    }
+    ~Child() {
+        if (id_ < 0) return;
+        kill(id_, SIGKILL);
+        collect();
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Waits for its end and says how it ended, as waitpid does.
+    int collect() {
+        int status = 0;
+        while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+        }
+        id_ = -1;
+        return status;
+    }
+
+  private:
+    pid_t id_ = -1;
+};
+
+/// All that comes until the writer closes, or the first byte too many; none when the time is over before.
+std::optional<std::string> answer_within(int descriptor, double seconds, std::size_t largest) {
+    using Clock = std::chrono::steady_clock;
+    const auto deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    std::string answer;
+    std::array<char, 1U << 16U> buffer{};
+    for (;;) {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        if (left <= 0) return std::nullopt;
+        pollfd waiting{descriptor, POLLIN, 0};
+        const int ready = poll(&waiting, 1, static_cast<int>(std::min<long long>(left + 1, 1'000'000)));
+        if (ready <= 0) continue;  // a signal came, or the time is over
+        const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return answer;
+        answer.append(buffer.data(), static_cast<std::size_t>(count));
+        if (answer.size() > largest) return answer;
+    }
+}
+
+InputError gone_wrong(const DrawingOptions& options, const std::string& what) {
+    return {Place{.file = options.file}, "the drawing cannot be read: " + what,
+            "Open it in the program that made it, check it there, and save it again; 'gmsh " + options.file +
+                "' may tell more."};
+}
+
+std::string end_of(int status) {
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        return std::string("gmsh crashed on it (") + strsignal(signal) +
+               (signal == SIGKILL ? ", perhaps for want of memory)" : ")");
+    }
+    return "its reader ended with code " + std::to_string(WEXITSTATUS(status)) + " and without a result";
+}
+
+Geometry result_of(const DrawingOptions& options, const std::string& answer, int status) {
+    const std::string_view content = std::string_view(answer).substr(std::min<std::size_t>(1, answer.size()));
+    if (answer.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw gone_wrong(options, end_of(status));
+    try {
+        if (answer[0] == is_geometry) return geometry_of(content);
+        const ErrorText error = error_text_of(content);
+        if (answer[0] == is_resource_error) throw ResourceError(error.problem, error.what_to_do);
+        if (answer[0] == is_input_error) throw InputError(error.place, error.problem, error.what_to_do);
+        throw std::runtime_error("an answer of no kind");
+    } catch (const Error&) {
+        throw;
+    } catch (const std::runtime_error&) {
+        throw gone_wrong(options, "its reader broke off");
+    }
+}
+
+void limit_memory() {
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_CORE, &none);
+#ifndef __SANITIZE_ADDRESS__  // which takes terabytes of addresses for itself
+    const rlim_t all = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+    const rlimit memory{all, all};
+    setrlimit(RLIMIT_AS, &memory);
+#endif
+}
+
+std::string request_from(int descriptor) {
+    std::string request;
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return request;
+        request.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+}
+
+std::string answer_to(const DrawingOptions& options) {
+    try {
+        return is_geometry + bytes_of(read_drawing(options));
+    } catch (const InputError& error) {
+        return is_input_error + bytes_of(ErrorText{error.where(), error.problem(), error.what_to_do()});
+    } catch (const Error& error) {
+        return is_resource_error + bytes_of(ErrorText{error.where(), error.problem(), error.what_to_do()});
+    } catch (const std::bad_alloc&) {
+        ErrorText error;
+        error.place.file = options.file;
+        error.problem = "the drawing takes more memory than the machine has";
+        error.what_to_do = "Check that it is whole, or raise particles.spacing.";
+        return is_input_error + bytes_of(error);
+    }
+}
+
+}  // namespace
+
+Geometry read_drawing_apart(const DrawingOptions& options, const DrawingChild& child) {
+    check_drawing_file(options);
+    if (is_triangle_file(options.file)) return read_drawing(options);
+    const Descriptor request(file_with(bytes_of(options)));
+    std::array<int, 2> pipe_ends{};
+    if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) cannot_start("a pipe");
+    const Descriptor read_end(pipe_ends[0]);
+    Descriptor write_end(pipe_ends[1]);
+    Child process(child.command, request.number(), write_end.number());
+    write_end.close();
+    const auto answer = answer_within(read_end.number(), child.seconds, child.largest_answer);
+    if (!answer) throw gone_wrong(options, "gmsh was not done after " + number_text(child.seconds) + " s");
+    if (answer->size() > child.largest_answer)
+        throw gone_wrong(options, "what gmsh made of it takes more than " +
+                                      number_text(static_cast<double>(child.largest_answer)) + " bytes");
+    Geometry geometry = result_of(options, *answer, process.collect());
+    select_faces(geometry, options.selections);
+    return geometry;
+}
+
+int answer_drawing_request() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    limit_memory();
+    const DrawingOptions options = drawing_options_of(request_from(STDIN_FILENO));
+    return write_all(answer_descriptor, answer_to(options)) ? 0 : 1;
+}
+
+}  // namespace dmp::geometry

@@ -1,0 +1,129 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+#include "models/dem/bradley.hpp"
+#include "models/dem/contact.hpp"
+#include "models/dem/contact_constants.hpp"
+#include "models/dem/dashpot_ends.hpp"
+#include "models/dem/hertz.hpp"
+#include "models/dem/jkr.hpp"
+#include "models/dem/mindlin.hpp"
+#include "models/dem/rolling_friction.hpp"
+
+namespace dmp::models {
+
+enum class TangentialHistory { rescaled, plain };       ///< RescaledHistory, PlainHistory
+enum class RollingFriction { none, constant, spring };  ///< ConstantRolling, RollingSpring
+enum class Adhesion { none, bradley, jkr };             ///< BradleyAdhesion, JkrContact
+
+/// Which laws a contact consists of.
+struct ContactModel {
+    TangentialHistory history = TangentialHistory::rescaled;
+    RollingFriction rolling = RollingFriction::none;
+    Adhesion adhesion = Adhesion::none;
+};
+
+/// All that acts in one contact, and what it remembers.
+template <ContactModel model>
+struct ContactLaw {
+    /// Where a law asks whether surfaces have touched, the history ends with the contact's radius at the last step.
+    static constexpr bool keeps_touch = model.adhesion == Adhesion::jkr;
+    /// A dashpot of d^(1/4) begins and ends with the overlap, and in LAMMPS' way every step counts alike.
+    static constexpr bool counts_ends = model.adhesion != Adhesion::jkr && model.history == TangentialHistory::rescaled;
+    static constexpr int history_vectors = model.rolling == RollingFriction::spring ? 2 : 1;
+    static constexpr int history_values = 3 * history_vectors + (keeps_touch ? 1 : 0);
+
+    template <class T>
+    using History = ContactHistory<T, history_values>;
+
+    /// From a centre to the contact [m].
+    template <class T>
+    static T lever(const T& radius, const T& effective_radius, const T& overlap) {
+        return Tangential::lever(radius, effective_radius, overlap);
+    }
+
+    /// Largest gap across which a force can act [m]; 0 where only contacts have any.
+    static double reach(double radius, const ContactConstants<>& pair) {
+        if constexpr (model.adhesion == Adhesion::bradley) return pair.adhesion_range;
+        if constexpr (model.adhesion == Adhesion::jkr) return JkrContact::reach(radius, pair);
+        return 0;
+    }
+
+    /// The force of a contact whose surfaces have moved for dt [s] with the velocities given; `history` follows them.
+    /// With dt = 0 the history stays and the force is that of the moment. Where nothing touches, the history is zero
+    /// and the force is that of adhesion across the gap, if any. Constants is ContactConstants of double or T.
+    template <class T, class Constants>
+    static ContactForce<T> law(const Contact<T>& contact, const Constants& pair, History<T>& history, double dt) {
+        using std::sqrt;
+        const T zero(0.0);
+        T before = zero;
+        if constexpr (keeps_touch) before = history[history_values - 1];
+        const NormalContact<T> normal = normal_contact(contact, pair, before);
+
+        const T root = sqrt(contact.mass * normal.touch), mass_touch = contact.mass * normal.touch;
+        const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
+        const auto press = [&](const T& ends) {
+            const T dashpot = pair.normal_dashpot * (ends * root) + pair.normal_rate * mass_touch;
+            const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.parting;
+            return where_less(damped, least, least, damped);
+        };
+        T pressing = press(T(1.0));
+        if constexpr (counts_ends) {
+            const T part = contact.parting, slow = T(dt) * where_less(part, zero, -part, part);
+            const T deep = where_less(zero, contact.overlap, contact.overlap, T(1e300));
+            if (any_less(deep, T(2.0) * slow)) {
+                // The way of the step that led here, or of the next one where they part.
+                const T next = T(dt) * (part + (T(dt) / contact.mass) * pressing);
+                pressing = press(DashpotEnds::weight(deep, where_less(part, zero, slow, next)));
+            }
+        }
+        const T gripping = Tangential::gripping(pressing + normal.grip);
+
+        const ShearContact<T> shear{normal.touch, T(pair.tangential_stiffness),
+                                    pair.tangential_dashpot * root + pair.tangential_rate * mass_touch,
+                                    pair.friction * gripping};
+        const Shear<T> sheared = Tangential::law(contact, shear, vector_of(history, 0), dt);
+        ContactForce<T> force{pressing, sheared.force, Vector<T, 3>::zero()};
+        if (dt > 0) keep(history, 0, sheared.kept, normal.touch);
+
+        if constexpr (model.rolling != RollingFriction::none) {
+            using Law = std::conditional_t<model.rolling == RollingFriction::spring, RollingSpring, ConstantRolling>;
+            const RollingContact<T> rolling{pair.normal_stiffness * normal.touch, gripping};
+            const Vector<T, 3> angle = vector_of(history, std::size_t{history_vectors} - 1);
+            const Rolling<T> rolled = Law::law(contact, pair, rolling, angle, dt);
+            force.rolling = rolled.torque;
+            if (history_vectors == 2 && dt > 0) keep(history, 1, rolled.angle, normal.touch);
+        }
+        // Friction rests on Hertz' force alone: the two bodies press on each other with what adhesion and loads add up
+        // to.
+        if constexpr (model.adhesion == Adhesion::bradley) force.normal += BradleyAdhesion::law(contact, pair);
+        if constexpr (keeps_touch)
+            if (dt > 0) history[history_values - 1] = normal.touch;
+        return force;
+    }
+
+  private:
+    using Tangential = std::conditional_t<model.history == TangentialHistory::plain, PlainHistory, RescaledHistory>;
+
+    template <class T, class Constants>
+    static NormalContact<T> normal_contact(const Contact<T>& contact, const Constants& pair, const T& before) {
+        if constexpr (model.adhesion == Adhesion::jkr) return JkrContact::law(contact, pair, before);
+        return HertzContact::law(contact, pair);
+    }
+
+    template <class T>
+    static Vector<T, 3> vector_of(const History<T>& history, std::size_t number) {
+        return {{history[3 * number], history[3 * number + 1], history[3 * number + 2]}};
+    }
+    template <class T>
+    static void keep(History<T>& history, std::size_t number, const Vector<T, 3>& vector, const T& touch) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            history[3 * number + axis] = where_less(T(0.0), touch, vector[static_cast<int>(axis)], T(0.0));
+    }
+};
+
+}  // namespace dmp::models

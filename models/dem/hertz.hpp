@@ -1,0 +1,37 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "models/dem/contact.hpp"
+#include "models/dem/contact_constants.hpp"
+
+namespace dmp::models {
+
+/// How two bodies press on each other along the normal, without dashpots.
+template <class T>
+struct NormalContact {
+    T touch;  ///< radius a of the circle in which they touch [m]
+    T force;  ///< above 0: apart [N]
+    T grip;   ///< added to the force of the contact in Coulomb's bound, as adhesion presses them together [N]
+};
+
+/// Two elastic spheres (Hertz 1882; Johnson, Contact Mechanics, 1985, 4.2):
+///   F = k_n a d,   a = sqrt(R* d),   k_n = 4/3 E*   [N]
+/// Energy 2/5 k_n sqrt(R*) d^(5/2), stiffness dF/dd = 3/2 k_n a.
+struct HertzContact {
+    template <class T, class Constants>
+    static NormalContact<T> law(const Contact<T>& contact, const Constants& pair) {
+        using std::sqrt;
+        const T overlap = where_less(T(0.0), contact.overlap, contact.overlap, T(0.0));
+        const T touch = sqrt(contact.radius * overlap);
+        return {touch, pair.normal_stiffness * touch * overlap, T(0.0)};
+    }
+
+    /// What the contact stores [J].
+    static double energy(double overlap, double radius, const ContactConstants<>& pair) {
+        return overlap > 0 ? 0.4 * pair.normal_stiffness * std::sqrt(radius) * std::pow(overlap, 2.5) : 0;
+    }
+};
+
+}  // namespace dmp::models

@@ -1,0 +1,79 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "models/dem/hertz.hpp"
+
+namespace dmp::models {
+
+/// Soft spheres that stick (Johnson, Kendall & Roberts, Proc. R. Soc. A 324, 1971): in place of Hertz
+///   F = k_n a^3 / R* - sqrt(8 pi W E*) a^(3/2),   d = a^2 / R* - sqrt(2 pi W a / E*),   E* = 3/4 k_n   [N]
+/// Surfaces that touch once (d > 0) hold together until d = -3 a_c^2 / R*, where a_c^3 = pi W R*^2 / (8 E*); they snap
+/// apart there, and what they stored is lost. Largest pull 3/2 pi W R*, 3/4 of Bradley's and DMT's.
+/// In units x^2 = a / a_c: F = pi W R* (x^6/6 - x^3) and d R* / a_c^2 = x^4 - 4 x, x >= 1.
+struct JkrContact {
+    /// `held` is above 0 where the surfaces touched at the last step.
+    template <class T, class Constants>
+    static NormalContact<T> law(const Contact<T>& contact, const Constants& pair, const T& held) {
+        const T zero(0.0);
+        const T smallest = smallest_touch(contact.radius, pair);
+        const T above = contact.overlap * contact.radius / (smallest * smallest) + T(3.0);
+        const T root = T(1.0) + over_one(where_less(zero, above, above, zero));
+        const T square = root * root, cube = square * root;
+        const T present = where_less(zero, contact.overlap, T(1.0),
+                                     where_less(zero, held, where_less(zero, above, T(1.0), zero), zero));
+        const T scale = std::numbers::pi * pair.adhesion_energy * contact.radius * present;
+        // k_n a^3 / R* rather than its equal in W: it is Hertz' without adhesion.
+        const T touch = present * smallest * square;
+        return {touch, pair.normal_stiffness * touch * touch * touch / contact.radius - scale * cube, 3.0 * scale};
+    }
+
+    /// a_c: the contact's radius where it breaks [m].
+    template <class T, class Constants>
+    static T smallest_touch(const T& radius, const Constants& pair) {
+        // 1e-12 R* without adhesion: the equations then are Hertz'.
+        const T cube = (std::numbers::pi / 6) * pair.adhesion_energy / pair.normal_stiffness + 1e-36 * radius;
+        return cube_root(radius * radius * cube);
+    }
+
+    /// Gap at which surfaces that touched come apart [m].
+    static double reach(double radius, const ContactConstants<>& pair) {
+        const double touch = smallest_touch(radius, pair);
+        return 3 * touch * touch / radius;
+    }
+
+    /// Of two surfaces that touch: 0 for bodies far apart [J].
+    ///   U = 2/5 k_n a^5 / R*^2 - k_n B a^(7/2) / R* + pi W a^2,   B = sqrt(2 pi W / E*)
+    static double energy(double overlap, double radius, const ContactConstants<>& pair) {
+        const double smallest = smallest_touch(radius, pair);
+        const double x = 1 + over_one(std::max(0.0, overlap * radius / (smallest * smallest) + 3));
+        const double a = smallest * x * x;
+        const double b = std::sqrt(8 * std::numbers::pi * pair.adhesion_energy / (3 * pair.normal_stiffness));
+        return 0.4 * pair.normal_stiffness * std::pow(a, 5) / (radius * radius) -
+               pair.normal_stiffness * b * std::pow(a, 3.5) / radius + std::numbers::pi * pair.adhesion_energy * a * a;
+    }
+
+  private:
+    /// y >= 0 of y^4 + 4 y^3 + 6 y^2 = above: by Newton's method, from a larger y, as the polynomial bends upwards.
+    template <class T>
+    static T over_one(const T& above) {
+        using std::sqrt;
+        const T small = sqrt(above / 6.0), large = sqrt(sqrt(above));
+        T y = where_less(small, large, small, large) + T(1e-150);
+        for (int turn = 0; turn < 6; ++turn)
+            y = y - (y * y * (y * (y + T(4.0)) + T(6.0)) - above) / (y * (y * (4.0 * y + T(12.0)) + T(12.0)));
+        return y;
+    }
+    static double cube_root(double value) { return std::cbrt(value); }
+    template <class Lanes>
+    static Lanes cube_root(Lanes values) {
+        for (std::size_t k = 0; k < Lanes::width; ++k) values.set(k, std::cbrt(values[k]));
+        return values;
+    }
+};
+
+}  // namespace dmp::models

@@ -1,0 +1,73 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "models/dem/contact.hpp"
+
+namespace dmp::models {
+
+/// A torque on i against its rolling over j, and the angle of its spring after it.
+template <class T>
+struct Rolling {
+    Vector<T, 3> torque, angle;  ///< [N m], [rad]
+};
+
+/// What rolling laws are told of the contact besides its turning.
+template <class T>
+struct RollingContact {
+    T stiffness;  ///< k_n a, of the normal force [N/m]
+    T pressing;   ///< the force that friction rests on [N]
+};
+
+/// The part of omega_i - omega_j across the normal; about the normal itself nothing resists.
+template <class T>
+Vector<T, 3> rolling_rate(const Contact<T>& contact) {
+    return contact.turning - dot(contact.turning, contact.normal) * contact.normal;
+}
+
+/// A torque of fixed size against the rolling (Zhou et al. 1999; model A of Ai et al., Powder Technol. 206, 2011):
+///   M = -mu_r R* F_n w / |w|   [N m],   w the rolling rate
+/// but never more than stops a sphere within the step, so that one at rest does not tremble. It cannot hold a sphere on
+/// a slope; the spring can.
+struct ConstantRolling {
+    template <class T, class Constants>
+    static Rolling<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
+                          const Vector<T, 3>& angle, double dt) {
+        using std::sqrt;
+        const Vector<T, 3> rate = rolling_rate(contact);
+        const T speed = sqrt(dot(rate, rate));
+        const T most = pair.rolling_friction * contact.radius * rolling.pressing;
+        if (!(dt > 0)) return {-(most / (speed + T(1e-300))) * rate, angle};
+        const T stop = (0.4 / dt) * contact.mass * contact.radius * contact.radius * speed;
+        return {-(where_less(stop, most, stop, most) / (speed + T(1e-300))) * rate, angle};
+    }
+};
+
+/// A rolling spring that yields, with a dashpot until it does (model C, "elastic-plastic spring-dashpot", of Ai et al.,
+/// Powder Technol. 206, 2011; spring of Iwashita & Oda 1998):
+///   M = -k_r theta - c_r w,   |k_r theta| <= mu_r R* F_n,   k_r = 9/4 k_n a (mu_r R*)^2   [N m]
+/// theta is the integral of the rolling rate w, c_r = 2 zeta sqrt(k_r I) with I = 7/5 m* R*^2 (a sphere that rolls on a
+/// plane), and 0 once the spring yields. Spring and dashpot together do not exceed mu_r R* F_n either.
+struct RollingSpring {
+    template <class T, class Constants>
+    static Rolling<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
+                          const Vector<T, 3>& angle_before, double dt) {
+        using std::sqrt;
+        const T zero(0.0), one(1.0), tiny(1e-300);
+        const Vector<T, 3> rate = rolling_rate(contact);
+        const Vector<T, 3> angle = angle_before - dot(angle_before, contact.normal) * contact.normal + T(dt) * rate;
+        const T arm = pair.rolling_friction * contact.radius;
+        const T stiffness = 2.25 * rolling.stiffness * arm * arm;
+        const T most = arm * rolling.pressing;
+        const T size = stiffness * sqrt(dot(angle, angle));
+        const Vector<T, 3> kept = where_less(most, size, most / (size + tiny), one) * angle;
+        const T inertia = 1.4 * contact.mass * contact.radius * contact.radius;
+        const T dashpot = where_less(most, size, zero, 2.0 * pair.rolling_damping * sqrt(stiffness * inertia));
+        const Vector<T, 3> torque = -stiffness * kept - dashpot * rate;
+        const T total = sqrt(dot(torque, torque));
+        return {where_less(most, total, most / (total + tiny), one) * torque, kept};
+    }
+};
+
+}  // namespace dmp::models

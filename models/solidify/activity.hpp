@@ -1,0 +1,30 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace dmp::models {
+
+enum class SeedActivity { always, once, one_in };
+
+/// When a seed looks for liquid to turn solid: in every event, in its first one alone, or in its first and every N-th
+/// after it. Seeds that are always active make round aggregates, those active once threads.
+struct Activity {
+    SeedActivity kind = SeedActivity::always;
+    std::int64_t one_in = 1;  ///< N
+
+    /// `age`: events since the one in which the seed could first act; below 0 it is none yet.
+    [[nodiscard]] bool acts_at(std::int64_t age) const {
+        if (age < 0) return false;
+        switch (kind) {
+            case SeedActivity::once:
+                return age == 0;
+            case SeedActivity::one_in:
+                return age % one_in == 0;
+            default:
+                return true;
+        }
+    }
+};
+
+}  // namespace dmp::models

@@ -1,0 +1,42 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "models/pair.hpp"
+
+namespace dmp::models {
+
+/// Numerical diffusion of density that quietens pressure (Molteni & Colagrossi 2009):
+///   drho_i/dt = delta h c0 SUM_j V_j 2 (rho_i - rho_j) / r^2 x_ij . grad_i W_ij
+///             = 2 delta h c0 SUM_j V_j (rho_i - rho_j) (1/r dW/dr),   h = support / 2   [kg/m^3/s]
+/// Between fluid particles. SUM_i V_i drho_i = 0, so mass stays where the equations put it.
+struct DensityDiffusion {
+    double coefficient;  ///< 2 delta h c0 [m^2/s]
+
+    DensityDiffusion(double delta, double support, double sound_speed) : coefficient(delta * support * sound_speed) {}
+
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        return coefficient * p.j.volume * (p.i.density - p.j.density) * p.slope;
+    }
+};
+
+/// The same where body forces keep the fluid stratified (Fourtakas, Dominguez, Vacondio & Rogers 2019): only what a
+/// pair's pressures differ by beyond the hydrostatic difference is evened out. At rest it does nothing, neither inside
+/// nor at a free surface or a wall, where the plain term would wear the stratification down:
+///   drho_i/dt = 2 delta h c0 SUM_j V_j [(p_i - p_j) - (rho_i + rho_j)/2 g . x_ij] / c0^2 (1/r dW/dr)
+template <int D>
+struct StratifiedDiffusion {
+    double coefficient;              ///< 2 delta h / c0 [s]
+    Vector<double, D> acceleration;  ///< g, of axes that are not periodic [m/s^2]
+
+    StratifiedDiffusion(double delta, double support, double sound_speed, const Vector<double, D>& g)
+        : coefficient(delta * support / sound_speed), acceleration(g) {}
+
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        const auto hydrostatic = 0.5 * (p.i.density + p.j.density) * dot(acceleration, p.separation);
+        return coefficient * p.j.volume * ((p.i.pressure - p.j.pressure) - hydrostatic) * p.slope;
+    }
+};
+
+}  // namespace dmp::models

@@ -1,0 +1,88 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/simd/lanes.hpp"
+#include "base/simd/vector.hpp"
+#include "models/uses.hpp"
+
+namespace dmp::models {
+
+/// A symmetric matrix in D dimensions: its diagonal, then xy (and yz, zx in space).
+template <class T, int D>
+struct Symmetric {
+    static constexpr int off_diagonals = D == 3 ? 3 : 1;
+    Vector<T, D> diagonal;
+    Vector<T, off_diagonals> off;
+
+    template <class U>
+    [[nodiscard]] auto operator*(const Vector<U, D>& v) const {
+        Vector<Wider<T, U>, D> product;
+        if constexpr (D == 2) {
+            product[0] = diagonal[0] * v[0] + off[0] * v[1];
+            product[1] = off[0] * v[0] + diagonal[1] * v[1];
+        } else {
+            product[0] = diagonal[0] * v[0] + off[0] * v[1] + off[2] * v[2];
+            product[1] = off[0] * v[0] + diagonal[1] * v[1] + off[1] * v[2];
+            product[2] = off[2] * v[0] + off[1] * v[1] + diagonal[2] * v[2];
+        }
+        return product;
+    }
+};
+
+/// Correction of the kernel's gradient, so that gradients of linear fields come out exact (Bonet & Lok 1999, eq. 29):
+///   B_i = M_i^-1,   M_i = - SUM_j V_j (1/r dW/dr) x_ij x_ij^T   [-], symmetric
+/// in the antisymmetric form of the pressure force, and in its variational partner, the density rate:
+///   F_i = - SUM_j V_i V_j (p_i B_i + p_j B_j) grad_i W_ij   [N]
+///   drho_i/dt = rho_i SUM_j V_j v_ij . B_i grad_i W_ij      [kg/m^3/s]
+/// Linear momentum stays conserved pair by pair, angular momentum only as far as B is uniform. In solids the fluid sees
+/// its own B. Where too few neighbours are around, det M < 0.3 (a flat free surface has 0.5), B = 1: spray must not be
+/// torn apart.
+/// The sweeps add what this makes different to the uncorrected sums: E = B - 1 takes the place of B.
+struct GradientCorrection {
+    static constexpr double smallest_determinant = 0.3;
+
+    /// One term of M over the slope: V_j x x^T with the sign of -1, apart on the diagonal and off it.
+    template <class T, class V, int D>
+    static Symmetric<T, D> term(const V& volume, const Vector<T, D>& x) {
+        Symmetric<T, D> m;
+        for (int a = 0; a < D; ++a) m.diagonal[a] = -1.0 * volume * (x[a] * x[a]);
+        for (int k = 0; k < Symmetric<T, D>::off_diagonals; ++k) m.off[k] = -1.0 * volume * (x[k] * x[(k + 1) % D]);
+        return m;
+    }
+
+    /// E = M^-1 - 1, or 0.
+    template <class T, int D>
+    static Symmetric<T, D> excess(const Symmetric<T, D>& m) {
+        Symmetric<T, D> adjugate;
+        T determinant;
+        const auto& [d, o] = m;
+        if constexpr (D == 2) {
+            adjugate = {{{d[1], d[0]}}, {{-o[0]}}};
+            determinant = d[0] * d[1] - o[0] * o[0];
+        } else {
+            adjugate.diagonal = {{d[1] * d[2] - o[1] * o[1], d[2] * d[0] - o[2] * o[2], d[0] * d[1] - o[0] * o[0]}};
+            adjugate.off = {{o[2] * o[1] - o[0] * d[2], o[0] * o[2] - o[1] * d[0], o[0] * o[1] - o[2] * d[1]}};
+            determinant = d[0] * adjugate.diagonal[0] + o[0] * adjugate.off[0] + o[2] * adjugate.off[2];
+        }
+        const T least = T(smallest_determinant);
+        const auto unless_few = [&](const T& value) { return where_less(determinant, least, T(0.0), value); };
+        Symmetric<T, D> e;
+        for (int a = 0; a < D; ++a) e.diagonal[a] = unless_few(adjugate.diagonal[a] / determinant - T(1.0));
+        for (int k = 0; k < Symmetric<T, D>::off_diagonals; ++k) e.off[k] = unless_few(adjugate.off[k] / determinant);
+        return e;
+    }
+
+    /// Correction of the force on i by the pressure of one particle of the pair, i or j [N]. Apart, so that both
+    /// rounded terms of a pair cancel.
+    template <class P, class T, class U, int D>
+    static auto force(const P& p, const T& pressure, const Symmetric<U, D>& e) {
+        return (-1.0 * p.weight() * pressure) * (e * p.separation);
+    }
+    /// Correction of the density rate.
+    template <class P, class U, int D>
+    static auto rate(const P& p, const Symmetric<U, D>& e) {
+        return p.i.density * p.j.volume * p.slope * dot(p.i.velocity - p.j.velocity, e * p.separation);
+    }
+};
+
+}  // namespace dmp::models

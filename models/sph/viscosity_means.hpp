@@ -1,0 +1,26 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dmp::models {
+
+/// What a pair's two viscosities count for together: twice their mean [Pa s].
+
+/// mu_i + mu_j: of a fluid of one viscosity (Morris, Fox & Zhu 1997).
+struct ArithmeticMean {
+    template <class T, class U>
+    static auto twice(const T& a, const U& b) {
+        return a + b;
+    }
+};
+
+/// 4 mu_i mu_j / (mu_i + mu_j), which keeps shear stress continuous where the viscosity jumps (Cleary & Monaghan 1999;
+/// Hu & Adams 2006). 0 where either is 0.
+struct HarmonicMean {
+    template <class T, class U>
+    static auto twice(const T& a, const U& b) {
+        constexpr double smallest = 1e-300;  // 0 / 0 between two fluids without viscosity
+        return 4.0 * (a * b) / ((a + b) + smallest);
+    }
+};
+
+}  // namespace dmp::models

@@ -1,0 +1,126 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "models/pair.hpp"
+
+namespace dmp::models {
+
+/// What a fluid particle sees in a solid one: a fluid particle in its place, on which the ordinary pair laws act.
+
+/// A particle of the same liquid at the solid's place: the solid's velocity and volume, the fluid's own state.
+template <int D, class F, class S>
+auto liquid_in_place_of(const S& solid, const F& fluid) {
+    using T = Wider<decltype(fluid.density), decltype(solid.volume)>;
+    FluidPoint<T, D> liquid;
+    for (int a = 0; a < D; ++a) {
+        liquid.position[a] = solid.position[a];
+        liquid.velocity[a] = solid.velocity[a];
+    }
+    liquid.volume = solid.volume;
+    liquid.density = fluid.density;
+    liquid.pressure = fluid.pressure;
+    liquid.viscosity = fluid.viscosity;
+    return liquid;
+}
+
+/// Walls, without slip unless told so, with velocity and pressure extrapolated into them, pair by pair.
+/// Rigid walls: the velocity is the straight line through the fluid particle's and the wall's at its surface
+/// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), d the distances to the surface; the
+/// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j -
+/// x_i). Spring bodies are thin and have fluid on both sides: their own velocity, and the pressure of the side that
+/// looks.
+/// `WithMotion`: walls may move, and let the fluid slip. A wall's particle that accelerates at a_j continues the
+/// pressure with rho_i (g - a_j) . (x_j - x_i) (Adami, Hu & Adams 2012). Where the fluid slips, only the normal part of
+/// v_i - v_w is extrapolated, and the tangential one is the fluid's own: no shear stress, v_j = v_i - (1 + d_j / d_i) n
+/// n . (v_i - v_w). There g is without its part along both the wall and a periodic axis: no pressure can hold that, it
+/// drives the fluid.
+template <int D, bool WithMotion = false>
+struct ExtrapolatedSolid {
+    static constexpr bool needs_surface = true, needs_state = false, needs_motion = WithMotion;
+    /// In the density rate the wall's image approaches as fast as the fluid does (v_j = 2 v_w - v_i along the pair), so
+    /// the relative velocity counts twice. It goes with the pressure, which acts twice too (p_j = p_i): the work of the
+    /// forces is then the energy that the density stores.
+    static constexpr double approach_weight = 2;
+
+    Vector<double, D> acceleration;  ///< body acceleration g of the fluid now [m/s^2]
+    double nearest;                  ///< smallest distance to the surface a fluid particle counts with: dx/2 [m]
+    Vector<double, D> driven{};      ///< the part of g along periodic axes; needed with slip [m/s^2]
+
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
+        auto liquid = liquid_in_place_of<D>(wall, fluid);
+        using T = decltype(liquid.density);
+        const T distance = max_of(T(dot(from_wall, wall.normal) - wall.depth), T(nearest));
+        const T ratio = wall.depth / distance;
+        for (int a = 0; a < D; ++a)
+            liquid.velocity[a] = liquid.velocity[a] - ratio * (fluid.velocity[a] - wall.velocity[a]);
+        if constexpr (WithMotion) {
+            const auto past_wall = fluid.velocity - wall.velocity;
+            const T slip = wall.slip * (T(1.0) + ratio);
+            const T towards_fluid = dot(past_wall, wall.normal);
+            for (int a = 0; a < D; ++a)
+                liquid.velocity[a] = liquid.velocity[a] + slip * (past_wall[a] - towards_fluid * wall.normal[a]);
+            const T unheld = dot(driven, from_wall) - dot(driven, wall.normal) * dot(from_wall, wall.normal);
+            liquid.pressure = liquid.pressure - fluid.density * (dot(acceleration, from_wall) - wall.slip * unheld -
+                                                                 dot(wall.acceleration, from_wall));
+        } else {
+            liquid.pressure = liquid.pressure - fluid.density * dot(acceleration, from_wall);
+        }
+        return liquid;
+    }
+
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& /*from_body*/) const {
+        return liquid_in_place_of<D>(body, fluid);
+    }
+
+    /// What the density rate sees of a wall that may let the fluid slip: where it does, the wall's particles go along
+    /// with the fluid, v_w + (v_i - v_w) - n n . (v_i - v_w). Sliding past them would else be felt as a rough surface.
+    template <class F, class S>
+    [[nodiscard]] static auto approached(const F& fluid, const S& wall) {
+        using T = Wider<decltype(fluid.density), decltype(wall.volume)>;
+        struct {
+            Vector<T, D> position, velocity;
+            T volume;
+        } seen;
+        const auto past_wall = fluid.velocity - wall.velocity;
+        const T towards_fluid = dot(past_wall, wall.normal);
+        for (int a = 0; a < D; ++a) {
+            seen.position[a] = wall.position[a];
+            seen.velocity[a] = wall.velocity[a] + wall.slip * (past_wall[a] - towards_fluid * wall.normal[a]);
+        }
+        seen.volume = wall.volume;
+        return seen;
+    }
+
+  private:
+    template <class T>
+    static T max_of(const T& a, const T& b) {
+        using std::max;
+        return max(a, b);
+    }
+};
+
+/// The plain fixed particles of Monaghan (1994): solids carry a density of their own, integrated like the fluid's.
+/// Slip velocity stays at the wall (the no-slip plane lies near the first row of wall particles).
+template <int D>
+struct PlainSolid {
+    static constexpr bool needs_surface = false, needs_state = true, needs_motion = false;
+    static constexpr double approach_weight = 1;  ///< the solid's own density takes up the other half
+
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation& /*from_solid*/) const {
+        auto liquid = liquid_in_place_of<D>(solid, fluid);
+        liquid.density = solid.density;
+        liquid.pressure = solid.pressure;
+        return liquid;
+    }
+    template <class F, class S, class Separation>
+    [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& from_body) const {
+        return rigid(fluid, body, from_body);
+    }
+};
+
+}  // namespace dmp::models

@@ -1,0 +1,22 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dmp::models {
+
+enum class BreakCriterion { force, strain };
+
+/// A bond breaks when its tension F = 2 k_b (r - r0) [N], or its strain (r - r0) / r0 [-], exceeds a limit: by force at
+///   r = r0 + F_limit / (2 k_b)
+/// which releases k_b (r - r0)^2. A compressed bond does not break. The dashpot has no part in it.
+struct BondBreak {
+    BreakCriterion criterion = BreakCriterion::force;
+    double limit = 0;  ///< [N] or [-]
+
+    /// By how much a bond is beyond its limit, in limits: above 0 it breaks.
+    [[nodiscard]] double excess(double stretch, double rest_length, double stiffness) const {
+        const double load = criterion == BreakCriterion::force ? 2 * stiffness * stretch : stretch / rest_length;
+        return load / limit - 1;
+    }
+};
+
+}  // namespace dmp::models

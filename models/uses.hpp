@@ -1,0 +1,11 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The modules whose names this one uses without qualification (docs/architecture.md).
+namespace dmp::simd {}
+
+namespace dmp::models {
+
+using namespace simd;
+
+}  // namespace dmp::models

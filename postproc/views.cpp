@@ -1,0 +1,311 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "postproc/views.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "postproc/group_box.hpp"
+
+namespace dmp::postproc {
+
+namespace {
+
+constexpr double half_slice = 0.75;      // [spacings]: at least one of a lattice's layers, wherever it is cut
+constexpr double reach_of_body = 1.5;    // [spacings] out of the fluid's box; walls of two layers reach further
+constexpr double alike = 1.1;            // ratio of lengths
+constexpr double radius_in_space = 0.6;  // [spacings]: spheres of a lattice overlap
+
+using Mirrored = std::array<std::array<bool, 2>, 3>;
+using Groups = std::vector<const std::optional<FrameGroup>*>;
+
+/// Rigid parts that do not reach out of the fluid's box.
+std::vector<std::int32_t> bodies_in(const Box& fluid, const Groups& rigid, double spacing) {
+    std::map<std::int32_t, bool> inside;
+    const Vec reach = Vec::Constant(reach_of_body * spacing);
+    const Box room{fluid.low - reach, fluid.high + reach};
+    for (const auto* group : rigid)
+        for (std::size_t i = 0; *group && i < (*group)->size(); ++i) {
+            const bool here = contains(room, place_of(**group, i), 3);
+            const auto [entry, added] = inside.try_emplace((*group)->part[i], here);
+            if (!added) entry->second = entry->second && here;
+        }
+    std::vector<std::int32_t> bodies;
+    for (const auto& [part, stays_inside] : inside)
+        if (stays_inside) bodies.push_back(part);
+    return bodies;
+}
+
+bool is_body(const Look& look, const FrameGroup& group, std::size_t particle) {
+    return std::ranges::binary_search(look.bodies, group.part[particle]);
+}
+
+/// The particles to keep with their fields, as seen, and the bonds that have both ends.
+template <class Keep>
+void add_seen(std::optional<FrameGroup>& to, const FrameGroup& group, const Viewpoint& from, const Keep& keep) {
+    std::vector<std::int32_t> place(group.size(), -1);
+    FrameGroup kept;
+    kept.name = group.name;
+    for (const FrameField& field : group.fields) kept.fields.push_back({field.name, field.unit, field.components, {}});
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        const Vec at = place_of(group, i);
+        if (!is_finite(at) || !keep(i, at)) continue;
+        place[i] = static_cast<std::int32_t>(kept.size());
+        const Vec as_seen = from(at);
+        for (const double coordinate : as_seen) kept.position.push_back(static_cast<float>(coordinate));
+        kept.id.push_back(group.id[i]);
+        kept.part.push_back(group.part[i]);
+        for (std::size_t k = 0; k < group.fields.size(); ++k) {
+            const auto components = static_cast<std::ptrdiff_t>(group.fields[k].components);
+            const auto first = group.fields[k].values.begin() + static_cast<std::ptrdiff_t>(i) * components;
+            kept.fields[k].values.insert(kept.fields[k].values.end(), first, first + components);
+        }
+    }
+    for (std::size_t bond = 0; bond < group.bonds(); ++bond) {
+        const std::int32_t a = place[static_cast<std::size_t>(group.bond_ends[2 * bond])];
+        const std::int32_t b = place[static_cast<std::size_t>(group.bond_ends[2 * bond + 1])];
+        if (a >= 0 && b >= 0) kept.bond_ends.insert(kept.bond_ends.end(), {a, b});
+    }
+    if (kept.size() > 0) to = std::move(kept);
+}
+
+/// The rest of a group that is there already.
+void append(std::optional<FrameGroup>& to, std::optional<FrameGroup>&& more) {
+    if (!more) return;
+    if (!to) {
+        to = std::move(more);
+        return;
+    }
+    to->position.insert(to->position.end(), more->position.begin(), more->position.end());
+    to->id.insert(to->id.end(), more->id.begin(), more->id.end());
+    to->part.insert(to->part.end(), more->part.begin(), more->part.end());
+}
+
+/// Chooses the looks at a fluid in space.
+class Chooser {
+  public:
+    Chooser(const RunFolder& run, const Mirrored& mirrored)
+        : run_(run), mirrored_(mirrored), first_(run.read(0)), last_(run.read(run.frames() - 1)) {
+        fluid_ = empty_box();
+        include(fluid_, first_.fluid);
+        if (is_empty(fluid_)) fluid_ = run.area();
+        bodies_ = bodies_in(fluid_, {&run.walls(), &first_.moving_walls}, first_.spacing);
+        for (const auto* group : {&first_.solid, &run.walls(), &first_.moving_walls})
+            for (std::size_t i = 0; *group && i < (*group)->size(); ++i)
+                if (const Vec place = place_of(**group, i);
+                    is_finite(place) &&
+                    (group == &first_.solid || std::ranges::binary_search(bodies_, (*group)->part[i])))
+                    standing_.push_back(place);
+    }
+
+    [[nodiscard]] std::vector<Look> looks() const {
+        int longest = 0;
+        fluid_.extent().maxCoeff(&longest);
+        const Vec middle = in_round_numbers(middle_of_whole(longest));
+        const int across = axis_to_cut(longest, middle);
+        const int other = 3 - longest - across;
+        // x to the right, z up, as far as they are in the plane
+        const int right = std::min(longest, other), up = std::max(longest, other);
+        std::vector<Look> looks;
+        const auto slice = [&](int to_right, int upward, const Vec& origin) {
+            const Viewpoint cut = along(to_right, upward, origin);
+            looks.push_back({Look::Shows::slice, cut, cut, cut(run_.area()),
+                             slice_text(to_right, upward, origin, run_.area().extent().maxCoeff()), bodies_});
+        };
+        if (first_.fluid) {
+            slice(right, up, middle);
+            Vec section = middle;
+            section[longest] = fullest_place(longest, middle);
+            section = in_round_numbers(section);
+            slice(right == longest ? across : right, right == longest ? up : across, section);
+        }
+        if (!standing_.empty()) looks.push_back(opened(behind(along(right, up, middle), across), longest));
+        return looks;
+    }
+
+  private:
+    /// Half-way along the axis; in the others too, or at a plane of symmetry, half a spacing from the particles.
+    [[nodiscard]] Vec middle_of_whole(int longest) const {
+        Vec middle = (fluid_.low + fluid_.high) / 2;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == longest) continue;
+            if (mirrored_[axis][0])
+                middle[axis] = fluid_.low[axis] - first_.spacing / 2;
+            else if (mirrored_[axis][1])
+                middle[axis] = fluid_.high[axis] + first_.spacing / 2;
+        }
+        return middle;
+    }
+
+    /// The cut with the fluid behind it: at a plane of symmetry with all fluid in front of it its mirror image.
+    [[nodiscard]] Viewpoint behind(Viewpoint cut, int across) const {
+        const bool towards_high = cut.axes(2, across) > 0;
+        if (mirrored_[across][0] ? towards_high : mirrored_[across][1] && !towards_high) cut.axes.row(2) *= -1;
+        return cut;
+    }
+
+    /// Not a hundredth of a spacing beside 0; planes of symmetry are known less well.
+    [[nodiscard]] Vec in_round_numbers(Vec place) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double unit = first_.spacing / (mirrored_[axis][0] || mirrored_[axis][1] ? 4 : 20);
+            place[axis] = unit * std::round(place[axis] / unit);
+        }
+        return place;
+    }
+
+    /// Of the two planes along the longest axis the larger one; of two alike the one that cuts what stands in the fluid
+    /// into more pieces, struts across and not along, or more of it.
+    [[nodiscard]] int axis_to_cut(int longest, const Vec& middle) const {
+        const int a = longest == 1 ? 0 : 1, b = 3 - longest - a;
+        const Vec extent = fluid_.extent();
+        if (extent[a] * alike < extent[b]) return a;
+        if (extent[b] * alike < extent[a]) return b;
+        const Section of_a = section(a, middle), of_b = section(b, middle);
+        if (of_a.pieces != of_b.pieces) return of_a.pieces > of_b.pieces ? a : b;
+        return static_cast<double>(of_b.particles) > alike * static_cast<double>(of_a.particles) ? b : a;
+    }
+
+    /// What a slice across an axis cuts of what stands in the fluid: its particles, and the pieces of four particles or
+    /// more that are three spacings apart.
+    struct Section {
+        std::size_t particles = 0, pieces = 0;
+    };
+    [[nodiscard]] Section section(int axis, const Vec& middle) const {
+        constexpr double cell = 1.5;  // [spacings]: neighbours are in one or in adjacent ones
+        Section result;
+        std::map<std::array<long, 2>, std::size_t> cells;
+        for (const Vec& place : standing_) {
+            if (!in_slice(place[axis] - middle[axis])) continue;
+            ++result.particles;
+            const Vec at = (place - middle) / (cell * first_.spacing);
+            ++cells[{std::lround(at[(axis + 1) % 3]), std::lround(at[(axis + 2) % 3])}];
+        }
+        while (!cells.empty()) {
+            std::size_t particles = 0;
+            std::vector<std::array<long, 2>> ahead;
+            const auto reach = [&](const std::array<long, 2>& at) {
+                const auto here = cells.find(at);
+                if (here == cells.end()) return;
+                particles += here->second;
+                ahead.push_back(at);
+                cells.erase(here);
+            };
+            reach(std::array(cells.begin()->first));
+            while (!ahead.empty()) {
+                const auto [x, y] = ahead.back();
+                ahead.pop_back();
+                for (const long i : {-1L, 0L, 1L})
+                    for (const long j : {-1L, 0L, 1L}) reach({x + i, y + j});
+            }
+            if (particles >= 4) ++result.pieces;
+        }
+        return result;
+    }
+
+    [[nodiscard]] bool in_slice(double distance) const { return std::abs(distance) <= half_slice * first_.spacing; }
+
+    /// Where a slice across the axis cuts most of what stands in the fluid; of many such places the middle one.
+    [[nodiscard]] double fullest_place(int axis, const Vec& middle) const {
+        Box around = empty_box();
+        for (const Vec& place : standing_) include(around, place);
+        if (is_empty(around)) return middle[axis];
+        const double low = around.low[axis];
+        std::map<long, std::size_t> count;
+        for (const Vec& place : standing_) ++count[std::lround((place[axis] - low) / first_.spacing)];
+        const std::size_t most =
+            std::ranges::max_element(count, {}, [](const auto& bin) { return bin.second; })->second;
+        std::vector<long> full;
+        for (const auto& [bin, particles] : count)
+            if (10 * particles >= 9 * most) full.push_back(bin);
+        return low + first_.spacing * static_cast<double>(full[full.size() / 2]);
+    }
+
+    /// What stands in the fluid, with half as much of the fluid before and behind it as the fluid is wide.
+    [[nodiscard]] Look opened(const Viewpoint& cut, int longest) const {
+        Look look{Look::Shows::opened, cut, aslant(cut), empty_box(), "cut open and seen aslant", bodies_};
+        Box around = empty_box();
+        for (const Vec& place : standing_) include(around, place);
+        include(around, last_.solid, &run_.area());
+        Vec extent = fluid_.extent();
+        for (int axis = 0; axis < 3; ++axis)
+            if (mirrored_[axis][0] || mirrored_[axis][1]) extent[axis] *= 2;
+        extent[longest] = 0;
+        const Vec margin = Vec::Unit(longest) * (extent.maxCoeff() / 2);
+        const Box whole = run_.area();
+        look.low = std::max(around.low[longest] - margin[longest], whole.low[longest]);
+        look.high = std::min(around.high[longest] + margin[longest], whole.high[longest]);
+        look.axis = longest;
+        const Box limit = look.from(whole);  // however far a stray particle may be
+        for (const RunFrame* frame : {&first_, &last_}) {
+            const Seen shown = seen(look, *frame, run_.walls());
+            for (const auto* group :
+                 {&shown.walls, &shown.frame.moving_walls, &shown.frame.bodies, &shown.frame.solid, &shown.frame.fluid})
+                include(look.area, *group, &limit);
+        }
+        const Vec rim = Vec::Constant(first_.spacing);
+        look.area = {look.area.low - rim, look.area.high + rim};
+        return look;
+    }
+
+    const RunFolder& run_;
+    const Mirrored mirrored_;
+    const RunFrame first_, last_;
+    Box fluid_;
+    std::vector<std::int32_t> bodies_;
+    std::vector<Vec> standing_;  ///< in the fluid: spring bodies and rigid parts
+};
+
+}  // namespace
+
+std::vector<Look> looks_at(const RunFolder& run, const Mirrored& mirrored) {
+    if (run.flat() || run.of_spheres()) return {{Look::Shows::everything, {}, {}, run.area(), "", {}}};
+    return Chooser(run, mirrored).looks();
+}
+
+Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGroup>& walls) {
+    if (look.shows == Look::Shows::everything) return {frame, walls};
+    const bool opened = look.shows == Look::Shows::opened;
+    const double slab = half_slice * frame.spacing * (1 + 1e-6);
+    const auto of_surroundings = [&](const Vec& place) {
+        const double before = look.cut(place).z();
+        if (!opened) return std::abs(before) <= slab;
+        return before <= slab && place[look.axis] >= look.low && place[look.axis] <= look.high;
+    };
+    const auto of_standing = [&](const Vec& place) { return opened || of_surroundings(place); };
+    Seen result;
+    result.frame.time = frame.time;
+    result.frame.spacing = frame.spacing;
+    // opened, the fluid is cut a little deeper, so that what stands in the cut stands out
+    const auto of_fluid = [&](const Vec& place) {
+        return of_surroundings(place) && (!opened || look.cut(place).z() <= -0.25 * frame.spacing);
+    };
+    if (frame.fluid)
+        add_seen(result.frame.fluid, *frame.fluid, look.from,
+                 [&](std::size_t, const Vec& place) { return of_fluid(place); });
+    if (frame.solid)
+        add_seen(result.frame.solid, *frame.solid, look.from,
+                 [&](std::size_t, const Vec& place) { return of_standing(place); });
+    for (const auto* group : {&walls, &frame.moving_walls}) {
+        if (!*group) continue;
+        const FrameGroup& rigid = **group;
+        add_seen(group == &walls ? result.walls : result.frame.moving_walls, rigid, look.from,
+                 [&](std::size_t i, const Vec& place) { return !is_body(look, rigid, i) && of_surroundings(place); });
+        std::optional<FrameGroup> bodies;
+        add_seen(bodies, rigid, look.from,
+                 [&](std::size_t i, const Vec& place) { return is_body(look, rigid, i) && of_standing(place); });
+        append(result.frame.bodies, std::move(bodies));
+    }
+    return result;
+}
+
+std::vector<ParticleLayer> layers_of(const Look& look, const Seen& seen, const std::string& field,
+                                     const ColourScale& scale) {
+    std::vector<ParticleLayer> layers = layers_of(seen.frame, seen.walls, field, scale);
+    if (look.shows == Look::Shows::opened)
+        for (ParticleLayer& layer : layers)
+            layer.radii.assign(layer.colour.size(), static_cast<float>(radius_in_space * seen.frame.spacing));
+    return layers;
+}
+
+}  // namespace dmp::postproc

@@ -1,0 +1,62 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "solver/domain/domain.hpp"
+
+namespace dmp::solver {
+
+/// How a copy comes about from a particle, axis by axis: x becomes x + shift, or shift - x where the axis is mirrored.
+struct HaloImage {
+    std::array<double, 3> shift{};  ///< whole periods, or twice the plane's place [m]
+    std::array<bool, 3> mirrored{};
+    [[nodiscard]] double place(double x, int axis) const { return (mirrored[axis] ? -x : x) + shift[axis]; }
+};
+
+/// A rank that may need copies of this rank's particles, as they appear in `image`.
+struct HaloTarget {
+    int rank = 0;
+    HaloImage image;
+    Box box;  ///< the rank's
+};
+
+/// Who may need copies of a rank's particles: all boxes, its own among them, that lie within the reach of its box once
+/// moved by some whole periods, and mirrored at planes of symmetry.
+class HaloTargets {
+  public:
+    HaloTargets(const Domain& domain, const Ranks& ranks, const ParticleSpace& space, double reach);
+
+    /// By rank, and then in an order that depends on the boxes alone.
+    [[nodiscard]] const std::vector<HaloTarget>& list() const { return list_; }
+
+    /// False: particle i of this rank is so deep inside its box that nobody needs it.
+    [[nodiscard]] bool may_need(const std::array<const double*, 3>& x, std::size_t i) const {
+        int deep = 1;  // no branches, which would be guessed wrong
+        for (int axis = 0; axis < dimension_; ++axis)
+            deep &= static_cast<int>(x[axis][i] > inner_low_[axis]) & static_cast<int>(x[axis][i] < inner_high_[axis]);
+        return deep == 0;
+    }
+
+    /// True: particle i, as it appears there, lies within the reach of the target's box.
+    [[nodiscard]] bool needs(const HaloTarget& target, const std::array<const double*, 3>& x, std::size_t i) const {
+        double squared = 0;
+        for (int axis = 0; axis < dimension_; ++axis) {
+            const double moved = target.image.place(x[axis][i], axis);  // exact; moving the box might not be
+            const double outside = std::max({0.0, target.box.low[axis] - moved, moved - target.box.high[axis]});
+            squared += outside * outside;
+        }
+        return squared <= squared_reach_;
+    }
+
+  private:
+    int dimension_;
+    double squared_reach_;
+    std::array<double, 3> inner_low_{}, inner_high_{};
+    std::vector<HaloTarget> list_;
+};
+
+}  // namespace dmp::solver

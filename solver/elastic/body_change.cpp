@@ -1,0 +1,199 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/elastic/body_change.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <unordered_map>
+
+#include "base/disjoint_sets.hpp"
+#include "models/springs/spring.hpp"
+
+namespace dmp::solver {
+
+Vec nearest_image(Vec apart, const ParticleSpace& space) {
+    for (int axis = 0; axis < space.dimension; ++axis) {
+        if (!space.periodic[axis]) continue;
+        const double period = space.box.high[axis] - space.box.low[axis];
+        apart[axis] -= period * std::round(apart[axis] / period);
+    }
+    return apart;
+}
+
+namespace {
+
+using Ends = std::pair<int, int>;
+Ends in_order(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// All bodies as one list of nodes and springs, that knows which nodes hang together.
+class Graph {
+  public:
+    Graph(const std::vector<BodyParts>& bodies, const ParticleSpace& space) : space_(space) {
+        for (const BodyParts& body : bodies) append(body);
+        for (const auto& bond : all_.bonds) bonded_.insert(in_order(bond.node[0], bond.node[1]));
+    }
+
+    void add(const BodyParts::Node& node) {
+        BodyParts alone;
+        alone.nodes.push_back(node);
+        append(alone);
+    }
+
+    /// Whether the bond could be made.
+    bool bond(const BodyChange::Bond& bond) {
+        const int a = number_.at(bond.a), b = number_.at(bond.b);
+        if (bonded_.contains(in_order(a, b)) || !bring_together(a, b)) return false;
+        const double distance = (all_.nodes[a].place - all_.nodes[b].place).norm();
+        const Spring spring(bond.stiffness, bond.damping, reduced_mass(all_.nodes[a].mass, all_.nodes[b].mass));
+        all_.bonds.push_back({{a, b},
+                              bond.rest_length > 0 ? bond.rest_length : distance,
+                              spring.stiffness,
+                              spring.dashpot,
+                              bond.origin});
+        bonded_.insert(in_order(a, b));
+        held_apart_.insert(in_order(a, b));
+        return true;
+    }
+
+    /// The origin of the bond, or -1 where there is none.
+    int cut(const std::array<int, 2>& ids) {
+        const Ends ends = in_order(number_.at(ids[0]), number_.at(ids[1]));
+        const auto found = std::ranges::find_if(
+            all_.bonds, [&](const auto& bond) { return in_order(bond.node[0], bond.node[1]) == ends; });
+        if (found == all_.bonds.end()) return -1;
+        const int origin = found->origin;
+        all_.bonds.erase(found);
+        std::erase_if(all_.hinges, [&](const auto& hinge) {
+            return in_order(hinge.node[0], hinge.node[1]) == ends || in_order(hinge.node[2], hinge.node[1]) == ends;
+        });
+        // a, b, c and b, c, d are triangles; a and d are no side of either.
+        std::erase_if(all_.dihedrals, [&](const auto& dihedral) {
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < i; ++j)
+                    if (i - j < 3 && in_order(dihedral.node[i], dihedral.node[j]) == ends) return true;
+            return false;
+        });
+        held_apart_.erase(ends);
+        return origin;
+    }
+
+    [[nodiscard]] std::vector<BodyParts> pieces() {
+        const std::size_t count = all_.nodes.size();
+        DisjointSets together(count);
+        const auto join = [&](const auto& springs) {
+            for (const auto& spring : springs)
+                for (const int node : spring.node) together.join(node, spring.node[0]);
+        };
+        join(all_.bonds);
+        join(all_.hinges);
+        join(all_.dihedrals);
+
+        std::vector<int> by_id(count);
+        std::iota(by_id.begin(), by_id.end(), 0);
+        std::ranges::sort(by_id, {}, [&](int node) { return all_.nodes[node].id; });
+        std::unordered_map<std::size_t, std::size_t> piece_of_root;
+        std::vector<BodyParts> pieces;
+        std::vector<std::pair<std::size_t, int>> place_of(count);  // piece, and number in it
+        for (const int node : by_id) {
+            const auto [known, is_new] = piece_of_root.try_emplace(together.find(node), pieces.size());
+            if (is_new) pieces.emplace_back();
+            BodyParts& piece = pieces[known->second];
+            place_of[node] = {known->second, static_cast<int>(piece.nodes.size())};
+            piece.nodes.push_back(all_.nodes[node]);
+        }
+        const auto hand_out = [&](const auto& springs, auto BodyParts::*member) {
+            for (auto spring : springs) {
+                auto& piece = pieces[place_of[spring.node[0]].first];
+                for (int& node : spring.node) node = place_of[node].second;
+                (piece.*member).push_back(spring);
+            }
+        };
+        hand_out(all_.bonds, &BodyParts::bonds);
+        hand_out(all_.hinges, &BodyParts::hinges);
+        hand_out(all_.dihedrals, &BodyParts::dihedrals);
+        for (const auto& [a, b] : held_apart_)
+            if (place_of[a].first == place_of[b].first)
+                pieces[place_of[a].first].held_apart.push_back(in_order(place_of[a].second, place_of[b].second));
+        for (BodyParts& piece : pieces) std::ranges::sort(piece.held_apart);
+        // A wall's particle to which nothing is bonded any more is the wall's alone.
+        std::erase_if(pieces, [](const BodyParts& piece) {
+            return std::ranges::all_of(piece.nodes, [](const auto& node) { return node.of_wall; });
+        });
+        return pieces;
+    }
+
+  private:
+    void append(const BodyParts& body) {
+        const int first = static_cast<int>(all_.nodes.size());
+        const int own = static_cast<int>(members_.size());
+        members_.emplace_back();
+        for (const BodyParts::Node& node : body.nodes) {
+            const int number = static_cast<int>(all_.nodes.size());
+            number_[node.id] = number;
+            all_.nodes.push_back(node);
+            body_of_.push_back(own);
+            members_.back().push_back(number);
+        }
+        const auto add = [first](auto& to, const auto& springs) {
+            for (auto spring : springs) {
+                for (int& node : spring.node) node += first;
+                to.push_back(spring);
+            }
+        };
+        add(all_.bonds, body.bonds);
+        add(all_.hinges, body.hinges);
+        add(all_.dihedrals, body.dihedrals);
+        for (const auto& [a, b] : body.held_apart) held_apart_.emplace(a + first, b + first);
+    }
+
+    /// Makes two nodes part of one body, in the images in which they are nearest. False where they are in one body
+    /// already, in other images.
+    bool bring_together(int a, int b) {
+        const Vec apart = all_.nodes[b].place - all_.nodes[a].place, nearest = nearest_image(apart, space_);
+        Vec shift = Vec::Zero();
+        for (int axis = 0; axis < space_.dimension; ++axis) {
+            if (!space_.periodic[axis]) continue;
+            const double period = space_.box.high[axis] - space_.box.low[axis];
+            shift[axis] = period * std::round((nearest[axis] - apart[axis]) / period);
+        }
+        if (body_of_[a] == body_of_[b]) return shift.cwiseAbs().maxCoeff() == 0;
+        std::vector<int>&of_a = members_[body_of_[a]], &of_b = members_[body_of_[b]];
+        const bool moves_a = of_a.size() < of_b.size();
+        for (const int node : moves_a ? of_a : of_b) {
+            const Vec way = moves_a ? Vec(-shift) : shift;
+            for (Vec BodyParts::Node::*place :
+                 {&BodyParts::Node::place, &BodyParts::Node::place_before, &BodyParts::Node::place_at_rest})
+                all_.nodes[node].*place += way;
+        }
+        std::vector<int> joined = std::move(of_b);
+        of_b.clear();
+        for (const int node : joined) body_of_[node] = body_of_[a];
+        of_a.insert(of_a.end(), joined.begin(), joined.end());
+        return true;
+    }
+
+    const ParticleSpace& space_;
+    BodyParts all_;
+    std::unordered_map<int, int> number_;    ///< by id
+    std::vector<int> body_of_;               ///< by node
+    std::vector<std::vector<int>> members_;  ///< by body
+    std::set<Ends> bonded_, held_apart_;
+};
+
+}  // namespace
+
+ChangedBodies change_bodies(const std::vector<BodyParts>& bodies, const BodyChange& change,
+                            const ParticleSpace& space) {
+    Graph graph(bodies, space);
+    ChangedBodies changed;
+    for (const BodyParts::Node& node : change.nodes) graph.add(node);
+    for (const BodyChange::Bond& bond : change.bonds)
+        if (graph.bond(bond)) changed.made.push_back(bond.origin);
+    for (const auto& ends : change.broken)
+        if (const int origin = graph.cut(ends); origin >= 0) changed.broken.push_back(origin);
+    changed.bodies = graph.pieces();
+    return changed;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,208 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/elastic/body_parts.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <unordered_map>
+
+#include "base/errors.hpp"
+#include "models/springs/spring.hpp"
+#include "solver/elastic/self_contact.hpp"
+
+namespace dmp::solver {
+
+std::vector<std::string> body_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Part* part : scene.parts_of(PartKind::springs)) names.push_back(*part->name);
+    for (const Solidify& rule : scene.solidify) names.push_back(*rule.name);
+    for (const Join* join : scene.joins_of_enabled()) names.push_back(*join->name);
+    return names;
+}
+
+DrawnSprings::DrawnSprings(const ParticleSet& set, const Scene& scene) : of_part(set.parts.size()) {
+    const auto parts = scene.parts_of(PartKind::springs);
+    for (std::size_t number = 0; number < set.parts.size(); ++number) {
+        const auto& [name, kind] = set.parts[number];
+        if (kind != ParticleKind::springs) continue;
+        const auto part = std::ranges::find(parts, name, [](const Part* each) { return *each->name; });
+        if (part == parts.end())
+            throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
+                             "mesh the scene again");
+        of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag};
+    }
+    const auto joins = scene.joins_of_enabled();
+    const auto before = static_cast<int>(body_names(scene).size() - joins.size());
+    for (const Bond& bond : set.bonds)
+        if (bond.join >= static_cast<int>(joins.size()))
+            throw InputError("the particles have bonds of a [[join]] that the scene does not know",
+                             "mesh the scene again");
+    for (const Join* join : joins) of_join.push_back({before + static_cast<int>(of_join.size()), join->damping, 0});
+}
+
+DrawnSprings::DrawnSprings(const ParticleSet& set, const Part& part)
+    : of_part(set.parts.size(), {0, part.bond_damping, part.drag}) {}
+
+namespace {
+
+/// The particles of a body by their ids, with those of walls that it is bonded to.
+std::vector<int> nodes_of(const ParticleSet& set, int body) {
+    std::vector<int> ids;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.body[i] == body) ids.push_back(static_cast<int>(i));
+    for (const Bond& bond : set.bonds) {
+        if (set.body[bond.a] == body && set.body[bond.b] < 0) ids.push_back(bond.b);
+        if (set.body[bond.b] == body && set.body[bond.a] < 0) ids.push_back(bond.a);
+    }
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+    return ids;
+}
+
+}  // namespace
+
+BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body, double contact_range) {
+    BodyParts parts;
+    std::unordered_map<int, int> local;
+    std::vector<Vec> places;
+    for (const int id : nodes_of(set, body)) {
+        local[id] = static_cast<int>(parts.nodes.size());
+        const DrawnSprings::Source& source = drawn.of_part[set.part[id]];
+        BodyParts::Node node;
+        node.id = id;
+        node.of_wall = set.body[id] < 0;
+        node.fixed = set.fixed[id] != 0;
+        node.origin = source.origin;
+        node.mass = set.mass[id];
+        node.drag = source.drag;
+        node.place = node.place_before = node.place_at_rest = set.position[id];
+        parts.nodes.push_back(node);
+        places.push_back(set.position[id]);
+    }
+
+    double longest = 0;
+    for (const Bond& bond : set.bonds) {
+        if (set.body[bond.a] != body && set.body[bond.b] != body) continue;
+        const DrawnSprings::Source& source =
+            bond.join >= 0 ? drawn.of_join.at(bond.join) : drawn.of_part[set.part[bond.a]];
+        const Spring spring(bond.stiffness, source.damping, reduced_mass(set.mass[bond.a], set.mass[bond.b]));
+        parts.bonds.push_back(
+            {{local.at(bond.a), local.at(bond.b)}, bond.rest_length, spring.stiffness, spring.dashpot, source.origin});
+        longest = std::max(longest, bond.rest_length);
+    }
+    for (const Hinge& hinge : set.hinges) {
+        if (set.body[hinge.centre] != body) continue;
+        const auto inertia = [&](int end) {
+            return set.mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
+        };
+        const DrawnSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
+        const Spring spring(hinge.stiffness, source.damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
+        parts.hinges.push_back({{local.at(hinge.a), local.at(hinge.centre), local.at(hinge.b)},
+                                hinge.rest_angle,
+                                spring.stiffness,
+                                spring.dashpot,
+                                source.origin});
+    }
+    for (const Dihedral& dihedral : set.dihedrals) {
+        if (set.body[dihedral.b] != body) continue;
+        if (set.dimension != 3)
+            throw InputError(
+                "'" + set.parts[set.part[dihedral.b]].name + "' has dihedrals, and there are none in the plane",
+                "write dimension = 3, or leave them out");
+        const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
+        const auto inertia = [&](int end) {
+            return set.mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
+        };
+        const DrawnSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
+        const Spring spring(dihedral.stiffness, source.damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));
+        parts.dihedrals.push_back(
+            {{local.at(dihedral.a), local.at(dihedral.b), local.at(dihedral.c), local.at(dihedral.d)},
+             dihedral.rest_angle,
+             spring.stiffness,
+             spring.dashpot,
+             source.origin});
+    }
+    if (contact_range > 0)
+        parts.held_apart = pairs_within(places, set.dimension, neighbourhood_of_contact(contact_range, longest));
+    return parts;
+}
+
+namespace {
+
+/// Numbers one after another, for both ways.
+class Stream {
+  public:
+    Stream(std::vector<double>& numbers, bool reading) : numbers_(numbers), reading_(reading) {}
+    [[nodiscard]] bool at_end() const { return next_ == numbers_.size(); }
+
+    void operator()(double& value) {
+        if (reading_) {
+            if (at_end()) throw InputError("the checkpoint's spring bodies are cut off", "start the run anew");
+            value = numbers_[next_++];
+        } else {
+            numbers_.push_back(value);
+        }
+    }
+    void operator()(int& value) { through<int>(value); }
+    void operator()(bool& value) { through<bool>(value); }
+    void operator()(Vec& value) {
+        for (int axis = 0; axis < 3; ++axis) (*this)(value[axis]);
+    }
+    template <class T, class Each>
+    void list(std::vector<T>& values, const Each& each) {
+        auto size = static_cast<int>(values.size());
+        (*this)(size);
+        values.resize(static_cast<std::size_t>(size));
+        for (T& value : values) each(value);
+    }
+
+  private:
+    template <class T>
+    void through(T& value) {
+        auto number = static_cast<double>(value);
+        (*this)(number);
+        value = static_cast<T>(number);
+    }
+
+    std::vector<double>& numbers_;
+    bool reading_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bodies) {
+    std::vector<double> numbers;
+    if (file.loading()) file(name, numbers);
+    Stream through(numbers, file.loading());
+    const auto springs = [&](auto& list) {
+        through.list(list, [&](auto& spring) {
+            for (int& node : spring.node) through(node);
+            through(spring.rest);
+            through(spring.stiffness);
+            through(spring.dashpot);
+            through(spring.origin);
+        });
+    };
+    if (file.loading()) bodies.clear();
+    through.list(bodies, [&](BodyParts& body) {
+        through.list(body.nodes, [&](BodyParts::Node& node) {
+            through(node.id);
+            through(node.fixed);
+            through(node.of_wall);
+            through(node.origin);
+            through(node.mass);
+            through(node.drag);
+            for (Vec* vector : {&node.place, &node.velocity, &node.place_before, &node.place_at_rest}) through(*vector);
+        });
+        springs(body.bonds);
+        springs(body.hinges);
+        springs(body.dihedrals);
+        through.list(body.held_apart, [&](std::pair<int, int>& pair) {
+            through(pair.first);
+            through(pair.second);
+        });
+    });
+    if (!file.loading()) file(name, numbers);
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,133 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Of the SpringBodies: how stiff their contacts are.
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "models/contact/contact_stiffness.hpp"
+#include "solver/elastic/spring_bodies.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+template <int D>
+using Place = std::array<double, D>;
+
+/// Positions of a group, axis by axis.
+template <int D>
+struct Places {
+    std::array<const double*, D> axis;
+
+    explicit Places(const ParticleGroup& group) {
+        for (int a = 0; a < D; ++a) axis[a] = group.data(Field::position, a);
+    }
+    [[nodiscard]] Place<D> operator[](std::int32_t i) const {
+        Place<D> place;
+        for (int a = 0; a < D; ++a) place[a] = axis[a][i];
+        return place;
+    }
+};
+
+template <int D>
+struct Bounds {
+    Place<D> low, high;
+
+    Bounds(const Places<D>& places, const Cluster& cluster) : low(places[cluster.first]), high(low) {
+        for (std::int32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i)
+            for (int a = 0; a < D; ++a) {
+                low[a] = std::min(low[a], places.axis[a][i]);
+                high[a] = std::max(high[a], places.axis[a][i]);
+            }
+    }
+    [[nodiscard]] double distance_square(const Place<D>& place) const {
+        double square = 0;
+        for (int a = 0; a < D; ++a) {
+            const double beyond = std::max({0.0, low[a] - place[a], place[a] - high[a]});
+            square += beyond * beyond;
+        }
+        return square;
+    }
+};
+
+template <int D>
+double distance_square(const Place<D>& a, const Place<D>& b) {
+    double square = 0;
+    for (int axis = 0; axis < D; ++axis) square += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    return square;
+}
+
+/// Calls visit(node, kind, other, square of their distance, the smaller range) for the pairs of a cluster that touch.
+template <int D, class Visit>
+void for_each_contact(const ParticleStore& particles, const ClusterList& list, std::size_t number, const Visit& visit) {
+    const ParticleGroup& nodes = particles.of(ParticleKind::springs);
+    const Cluster& cluster = list.clusters(ParticleKind::springs)[number];
+    const Places<D> place_of_node(nodes);
+    const Bounds<D> bounds(place_of_node, cluster);
+    for (const ParticleKind kind : all_kinds) {
+        const auto near = list.neighbours(ParticleKind::springs, number, kind);
+        if (near.empty()) continue;
+        const ParticleGroup& others = particles.of(kind);
+        const Field field = kind == ParticleKind::rigid ? Field::wall_contact_range : Field::contact_range;
+        const Places<D> place_of(others);
+        const double *range_of_node = nodes.data(field), *range_of = others.data(field);
+        for (const std::int32_t other : near) {
+            const Place<D> place = place_of[other];
+            if (bounds.distance_square(place) >= range_of[other] * range_of[other]) continue;
+            for (std::int32_t node = cluster.first; node < cluster.first + cluster.count; ++node) {
+                const double square = distance_square<D>(place, place_of_node[node]);
+                const double range = std::min(range_of_node[node], range_of[other]);
+                if (square < range * range) visit(node, kind, other, square, range);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+double SpringBodies::inverse_mass(const Node& node) const {
+    const SpringBody& body = *bodies_[node.body];
+    const auto index = static_cast<std::size_t>(node.index);
+    return body.fixed(index) ? 0 : 1 / body.mass(index);
+}
+
+double SpringBodies::largest_contact_rate(const ParticleStore& particles, const ClusterList& list, int threads) const {
+    if (!contact_.on() || empty()) return 0;
+    double largest_inverse_mass = 0, of_themselves = 0;
+    for (const auto& body : bodies_) {
+        of_themselves = std::max(of_themselves, body->self_contact_rate());
+        for (std::size_t n = 0; n < body->nodes(); ++n)
+            if (!body->fixed(n)) largest_inverse_mass = std::max(largest_inverse_mass, 1 / body->mass(n));
+    }
+    if (largest_inverse_mass == 0) return 0;
+    // Terms of up to some 10^6 times those at touch add up exactly.
+    const OrderFree order_free(1e6 * 12 * contact_.repulsion.strength / (contact_.range * contact_.range) *
+                               largest_inverse_mass);
+
+    const double* mass_of_fluid = particles.fluid().data(Field::mass);
+    const auto clusters = list.clusters(ParticleKind::springs);
+    const auto count = static_cast<std::ptrdiff_t>(clusters.size());
+    double largest = 0;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : largest)
+    for (std::ptrdiff_t c = 0; c < count; ++c) {
+        const auto number = static_cast<std::size_t>(c);
+        std::array<double, cluster_size> rate{};
+        const auto add = [&](std::int32_t node, ParticleKind kind, std::int32_t other, double square, double range) {
+            const double of_other = kind == ParticleKind::rigid   ? 0
+                                    : kind == ParticleKind::fluid ? 1 / mass_of_fluid[other]
+                                                                  : inverse_mass(nodes_[other]);
+            rate[node - clusters[number].first] += order_free(contact_rate(
+                contact_stiffness(contact_.repulsion, square, range), inverse_mass(nodes_[node]), of_other));
+        };
+        if (dimension_ == 3) {
+            for_each_contact<3>(particles, list, number, add);
+        } else {
+            for_each_contact<2>(particles, list, number, add);
+        }
+        for (const double of_node : rate) largest = std::max(largest, of_node);
+    }
+    return ranks_.largest(largest) + of_themselves;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,110 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "solver/elastic/implicit_system.hpp"
+
+namespace dmp::solver {
+
+template <int D>
+SpringNetwork<D>::SpringNetwork(SpringNetwork&&) noexcept = default;
+template <int D>
+SpringNetwork<D>& SpringNetwork<D>::operator=(SpringNetwork&&) noexcept = default;
+template <int D>
+SpringNetwork<D>::~SpringNetwork() = default;
+
+namespace {
+
+/// Newton ends when no node moves further than this [spacings].
+constexpr double tolerance = 1e-9;
+constexpr int patience = 8;  ///< iterations with an old matrix before a new one is made
+constexpr int most_iterations = 60;
+/// A step that cannot be solved is halved, at most this often one after another.
+constexpr int most_halvings = 6;
+
+}  // namespace
+
+template <int D>
+typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_implicit(double dt) {
+    position_before_ = position_;
+    if (!expected_.empty()) return advance_as_expected(dt);
+    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
+    Impulses impulses{};
+    advance_in_parts(dt, most_halvings, impulses);
+    return impulses;
+}
+
+template <int D>
+typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_as_expected(double dt) {
+    const Vectors mean = std::exchange(expected_, {});
+    Vectors middle = position_;
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) middle[n] += (dt / 2) * mean[n];
+    force_ = forces(middle, mean);
+    Impulses impulses{};
+    kick(dt, force_, mean, impulses);
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) position_[n] += dt * mean[n];
+    return impulses;
+}
+
+template <int D>
+void SpringNetwork<D>::archive(Archive& file, const std::string& name) {
+    const std::size_t nodes = ids_.size();
+    file(name + "/position", position_);
+    file(name + "/velocity", velocity_);
+    file(name + "/position_before", position_before_);
+    if (position_.size() != nodes || velocity_.size() != nodes || position_before_.size() != nodes)
+        throw InputError("the checkpoint's spring bodies are not those of the scene", "start the run anew");
+    if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
+    system_->archive(file, name, *this);
+}
+
+template <int D>
+void SpringNetwork<D>::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
+    if (solve_step(dt, impulses)) return;
+    if (halvings_left == 0)
+        throw DivergenceError("a spring body near (" + std::to_string(position_[0][0]) + ", " +
+                                  std::to_string(position_[0][1]) +
+                                  ") m is loaded so hard that its next position cannot be found",
+                              "the fluid around it is likely diverging: lower accuracy.step_factor or check the drive");
+    advance_in_parts(dt / 2, halvings_left - 1, impulses);
+    advance_in_parts(dt / 2, halvings_left - 1, impulses);
+}
+
+template <int D>
+bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
+    const std::size_t nodes = ids_.size();
+    // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.
+    Vectors middle = position_, middle_velocity = velocity_;
+    for (std::size_t n = 0; n < nodes; ++n)
+        if (!fixed_[n]) middle[n] += (dt / 2) * velocity_[n];
+
+    if (!system_->fits(dt)) system_->factorise(*this, middle, dt);
+    for (int iteration = 1;; ++iteration) {
+        force_ = forces(middle, middle_velocity);
+        Vectors residual(nodes, Point{});
+        for (std::size_t n = 0; n < nodes; ++n)
+            if (!fixed_[n])
+                residual[n] = (dt / 2) * (force_[n] - drag_[n] * middle_velocity[n]) -
+                              mass_[n] * (middle_velocity[n] - velocity_[n]);
+        const double largest = system_->correct(residual, dt, middle, middle_velocity);
+        if (largest < tolerance * spacing_) break;
+        if (!(largest < spacing_) || iteration >= most_iterations) return false;  // not a number: false too
+        if (iteration % patience == 0) system_->factorise(*this, middle, dt);
+    }
+
+    force_ = forces(middle, middle_velocity);
+    const Vectors velocity_before = velocity_;
+    kick(dt, force_, middle_velocity, impulses);
+    for (std::size_t n = 0; n < nodes; ++n)
+        if (!fixed_[n]) position_[n] += (dt / 2) * (velocity_before[n] + velocity_[n]);
+    return true;
+}
+
+template class SpringNetwork<2>;
+template class SpringNetwork<3>;
+
+}  // namespace dmp::solver

@@ -1,0 +1,148 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/elastic/implicit_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+
+namespace dmp::solver {
+
+template <int D>
+SpringNetwork<D>::ImplicitSystem::ImplicitSystem(const SpringNetwork& body) {
+    int unknowns = 0;
+    for (const auto fixed : body.fixed_) {
+        unknown_.push_back(fixed ? -1 : unknowns);
+        if (!fixed) unknowns += D;
+    }
+    std::vector<Eigen::Triplet<double>> pattern;
+    const auto couple = [&](int a, int b) {
+        if (unknown_[a] < 0 || unknown_[b] < 0) return;
+        for (int i = 0; i < D; ++i)
+            for (int j = 0; j < D; ++j) {
+                const int row = unknown_[a] + i, column = unknown_[b] + j;
+                pattern.emplace_back(std::max(row, column), std::min(row, column), 0.0);
+            }
+    };
+    for (int node = 0; node < static_cast<int>(unknown_.size()); ++node) couple(node, node);
+    body.for_each_spring([&](const auto& spring) {
+        for (std::size_t a = 0; a < spring.node.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b) couple(spring.node[a], spring.node[b]);
+    });
+    matrix_.resize(unknowns, unknowns);
+    matrix_.setFromTriplets(pattern.begin(), pattern.end());
+    matrix_.makeCompressed();
+    solver_.analyzePattern(matrix_);
+}
+
+template <int D>
+double& SpringNetwork<D>::ImplicitSystem::entry(int row, int column) {
+    const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+    const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+    return matrix_.valuePtr()[std::lower_bound(begin, end, row) - matrix_.innerIndexPtr()];
+}
+
+template <int D>
+template <class Law, class Slope>
+void SpringNetwork<D>::ImplicitSystem::add(const LocalSpring<Law>& spring, const Slope& slope, double weight) {
+    constexpr int nodes = Law::nodes;
+    std::array<Vector<double, D>, nodes> gradient{};
+    for (std::size_t k = 0; k < slope.size(); ++k) {
+        gradient[Law::arms[k].end] += slope[k];
+        gradient[Law::arms[k].start] -= slope[k];
+    }
+    for (int a = 0; a < nodes; ++a)
+        for (int b = 0; b < nodes; ++b) {
+            const int row = unknown_[spring.node[a]], column = unknown_[spring.node[b]];
+            if (row < 0 || column < 0) continue;
+            for (int i = 0; i < D; ++i)
+                for (int j = 0; j < D; ++j)
+                    if (row + i >= column + j) entry(row + i, column + j) += weight * gradient[a][i] * gradient[b][j];
+        }
+}
+
+template <int D>
+void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, const Vectors& position, double dt,
+                                                 std::span<const Vec> more) {
+    dt_ = dt;
+    position_ = position;
+    std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < D && unknown_[node] >= 0; ++i)
+            entry(unknown_[node] + i, unknown_[node] + i) += body.mass_[node] + dt / 2 * body.drag_[node];
+    body.for_each_spring([&](const auto& spring) {
+        const auto arms = spring.arms(position);
+        add(spring, spring.law.deviation(arms).gradient,
+            dt / 2 * spring.law.dashpot + dt * dt / 4 * 2 * spring.law.stiffness);
+        spring.law.extra_stiffness(arms,
+                                   [&](double weight, const auto& slope) { add(spring, slope, dt * dt / 4 * weight); });
+    });
+    if (more.empty()) {
+        solver_.factorize(matrix_);
+    } else {
+        Matrix sum = matrix_;
+        for (std::size_t node = 0; node < unknown_.size(); ++node)
+            for (int i = 0; i < D && unknown_[node] >= 0; ++i)
+                sum.coeffRef(unknown_[node] + i, unknown_[node] + i) += more[node][i];
+        solver_.factorize(sum);
+    }
+    if (solver_.info() != Eigen::Success)
+        throw DivergenceError("the stiffness of a spring body is no longer finite",
+                              "lower accuracy.step_factor or check the drive");
+}
+
+template <int D>
+void SpringNetwork<D>::ImplicitSystem::archive(Archive& file, const std::string& name, const SpringNetwork& body) {
+    double dt = dt_;
+    Vectors position = position_;
+    file(name + "/factors_dt", dt);
+    file(name + "/factors_position", position);
+    if (file.loading() && dt > 0) factorise(body, position, dt);
+}
+
+template <int D>
+template <class Map>
+void SpringNetwork<D>::ImplicitSystem::change(std::span<Vec> values, double scale, const Map& map) const {
+    Eigen::VectorXd free(matrix_.rows());
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < D && unknown_[node] >= 0; ++i) free[unknown_[node] + i] = values[node][i];
+    const Eigen::VectorXd image = map(free);
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < D; ++i) values[node][i] = unknown_[node] >= 0 ? scale * image[unknown_[node] + i] : 0;
+}
+
+template <int D>
+void SpringNetwork<D>::ImplicitSystem::multiply(std::span<Vec> values, double scale) const {
+    change(values, scale, [this](const Eigen::VectorXd& free) -> Eigen::VectorXd {
+        return matrix_.template selfadjointView<Eigen::Lower>() * free;
+    });
+}
+
+template <int D>
+void SpringNetwork<D>::ImplicitSystem::solve(std::span<Vec> values, double scale) const {
+    change(values, scale, [this](const Eigen::VectorXd& free) -> Eigen::VectorXd { return solver_.solve(free); });
+}
+
+template <int D>
+double SpringNetwork<D>::ImplicitSystem::correct(const Vectors& residual, double dt, Vectors& position,
+                                                 Vectors& velocity) {
+    Eigen::VectorXd right(matrix_.rows());
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < D && unknown_[node] >= 0; ++i) right[unknown_[node] + i] = residual[node][i];
+    const Eigen::VectorXd change = solver_.solve(right);
+    double largest = 0;
+    for (std::size_t node = 0; node < unknown_.size(); ++node)
+        for (int i = 0; i < D && unknown_[node] >= 0; ++i) {
+            const double dv = change[unknown_[node] + i];
+            velocity[node][i] += dv;
+            position[node][i] += dt / 2 * dv;
+            // Not std::max: a number that is none has to come out.
+            if (!(std::abs(dv) * dt / 2 <= largest)) largest = std::abs(dv) * dt / 2;
+        }
+    return largest;
+}
+
+template class SpringNetwork<2>::ImplicitSystem;
+template class SpringNetwork<3>::ImplicitSystem;
+
+}  // namespace dmp::solver

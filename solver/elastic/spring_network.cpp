@@ -1,0 +1,234 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "solver/elastic/implicit_system.hpp"
+
+namespace dmp::solver {
+
+std::unique_ptr<SpringBody> SpringBody::make(const ParticleSet& set, const Part& part, int body,
+                                             const SpringContact& contact) {
+    if (set.dimension == 3) return std::make_unique<SpringNetwork<3>>(set, part, body, contact);
+    return std::make_unique<SpringNetwork<2>>(set, part, body, contact);
+}
+
+std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::string& name,
+                                             const ParticleSpace& space, const SpringContact& contact) {
+    if (space.dimension == 3) return std::make_unique<SpringNetwork<3>>(parts, name, space.spacing, contact);
+    return std::make_unique<SpringNetwork<2>>(parts, name, space.spacing, contact);
+}
+
+template <int D>
+SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
+    : SpringNetwork(drawn_body(set, DrawnSprings(set, part), body, contact.on() ? contact.range : 0), part.name,
+                    set.spacing, contact) {}
+
+template <int D>
+SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name, double spacing,
+                                const SpringContact& contact)
+    : SpringBody(name), spacing_(spacing) {
+    for (const BodyParts::Node& node : parts.nodes) {
+        ids_.push_back(node.id);
+        fixed_.push_back(node.fixed ? 1 : 0);
+        of_wall_.push_back(node.of_wall ? 1 : 0);
+        origin_.push_back(node.origin);
+        mass_.push_back(node.mass);
+        drag_.push_back(node.drag);
+        position_.push_back(of_space(node.place));
+        velocity_.push_back(of_space(node.velocity));
+        position_before_.push_back(of_space(node.place_before));
+        position_at_rest_.push_back(of_space(node.place_at_rest));
+    }
+    force_.assign(ids_.size(), {});
+    for (const auto& bond : parts.bonds) {
+        bonds_.push_back({bond.node, BondForce<D>(bond.rest, {bond.stiffness, bond.dashpot})});
+        bond_list_.push_back({bond.node[0], bond.node[1], bond.rest, bond.stiffness});
+        bond_origin_.push_back(bond.origin);
+    }
+    for (const auto& hinge : parts.hinges)
+        hinges_.push_back({hinge.node, HingeForce<D>(hinge.rest, {hinge.stiffness, hinge.dashpot})});
+    if constexpr (D == 3)
+        for (const auto& dihedral : parts.dihedrals)
+            dihedrals_.push_back({dihedral.node, DihedralForce(dihedral.rest, {dihedral.stiffness, dihedral.dashpot})});
+    if (contact.on()) self_contact_ = std::make_unique<SelfContact<D>>(contact, parts.held_apart, of_wall_);
+}
+
+template <int D>
+BodyParts SpringNetwork<D>::parts() const {
+    BodyParts parts;
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        parts.nodes.push_back({ids_[n], fixed_[n] != 0, of_wall_[n] != 0, origin_[n], mass_[n], drag_[n],
+                               in_space(position_[n]), in_space(velocity_[n]), in_space(position_before_[n]),
+                               in_space(position_at_rest_[n])});
+    for (std::size_t b = 0; b < bonds_.size(); ++b) {
+        const auto& law = bonds_[b].law;
+        parts.bonds.push_back({bonds_[b].node, law.rest_length, law.stiffness, law.dashpot, bond_origin_[b]});
+    }
+    const auto add_angle = [](auto& angles, const auto& spring) {
+        angles.push_back({spring.node, spring.law.rest_angle, spring.law.stiffness, spring.law.dashpot, 0});
+    };
+    for (const auto& hinge : hinges_) add_angle(parts.hinges, hinge);
+    if constexpr (D == 3)
+        for (const auto& dihedral : dihedrals_) add_angle(parts.dihedrals, dihedral);
+    if (self_contact_) parts.held_apart = self_contact_->held_apart();
+    return parts;
+}
+
+template <int D>
+void SpringNetwork<D>::add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const {
+    for_each_spring([&](const auto& spring) {
+        const auto from_rest = spring.law.deviation(spring.arms(position));
+        const double tension = spring.law.tension(from_rest, spring.arms(velocity));
+        spring.for_each_node(from_rest.gradient, [&](int node, double sign, const Point& slope) {
+            force[node] += (-sign * tension) * slope;
+        });
+    });
+}
+
+template <int D>
+SpringImpulses SpringNetwork<D>::advance(std::span<const Vec> force, double dt, int substeps) {
+    Vectors on_nodes(ids_.size());
+    for (std::size_t n = 0; n < ids_.size(); ++n) on_nodes[n] = of_space(force[n]);
+    if (self_contact_) self_contact_->add_forces(position_, on_nodes);
+    const Point of_holders = kick_from_outside(on_nodes, dt);
+    Impulses given = substeps > 0 ? advance_subcycled(dt, substeps) : advance_implicit(dt);
+    given.of_anchors += of_holders;
+    SpringImpulses impulses;
+    for (int axis = 0; axis < D; ++axis) {
+        impulses.of_anchors[axis] = given.of_anchors[axis];
+        impulses.of_drag[axis] = given.of_drag[axis];
+    }
+    return impulses;
+}
+
+template <int D>
+double SpringNetwork<D>::self_contact_rate() const {
+    if (!self_contact_) return 0;
+    std::vector<double> inverse_mass;
+    inverse_mass.reserve(ids_.size());
+    for (std::size_t n = 0; n < ids_.size(); ++n) inverse_mass.push_back(fixed_[n] ? 0 : 1 / mass_[n]);
+    return self_contact_->rate(position_, inverse_mass);
+}
+
+template <int D>
+void SpringNetwork<D>::drift(double h) {
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) position_[n] += h * velocity_[n];
+}
+
+template <int D>
+typename SpringNetwork<D>::Point SpringNetwork<D>::kick_from_outside(std::span<const Point> force, double dt) {
+    Point of_holders{};
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        if (fixed_[n]) {
+            of_holders -= dt * force[n];
+        } else {
+            velocity_[n] += (dt / mass_[n]) * force[n];
+        }
+    }
+    return of_holders;
+}
+
+template <int D>
+double SpringNetwork<D>::free_mass() const {
+    double mass = 0;
+    for (std::size_t n = 0; n < ids_.size(); ++n) mass += fixed_[n] ? 0 : mass_[n];
+    return mass;
+}
+
+template <int D>
+typename SpringNetwork<D>::Point SpringNetwork<D>::momentum() const {
+    Point sum{};
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        if (!fixed_[n]) sum += mass_[n] * velocity_[n];
+    return sum;
+}
+
+template <int D>
+void SpringNetwork<D>::kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses) {
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        if (fixed_[n]) {
+            impulses.of_anchors -= h * force[n];
+            continue;
+        }
+        const auto drag = -drag_[n] * drag_velocity[n];
+        impulses.of_drag += h * drag;
+        velocity_[n] += (h / mass_[n]) * (force[n] + drag);
+    }
+}
+
+template <int D>
+typename SpringNetwork<D>::Impulses SpringNetwork<D>::advance_subcycled(double dt, int substeps) {
+    position_before_ = position_;
+    Impulses impulses{};
+    const double h = dt / substeps;
+    drift(h / 2);
+    for (int step = 0; step < substeps; ++step) {
+        std::fill(force_.begin(), force_.end(), Point{});
+        add_forces(position_, velocity_, force_);
+        kick(h, force_, velocity_, impulses);
+        drift(step + 1 < substeps ? h : h / 2);
+    }
+    return impulses;
+}
+
+template <int D>
+double SpringNetwork<D>::step_limit() const {
+    const double longest = bonds_.empty() ? 1 : bonds_.front().law.rest_length;
+    const double small = 1e-6 * longest;
+    const Vectors at_rest(ids_.size(), Point{});
+    Vectors mode(ids_.size());
+    for (std::size_t n = 0; n < ids_.size(); ++n)  // any start that is no eigenvector of a smooth mode
+        for (int axis = 0; axis < D; ++axis)
+            mode[n][axis] = std::sin((12.9898 + 65.2432 * axis) * static_cast<double>(n + 1) + 1.5708 * axis);
+
+    double omega_square = 0;
+    for (int iteration = 0; iteration < 300; ++iteration) {
+        double norm = 0;
+        for (std::size_t n = 0; n < ids_.size(); ++n) {
+            if (fixed_[n]) mode[n] = {};
+            norm += dot(mode[n], mode[n]);
+        }
+        norm = std::sqrt(norm);
+        if (norm == 0) return std::numeric_limits<double>::infinity();
+        Vectors ahead = position_, behind = position_;
+        Vectors force_ahead(ids_.size(), Point{}), force_behind = force_ahead;
+        for (std::size_t n = 0; n < ids_.size(); ++n) {
+            mode[n] = (1 / norm) * mode[n];
+            ahead[n] += small * mode[n];
+            behind[n] -= small * mode[n];
+        }
+        add_forces(ahead, at_rest, force_ahead);
+        add_forces(behind, at_rest, force_behind);
+        omega_square = 0;
+        for (std::size_t n = 0; n < ids_.size(); ++n) {
+            const auto image = (-0.5 / (small * mass_[n])) * (force_ahead[n] - force_behind[n]);
+            omega_square += fixed_[n] ? 0 : dot(image, image);
+            mode[n] = image;
+        }
+        omega_square = std::sqrt(omega_square);  // |M^-1 K mode| of a unit mode: approaches omega^2 from below
+    }
+    return 2 / std::sqrt(1.02 * omega_square);
+}
+
+template <int D>
+double SpringNetwork<D>::energy() const {
+    double energy = 0;
+    for_each_spring(
+        [&](const auto& spring) { energy += spring.law.energy(spring.law.deviation(spring.arms(position_)).value); });
+    return energy;
+}
+
+template <int D>
+typename SpringNetwork<D>::Vectors SpringNetwork<D>::forces(const Vectors& position, const Vectors& velocity) const {
+    Vectors force(ids_.size(), Point{});
+    add_forces(position, velocity, force);
+    return force;
+}
+
+template class SpringNetwork<2>;
+template class SpringNetwork<3>;
+
+}  // namespace dmp::solver

@@ -1,0 +1,164 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "models/springs/bond_force.hpp"
+#include "models/springs/dihedral_force.hpp"
+#include "models/springs/hinge_force.hpp"
+#include "solver/elastic/spring_body.hpp"
+
+namespace dmp::solver {
+
+/// A spring of this law between nodes of one body.
+template <class Law>
+struct LocalSpring {
+    std::array<int, Law::nodes> node;
+    Law law;
+
+    /// Differences of a value of the nodes along the spring's arms.
+    template <class Vectors>
+    [[nodiscard]] auto arms(const Vectors& of) const {
+        std::array<typename Vectors::value_type, Law::arms.size()> arms;
+        for (std::size_t k = 0; k < arms.size(); ++k)
+            arms[k] = of[node[Law::arms[k].end]] - of[node[Law::arms[k].start]];
+        return arms;
+    }
+    /// What a slope along the arms is for the nodes.
+    template <class Arms, class Visit>
+    void for_each_node(const Arms& along, const Visit& visit) const {
+        for (std::size_t k = 0; k < along.size(); ++k) {
+            visit(node[Law::arms[k].end], 1.0, along[k]);
+            visit(node[Law::arms[k].start], -1.0, along[k]);
+        }
+    }
+};
+
+/// Nodes, their bonds, hinges and, in space, dihedrals: a spring body in D dimensions.
+template <int D>
+class SpringNetwork final : public SpringBody {
+  public:
+    using Point = Vector<double, D>;
+    using Vectors = std::vector<Point>;
+
+    SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact = {});
+    SpringNetwork(const BodyParts& parts, const std::string& name, double spacing, const SpringContact& contact);
+    ~SpringNetwork() override;
+    SpringNetwork(SpringNetwork&& other) noexcept;
+    SpringNetwork& operator=(SpringNetwork&& other) noexcept;
+    SpringNetwork(const SpringNetwork&) = delete;
+    SpringNetwork& operator=(const SpringNetwork&) = delete;
+
+    struct Impulses {
+        Point of_anchors{};  ///< given to the free nodes by the anchored ones [N s]
+        Point of_drag{};     ///< by lab-frame drag [N s]
+    };
+
+    [[nodiscard]] BodyParts parts() const override;
+    SpringImpulses advance(std::span<const Vec> force, double dt, int substeps) override;
+
+    [[nodiscard]] std::vector<Vec> balance(std::span<const Vec> w, double dt) const override;
+    void prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) override;
+    void multiply_in_fluid(std::span<Vec> values) const override;
+    void solve_in_fluid(std::span<Vec> values) const override;
+    void expect(std::span<const Vec> w) override;
+
+    /// Velocities change by dt F / m, F the forces of the fluid and of contact on the nodes. Returns the impulse that
+    /// the fixed nodes' holders give [N s].
+    Point kick_from_outside(std::span<const Point> force, double dt);
+
+    /// Moves the nodes over dt under the body's own forces, in `substeps` equal drift-kick-drift steps.
+    Impulses advance_subcycled(double dt, int substeps);
+
+    /// Moves the nodes over dt in one implicit midpoint step: stable for any dt, and free of the resonance between
+    /// kicks of the fluid and spring modes that sub-cycling has (Stern & Grinspun 2009: "IMEX").
+    /// A step whose equations cannot be solved is halved, and halved again; throws DivergenceError when that is in
+    /// vain.
+    Impulses advance_implicit(double dt);
+
+    /// What the fluid is to see of the last advance: a node's mean velocity, displacement over dt (fast vibration of
+    /// the springs is none of the fluid's business) ...
+    [[nodiscard]] Point mean_velocity(std::size_t node, double dt) const {
+        return (1 / dt) * (position_[node] - position_before_[node]);
+    }
+    /// ... and where it was.
+    [[nodiscard]] const Vectors& positions_before() const { return position_before_; }
+
+    [[nodiscard]] Vec place(std::size_t node) const override { return in_space(position_[node]); }
+    [[nodiscard]] Vec place_before(std::size_t node) const override { return in_space(position_before_[node]); }
+    [[nodiscard]] Vec place_at_rest(std::size_t node) const override { return in_space(position_at_rest_[node]); }
+
+    [[nodiscard]] Point momentum() const;  ///< of the free nodes [kg m/s]
+    [[nodiscard]] Vec total_momentum() const override { return in_space(momentum()); }
+    [[nodiscard]] double free_mass() const override;
+
+    /// 2 / omega_max of the drawn lattice [s], omega_max by power iteration on its stiffness.
+    [[nodiscard]] double step_limit() const override;
+
+    void archive(Archive& file, const std::string& name) override;
+
+    [[nodiscard]] double energy() const override;
+    [[nodiscard]] double self_contact_rate() const override;
+    [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
+
+    [[nodiscard]] const Vectors& positions() const { return position_; }
+    /// For tests and static solves: nodes may be put anywhere.
+    Vectors& positions() { return position_; }
+    [[nodiscard]] const Vectors& velocities() const { return velocity_; }
+    /// Spring forces (dashpots included) of nodes at these places and velocities [N].
+    [[nodiscard]] Vectors forces(const Vectors& position, const Vectors& velocity) const;
+
+  private:
+    struct NoSprings {};
+    using Dihedrals = std::conditional_t<D == 3, std::vector<LocalSpring<DihedralForce>>, NoSprings>;
+    class ImplicitSystem;
+
+    static Vec in_space(const Point& point) {
+        Vec in = Vec::Zero();
+        for (int axis = 0; axis < D; ++axis) in[axis] = point[axis];
+        return in;
+    }
+    static Point of_space(const Vec& in) {
+        Point point;
+        for (int axis = 0; axis < D; ++axis) point[axis] = in[axis];
+        return point;
+    }
+    /// visit(spring) of each bond, hinge and dihedral.
+    template <class Visit>
+    void for_each_spring(const Visit& visit) const {
+        for (const auto& bond : bonds_) visit(bond);
+        for (const auto& hinge : hinges_) visit(hinge);
+        if constexpr (D == 3)
+            for (const auto& dihedral : dihedrals_) visit(dihedral);
+    }
+    void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
+    void drift(double h);
+    void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
+    /// One implicit midpoint step; false, and nothing changed, when Newton finds no solution.
+    bool solve_step(double dt, Impulses& impulses);
+    Impulses advance_as_expected(double dt);
+    /// v += h F / m on free nodes; adds up what anchors and drag gave.
+    void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
+
+    std::vector<LocalSpring<BondForce<D>>> bonds_;
+    std::vector<LocalSpring<HingeForce<D>>> hinges_;
+    [[no_unique_address]] Dihedrals dihedrals_;
+    double spacing_;                       ///< scale of the nodes' distances [m]
+    Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
+    Vectors position_before_;              ///< before the last advance
+    Vectors position_at_rest_;             ///< as drawn
+    Vectors expected_;                     ///< mean velocities of the next step, where they are known
+    std::unique_ptr<ImplicitSystem> system_, in_fluid_;
+    double in_fluid_step_ = 0;                      ///< that the latter was made for [s]
+    std::unique_ptr<SelfContact<D>> self_contact_;  ///< none where contact is off
+};
+
+extern template class SpringNetwork<2>;
+extern template class SpringNetwork<3>;
+
+}  // namespace dmp::solver

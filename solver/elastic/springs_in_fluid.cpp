@@ -1,0 +1,54 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/elastic/implicit_system.hpp"
+
+namespace dmp::solver {
+
+template <int D>
+std::vector<Vec> SpringNetwork<D>::balance(std::span<const Vec> w, double dt) const {
+    Vectors middle = position_, velocity(ids_.size());
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        velocity[n] = of_space(w[n]);
+        if (!fixed_[n]) middle[n] += (dt / 2) * velocity[n];
+    }
+    const Vectors force = forces(middle, velocity);
+    std::vector<Vec> sum;
+    sum.reserve(ids_.size());
+    for (std::size_t n = 0; n < ids_.size(); ++n)
+        sum.push_back(
+            in_space(0.5 * (force[n] - drag_[n] * velocity[n]) - (mass_[n] / dt) * (velocity[n] - velocity_[n])));
+    return sum;
+}
+
+template <int D>
+void SpringNetwork<D>::prepare_in_fluid(std::span<const Vec> w, std::span<const Vec> drag, double dt) {
+    if (!in_fluid_) in_fluid_ = std::make_unique<ImplicitSystem>(*this);
+    Vectors middle = position_;
+    std::vector<Vec> drag_in_step(drag.begin(), drag.end());
+    for (std::size_t n = 0; n < ids_.size(); ++n) {
+        if (!fixed_[n]) middle[n] += (dt / 2) * of_space(w[n]);
+        drag_in_step[n] *= dt;
+    }
+    in_fluid_->factorise(*this, middle, dt, drag_in_step);
+    in_fluid_step_ = dt;
+}
+
+template <int D>
+void SpringNetwork<D>::multiply_in_fluid(std::span<Vec> values) const {
+    in_fluid_->multiply(values, 1 / in_fluid_step_);
+}
+
+template <int D>
+void SpringNetwork<D>::solve_in_fluid(std::span<Vec> values) const {
+    in_fluid_->solve(values, in_fluid_step_);
+}
+
+template <int D>
+void SpringNetwork<D>::expect(std::span<const Vec> w) {
+    expected_.clear();
+    for (const Vec& velocity : w) expected_.push_back(of_space(velocity));
+}
+
+template class SpringNetwork<2>;
+template class SpringNetwork<3>;
+
+}  // namespace dmp::solver

@@ -1,0 +1,22 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/forcing/driving_models.hpp"
+
+#include "base/nearest_name.hpp"
+
+namespace dmp::solver {
+
+void add_driving_models(std::vector<ModelUse>& models, const Scene& scene) {
+    for (const Expression& axis : scene.flow.acceleration)
+        if (!axis.is_zero()) models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
+    for (const ForceOnPart& force : scene.forces)
+        models.push_back({"force on '" + *force.part + "'",
+                          *force.amount == ForceAmount::total ? "total, spread evenly over its particles"
+                                                              : "on each of its particles",
+                          "force '" + *force.name + "' at " + force.name.place.text()});
+    for (const MovingShape& shape : scene.moving_shapes)
+        models.push_back({"moving " + word(*shape.kind),
+                          "f = K (1 + cos(pi d / r*)), felt by " + quoted_list(*shape.parts),
+                          "moving_shape '" + *shape.name + "' at " + shape.name.place.text()});
+}
+
+}  // namespace dmp::solver

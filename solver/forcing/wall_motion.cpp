@@ -1,0 +1,195 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/forcing/wall_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmp::solver {
+
+namespace {
+
+/// R(angle) of a vector, about z.
+class Turn {
+  public:
+    explicit Turn(double angle) : cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+    [[nodiscard]] Vec operator()(const Vec& v) const {
+        return {cosine_ * v[0] - sine_ * v[1], sine_ * v[0] + cosine_ * v[1], v[2]};
+    }
+
+  private:
+    double cosine_, sine_;
+};
+
+Vec at(const ParticleGroup& group, Field field, std::size_t i) {
+    Vec value = Vec::Zero();
+    for (int axis = 0; axis < group.dimension(); ++axis) value[axis] = group.data(field, axis)[i];
+    return value;
+}
+
+/// Integral over [t, t + dt] by the three-point Gauss rule.
+double integral(const Expression& rate, double t, double dt) {
+    const double offset = 0.5 * std::sqrt(0.6) * dt, middle = t + 0.5 * dt;
+    return dt / 18 * (5 * rate(middle - offset) + 8 * rate(middle) + 5 * rate(middle + offset));
+}
+
+template <class Visit>
+void for_each_of(const ParticleGroup& walls, std::uint16_t part, const Visit& visit) {
+    for (std::size_t i = 0; i < walls.owned(); ++i)
+        if (walls.tags()[i].part == part) visit(i);
+}
+
+}  // namespace
+
+WallMotion::WallMotion(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
+    for (const Part* part : scene.parts_of(PartKind::rigid))
+        for (std::size_t p = 0; p < set.parts.size(); ++p) {
+            if (set.parts[p].name != *part->name) continue;
+            const auto number = static_cast<std::uint16_t>(p);
+            if (part->slides()) sliding_.push_back({number, part->surface_velocity});
+            if (!part->moves()) continue;
+            Moving moving{number, part->velocity, part->spin, part->centre, 0, !part->spin->is_zero(), {}, {}, {}, {}};
+            for (std::size_t i = 0; i < set.size(); ++i)
+                if (set.part[i] == static_cast<int>(p))
+                    moving.radius = std::max(moving.radius, (set.position[i] - moving.centre).norm());
+            moving_.push_back(std::move(moving));
+        }
+    if (!moving_.empty())
+        particles.of(ParticleKind::rigid).declare({Field::drawn_position, Field::wall_normal, Field::drawn_normal});
+}
+
+bool WallMotion::moves(std::uint16_t part) const {
+    return std::ranges::any_of(moving_, [part](const Moving& moving) { return moving.part == part; });
+}
+
+Vec WallMotion::Moving::velocity_at(double t) const { return {velocity[0](t), velocity[1](t), velocity[2](t)}; }
+
+WallPose WallMotion::Moving::after(const WallPose& pose, double t, double dt) const {
+    WallPose next = pose;
+    for (int axis = 0; axis < 3; ++axis) next.displacement[axis] += integral(velocity[axis], t, dt);
+    if (turns) next.angle += integral(spin, t, dt);
+    return next;
+}
+
+void WallMotion::start_step(double t, double dt) {
+    t_ = t;
+    dt_ = dt;
+    for (Moving& part : moving_) {
+        part.start = part.shown;
+        part.middle = part.after(part.start, t, dt / 2);
+        part.end = part.after(part.middle, t + dt / 2, dt / 2);
+    }
+}
+
+double WallMotion::move_to_middle(ParticleStore& particles) { return move(particles, &Moving::middle); }
+double WallMotion::move_to_end(ParticleStore& particles) { return move(particles, &Moving::end); }
+
+/// By the difference of two places in whole quanta, which leaves alone how often a particle was moved by a period.
+double WallMotion::move(ParticleStore& particles, WallPose Moving::*pose) {
+    ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    const PositionQuantum& quantum = particles.quantum();
+    double farthest = 0;
+    for (Moving& part : moving_) {
+        const WallPose from = part.shown, to = part.*pose;
+        const Turn turn_from(from.angle), turn_to(to.angle);
+        for_each_of(walls, part.part, [&](std::size_t i) {
+            const Vec arm = at(walls, Field::drawn_position, i) - part.centre;
+            const Vec before = part.centre + from.displacement + turn_from(arm);
+            const Vec now = part.centre + to.displacement + turn_to(arm);
+            const Vec normal = turn_to(at(walls, Field::drawn_normal, i));
+            for (int axis = 0; axis < walls.dimension(); ++axis) {
+                walls.data(Field::position, axis)[i] += quantum.round(now[axis]) - quantum.round(before[axis]);
+                if (part.turns) walls.data(Field::wall_normal, axis)[i] = normal[axis];
+            }
+        });
+        farthest = std::max(
+            farthest, (to.displacement - from.displacement).norm() + part.radius * std::abs(to.angle - from.angle));
+        part.shown = to;
+    }
+    return farthest;
+}
+
+/// Adds `factor` times the velocities at time t, of the particles or of the surface in front of them.
+void WallMotion::add_motion(Of what, const Moving& part, ParticleGroup& walls, const WallPose& pose, double t, Field to,
+                            double factor) const {
+    const Vec velocity = part.velocity_at(t);
+    const double spin = part.turns ? part.spin(t) : 0;
+    const Turn turn(pose.angle);
+    for_each_of(walls, part.part, [&](std::size_t i) {
+        Vec drawn = at(walls, Field::drawn_position, i);
+        if (what == Of::surface) drawn += walls.data(Field::wall_distance)[i] * at(walls, Field::drawn_normal, i);
+        const Vec arm = turn(drawn - part.centre);
+        const Vec here = velocity + spin * Vec(-arm[1], arm[0], 0);
+        for (int axis = 0; axis < walls.dimension(); ++axis) walls.data(to, axis)[i] += factor * here[axis];
+    });
+}
+
+FieldList WallMotion::show_surfaces(ParticleStore& particles) const {
+    if (moving_.empty() && sliding_.empty()) return {};
+    ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    const bool continues_pressure = walls.has(Field::wall_acceleration);
+    for (int axis = 0; axis < walls.dimension(); ++axis) {
+        std::fill_n(walls.data(Field::velocity, axis), walls.owned(), 0.0);
+        if (continues_pressure) std::fill_n(walls.data(Field::wall_acceleration, axis), walls.owned(), 0.0);
+    }
+    for (const Moving& part : moving_) {
+        add_motion(Of::surface, part, walls, part.start, t_, Field::velocity, 1);
+        if (!continues_pressure) continue;
+        add_motion(Of::surface, part, walls, part.end, t_ + dt_, Field::wall_acceleration, 1 / dt_);
+        add_motion(Of::surface, part, walls, part.start, t_, Field::wall_acceleration, -1 / dt_);
+    }
+    for (const Sliding& part : sliding_)
+        for_each_of(walls, part.part, [&](std::size_t i) {
+            const Vec x = at(walls, Field::position, i);
+            for (int axis = 0; axis < walls.dimension(); ++axis)
+                walls.data(Field::velocity, axis)[i] += part.velocity[axis](t_, x[0], x[1], x[2]);
+        });
+    FieldList changed{Field::velocity};
+    if (continues_pressure) changed.push_back(Field::wall_acceleration);
+    if (moves()) changed.push_back(Field::wall_normal);
+    return changed;
+}
+
+void WallMotion::show_velocities(ParticleStore& particles) const {
+    if (moving_.empty() && sliding_.empty()) return;
+    ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    for (int axis = 0; axis < walls.dimension(); ++axis)
+        std::fill_n(walls.data(Field::velocity, axis), walls.owned(), 0.0);
+    for (const Moving& part : moving_) add_motion(Of::particles, part, walls, part.end, t_ + dt_, Field::velocity, 1);
+}
+
+double WallMotion::largest_speed(double t) const {
+    double largest = 0;
+    for (const Moving& part : moving_)
+        largest =
+            std::max(largest, part.velocity_at(t).norm() + (part.turns ? part.radius * std::abs(part.spin(t)) : 0));
+    for (const Sliding& part : sliding_) {
+        if (std::ranges::any_of(part.velocity, &Expression::depends_on_place)) continue;
+        largest = std::max(largest, Vec(part.velocity[0](t), part.velocity[1](t), part.velocity[2](t)).norm());
+    }
+    return largest;
+}
+
+double WallMotion::farthest() const {
+    double farthest = 0;
+    for (const Moving& part : moving_)
+        farthest = std::max(farthest, part.shown.displacement.norm() + (part.turns ? 2 * part.radius : 0));
+    return farthest;
+}
+
+void WallMotion::archive(Archive& file) {
+    if (moving_.empty()) return;
+    std::vector<double> poses;
+    for (const Moving& part : moving_) {
+        const Vec& d = part.shown.displacement;
+        poses.insert(poses.end(), {d[0], d[1], d[2], part.shown.angle});
+    }
+    const std::size_t expected = poses.size();
+    file("walls/poses", poses);
+    if (!file.loading()) return;
+    if (poses.size() != expected)
+        throw InputError("the checkpoint's moving parts are not those of the scene", "start the run anew");
+    for (std::size_t k = 0; k < moving_.size(); ++k)
+        moving_[k].shown = {Vec(poses[4 * k], poses[4 * k + 1], poses[4 * k + 2]), poses[4 * k + 3]};
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,241 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/monitor/stability_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace dmp::solver {
+
+namespace {
+
+constexpr double lowest_density = 0.5, highest_density = 1.5;
+
+double speed_of(const ParticleGroup& group, std::size_t i) {
+    double square = 0;
+    for (int axis = 0; axis < group.dimension(); ++axis) {
+        const double v = group.data(Field::velocity, axis)[i];
+        square += v * v;
+    }
+    return std::sqrt(square);
+}
+
+std::string text_of(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+std::string setting(const std::string& key, double value) { return key + " = " + text_of(value); }
+
+/// Largest change of a bond's length over its length at rest; not finite when a node's place is not.
+double largest_strain(const SpringBodies& springs) {
+    double largest = 0;
+    for (const auto& body : springs.bodies())
+        for (const Bond& bond : body->bonds()) {
+            const double strain = std::abs((body->place(bond.a) - body->place(bond.b)).norm() / bond.rest_length - 1);
+            if (!(strain <= largest)) largest = strain;
+            if (!std::isfinite(strain)) return std::numeric_limits<double>::infinity();
+        }
+    return largest;
+}
+
+}  // namespace
+
+bool Watch::fluid_is_well(const FluidExtremes& extremes) const {
+    return extremes.largest_speed < sound_speed_ && extremes.density_low > lowest_density &&
+           extremes.density_high < highest_density;
+}
+
+std::optional<Watch::Finding> Watch::look(const ParticleStore& particles, const FluidStep& step,
+                                          const FluidExtremes& extremes, double t) const {
+    std::optional<Misdeed> found;
+    const bool well = fluid_is_well(extremes);
+    if (!well) found = worst_of_fluid(particles.fluid());
+    if (!found && well) found = worst_of_springs(particles.of(ParticleKind::springs));
+    if (!found && well) found = first_that_left(particles, step.neighbours().list());
+    if (!found) return std::nullopt;
+    return describe(*found, particles, step, t);
+}
+
+std::optional<Watch::Finding> Watch::stuck_springs(const ParticleStore& particles, const FluidStep& step,
+                                                   const std::string& reason, double t) const {
+    const ParticleGroup& springs = particles.of(ParticleKind::springs);
+    if (springs.owned() == 0) return std::nullopt;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < springs.owned(); ++i)
+        if (!(speed_of(springs, i) <= speed_of(springs, worst))) worst = i;
+    return describe({&springs, worst, "is the fastest node, and " + reason, false, true}, particles, step, t);
+}
+
+std::optional<Watch::Misdeed> Watch::worst_of_fluid(const ParticleGroup& fluid) const {
+    std::size_t worst = 0;
+    double worst_speed = -1;
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        const double speed = speed_of(fluid, i), density = fluid.data(Field::density)[i];
+        if (!std::isfinite(speed) || !std::isfinite(density)) return Misdeed{&fluid, i, "is not finite"};
+        const double relative = density / rest_density_[fluid.tags()[i].part];
+        if (relative <= lowest_density || relative >= highest_density)
+            return Misdeed{&fluid, i, "has a density outside 0.5 to 1.5 times the rest density"};
+        if (speed > worst_speed) {
+            worst = i;
+            worst_speed = speed;
+        }
+    }
+    if (!(worst_speed >= sound_speed_)) return std::nullopt;  // another rank has it
+    return Misdeed{&fluid, worst, "is faster than sound"};
+}
+
+std::optional<Watch::Misdeed> Watch::worst_of_springs(const ParticleGroup& springs) const {
+    for (std::size_t i = 0; i < springs.owned(); ++i) {
+        const double speed = speed_of(springs, i);
+        if (!std::isfinite(speed)) return Misdeed{&springs, i, "is not finite"};
+        if (speed >= sound_speed_) return Misdeed{&springs, i, "is faster than sound"};
+        if (outside_box(springs, i)) return Misdeed{&springs, i, "has left the domain"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Watch::Misdeed> Watch::first_that_left(const ParticleStore& particles, const ClusterList& list) const {
+    std::optional<Misdeed> found;
+    for_those_that_left(particles, list, [&](std::size_t i, double depth) {
+        std::string limit = "has left the domain";
+        if (depth > 0)
+            limit += ": it is " + text_of(depth) + " m behind the wall's surface, more than the spacing of " +
+                     text_of(space_.spacing) + " m";
+        found.emplace(Misdeed{&particles.fluid(), i, limit, true});
+        return false;
+    });
+    return found;
+}
+
+Watch::Finding Watch::describe(const Misdeed& misdeed, const ParticleStore& particles, const FluidStep& step,
+                               double t) const {
+    const ParticleGroup& group = *misdeed.group;
+    const std::size_t i = misdeed.particle;
+    const ParticleTag& tag = group.tags()[i];
+    std::ostringstream text;
+    text << "particle " << tag.id << " of '" << space_.parts[tag.part].name << "' at (";
+    for (int axis = 0; axis < group.dimension(); ++axis)
+        text << (axis > 0 ? ", " : "") << group.data(Field::position, axis)[i] << " m";
+    text << ") " << misdeed.limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_ << " m/s";
+    if (group.has(Field::density)) text << ", density " << group.data(Field::density)[i] << " kg/m^3";
+    return {text.str(), likely_causes(misdeed, particles.fluid(), step, t) + "\nThe last frame shows the state"};
+}
+
+/// Those that this scene can have, the likeliest first, judged by what was set and by the state of all particles.
+std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid, const FluidStep& step,
+                                 double t) const {
+    const SpringBodies& springs = step.springs();
+    const auto& accuracy = scene_.accuracy;
+    const decltype(Scene::accuracy) usual;
+    std::vector<std::pair<double, std::string>> causes;  // with how likely each is
+
+    // A run that breaks is slow in most places. All of it fast: that is the drive.
+    const double expected =
+        scene_.flow.largest_speed > 0 ? std::min<double>(scene_.flow.largest_speed, sound_speed_) : sound_speed_ / 10;
+    std::size_t fast = 0;
+    for (std::size_t i = 0; i < fluid.owned(); ++i)
+        if (!(speed_of(fluid, i) <= 1.5 * expected)) ++fast;
+    const bool all_fast = 5 * fast > fluid.owned();
+    causes.emplace_back(all_fast ? 5 : 1,
+                        accuracy.sound_speed > 0
+                            ? setting("accuracy.sound_speed", accuracy.sound_speed) +
+                                  " m/s is not ten times the speed that the drive produces"
+                            : setting("flow.largest_speed", scene_.flow.largest_speed) +
+                                  " m/s is below what the drive produces (the sound speed follows it)");
+
+    const auto drive = step.body_acceleration(t);
+    if (!std::ranges::all_of(drive, [](double axis) { return std::isfinite(axis); }))
+        causes.emplace_back(8, "flow.acceleration gives no number at that time");
+    if (misdeed.left || outside_box(*misdeed.group, misdeed.particle))
+        causes.emplace_back(misdeed.left ? 4 : 2, "a wall there has a hole or is too thin");
+    if (accuracy.step_factor > usual.step_factor)
+        causes.emplace_back(!misdeed.left && accuracy.step_factor > 2 * usual.step_factor ? 6 : 3,
+                            setting("accuracy.step_factor", accuracy.step_factor) + " is too large; the default is " +
+                                text_of(usual.step_factor));
+    if (misdeed.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
+    if (!springs.empty() && !springs.implicit()) {
+        const double strain = largest_strain(springs);
+        const bool torn = misdeed.group->kind() == ParticleKind::springs || !(strain < 0.5);
+        const bool forced = accuracy.spring_step_factor > usual.spring_step_factor;
+        causes.emplace_back(torn ? (forced ? 7 : 4.5) : 0,
+                            setting("accuracy.spring_step_factor", accuracy.spring_step_factor) +
+                                " leaves the springs too large a step for how stiff and how far strained they are");
+    }
+
+    std::stable_sort(causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text = causes.size() > 1 ? "likely causes: " : "likely cause: ";
+    for (std::size_t k = 0; k < causes.size(); ++k) text += (k > 0 ? "; or " : "") + causes[k].second;
+    return text;
+}
+
+bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
+    for (int axis = 0; axis < group.dimension(); ++axis) {
+        if (space_.periodic[axis]) continue;
+        const double x = group.data(Field::position, axis)[i];
+        const double margin = support_ + walls_moved_;
+        if (x < space_.box.low[axis] - margin || x > space_.box.high[axis] + margin) return true;
+    }
+    return false;
+}
+
+/// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 (in space)
+/// beyond the support of all walls. The nearest particle of a wall says it; where that says behind, the best of those
+/// up to a spacing further away: at the edge of a body the nearest one may belong to another face than the one that the
+/// fluid is in front of.
+double Watch::in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
+                                std::int32_t i) const {
+    const ParticleGroup& fluid = particles.fluid();
+    const ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    struct Seen {
+        double square_of_distance, in_front;
+    };
+    const auto seen = [&](std::int32_t j) {
+        double square = 0, along_normal = 0;
+        for (int axis = 0; axis < particles.dimension(); ++axis) {
+            const double d = fluid.data(Field::position, axis)[i] - walls.data(Field::position, axis)[j];
+            square += d * d;
+            along_normal += d * walls.data(Field::wall_normal, axis)[j];
+        }
+        return Seen{square, along_normal - walls.data(Field::wall_distance)[j]};
+    };
+    Seen nearest{std::numeric_limits<double>::infinity(), 0};
+    for (const std::int32_t j : near)
+        if (const Seen wall = seen(j); wall.square_of_distance < nearest.square_of_distance) nearest = wall;
+    // In space clusters list so few of the walls further away than the support that those few may show one face only.
+    if (space_.dimension == 3 && nearest.square_of_distance > support_ * support_) return 0;
+    if (nearest.in_front >= -space_.spacing) return nearest.in_front;
+    const double reach = std::sqrt(nearest.square_of_distance) + space_.spacing;
+    double best = nearest.in_front;
+    for (const std::int32_t j : near)
+        if (const Seen wall = seen(j); wall.square_of_distance < reach * reach) best = std::max(best, wall.in_front);
+    return best;
+}
+
+template <class Visit>
+void Watch::for_those_that_left(const ParticleStore& particles, const ClusterList& list, const Visit& visit) const {
+    const ParticleGroup& fluid = particles.fluid();
+    const auto clusters = list.clusters(ParticleKind::fluid);
+    for (std::size_t c = 0; c < clusters.size(); ++c)
+        for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
+            const double in_front =
+                in_front_of_walls(particles, list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid), i);
+            const auto index = static_cast<std::size_t>(i);
+            const bool behind = in_front < -space_.spacing;
+            if ((behind || outside_box(fluid, index)) && !visit(index, behind ? -in_front : 0.0)) return;
+        }
+}
+
+std::size_t Watch::lost(const ParticleStore& particles, const ClusterList& list) const {
+    std::size_t count = 0;
+    for_those_that_left(particles, list, [&](std::size_t, double) {
+        ++count;
+        return true;
+    });
+    return count;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,52 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/parallel/resources.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/errors.hpp"
+
+namespace dmp::solver {
+
+std::string_view word(VectorUnit unit) {
+    switch (unit) {
+        case VectorUnit::avx2:
+            return "avx2";
+        case VectorUnit::avx512:
+            return "avx512";
+        case VectorUnit::generic:
+            return "generic";
+        case VectorUnit::widest:
+            break;
+    }
+    return "widest";
+}
+
+std::vector<VectorUnit> available_vector_units() {
+    std::vector<VectorUnit> units;
+#if defined(__x86_64__)
+    const bool avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+    if (!avx2)
+        throw ResourceError("this processor has no AVX2 and FMA instructions, which dmp is built with",
+                            "use a processor of 2013 or later (Intel Haswell, AMD Excavator)");
+    units.push_back(VectorUnit::avx2);
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
+        __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+        __builtin_cpu_supports("avx512cd") != 0)
+        units.push_back(VectorUnit::avx512);
+#else
+    units.push_back(VectorUnit::generic);
+#endif
+    return units;
+}
+
+VectorUnit chosen_vector_unit(VectorUnit asked) {
+    const std::vector<VectorUnit> units = available_vector_units();
+    if (asked == VectorUnit::widest) return units.back();
+    if (std::find(units.begin(), units.end(), asked) == units.end())
+        throw ResourceError("this processor has no " + std::string(word(asked)) + " instructions",
+                            "leave the vector unit out: the widest there is will be taken");
+    return asked;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,330 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/fluid_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "particles/apart.hpp"
+#include "solver/output/aggregates.hpp"
+#include "solver/output/make_frame.hpp"
+#include "solver/run/models_in_use.hpp"
+#include "solver/run/sound_speed.hpp"
+#include "solver/run/starting_state.hpp"
+#include "solver/run/warnings.hpp"
+#include "solver/state/state_hash.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+constexpr int steps_between_checks = 50;
+
+/// The set itself, in which no two particles have the same position.
+const ParticleSet& checked(const ParticleSet& set) {
+    check_apart(set);
+    return set;
+}
+
+std::string text_of(const std::optional<Watch::Finding>& finding) {
+    return finding ? finding->problem + '\n' + finding->what_to_do : "";
+}
+
+}  // namespace
+
+FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
+    : sound_(choose_sound_speed(s, set)),
+      scene_(with_sound_speed(std::move(s), sound_)),
+      ranks_(resources.ranks),
+      settings_(pair_settings(scene_, checked(set), resources)),
+      particles_(starting_particles(scene_, set, equations_of_state(scene_, set), ranks_)),
+      fluid_(scene_, set, particles_, settings_, equations_of_state(scene_, set), ranks_),
+      scales_(step_scales(scene_, set, settings_, fluid_.sweeps().viscous_limit())),
+      residence_times_(scene_, particles_),
+      mean_displacement_(scene_, fluid_.springs()),
+      measures_(scene_, set, settings_, ranks_),
+      events_(scene_, set, ranks_),
+      watch_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
+      frame_times_(scene_.output.every),
+      measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
+    for (std::size_t i = 0; i < set.size(); ++i) ++count_[word(static_cast<PartKind>(set.kind(i)))];
+    fill_store(scene_, set, particles_);
+    fluid_.take_speed();
+    scales_.diffusion_limit = fluid_.sweeps().diffusion_limit();
+    at_start_ = conserved();
+}
+
+void FluidRun::start(FrameSink* sink) {
+    fluid_.refresh_neighbours();
+    if (step_ == 0) events_.act(time_, particles_, fluid_);
+    if (step_ == 0) fluid_.look_at_contacts();
+    extremes_ = fluid_.extremes();
+    if (step_ == 0) write_what_is_due(sink);
+}
+
+Conserved FluidRun::conserved() const {
+    const ParticleGroup& liquid = particles_.fluid();
+    ExactSum mass;
+    std::array<ExactSum, 3> momentum;
+    for (std::size_t i = 0; i < liquid.owned(); ++i) {
+        const double m = liquid.data(Field::mass)[i];
+        mass.add(m);
+        for (int axis = 0; axis < liquid.dimension(); ++axis)
+            momentum[axis].add(m * liquid.data(Field::velocity, axis)[i]);
+    }
+    ranks_.sum(mass);
+    ranks_.sum(momentum);
+    // Every rank holds all bodies.
+    Conserved sum;
+    for (const auto& body : fluid_.springs().bodies()) {
+        mass.add(body->free_mass());
+        const Vec of_body = body->total_momentum();
+        for (int axis = 0; axis < 3; ++axis) momentum[axis].add(of_body[axis]);
+    }
+    sum.mass = mass.value();
+    for (int axis = 0; axis < 3; ++axis) sum.momentum[axis] = momentum[axis].value();
+    return sum;
+}
+
+std::vector<StepLimit> FluidRun::limits_now(double largest_speed) const {
+    double g = 0;
+    for (const double axis : fluid_.body_acceleration(time_)) g = std::hypot(g, axis);
+    StepScales now = scales_;
+    if (now.contact_limit > 0) now.contact_limit = std::min(now.contact_limit, fluid_.contact_step_limit());
+    auto limits = fluid_step_limits(now, std::max(largest_speed, fluid_.walls().largest_speed(time_)), g);
+    add_driving_limit(limits, fluid_.driving(), scales_.support, time_);
+    return limits;
+}
+
+double FluidRun::next_step(double target, double largest_speed) const {
+    const double longest = ruling_limit(limits_now(largest_speed)).dt;
+    // Equal steps up to the next time something has to be written.
+    return (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+}
+
+double FluidRun::next_change(double target) const {
+    if (fluid_.driving().empty()) return target;
+    // Times that are alike but for their last digits are one.
+    const double slack = 1e-6 * ruling_limit(limits_now(extremes_.largest_speed)).dt;
+    const double change = fluid_.driving().next_change(time_ + slack);
+    return change < target - slack ? change : target;
+}
+
+void FluidRun::archive(Archive& file) {
+    file("time", time_);
+    file("step", step_);
+    frame_times_.archive(file, "frames_due");
+    measure_times_.archive(file, "measures_due");
+    file("frames_", frames_);
+    file("last_frame_", last_frame_);
+    file("density_low_", density_low_);
+    file("density_high_", density_high_);
+    file("mass_at_start", at_start_.mass);
+    file("momentum_at_start", at_start_.momentum);
+    measures_.archive(file);
+    events_.archive(file);
+    for (ParticleGroup& group : particles_.groups())
+        file(std::string(word(static_cast<PartKind>(group.kind()))), group);
+    fluid_.archive(file);
+    mean_displacement_.archive(file);
+}
+
+void FluidRun::write_frame(FrameSink* sink) {
+    fluid_.update_pressure();
+    fluid_.refresh_neighbours();
+    write_diverged_frame(sink);
+}
+
+void FluidRun::write_diverged_frame(FrameSink* sink) {
+    if (frames_ > 0 && time_ <= last_frame_) return;  // no time twice
+    if (ranks_.any(sink != nullptr)) {
+        const bool in_pieces = ranks_.any(sink != nullptr && sink->takes_pieces());
+        const Frame frame =
+            make_frame(scene_, particles_, fluid_, mean_displacement_, time_, step_, {frames_ == 0, in_pieces});
+        if (sink != nullptr) sink->write(frame);
+    }
+    ++frames_;
+    last_frame_ = time_;
+}
+
+void FluidRun::write_what_is_due(FrameSink* sink) {
+    if (measure_times_.due(time_)) {
+        fluid_.update_pressure();
+        if (measures_.need_neighbours()) fluid_.refresh_neighbours();
+        measures_.take(time_, particles_, fluid_);
+    }
+    if (frame_times_.due(time_)) write_frame(sink);
+}
+
+void FluidRun::stop_if_diverged(FrameSink* sink) {
+    stop_on_violation(sink, text_of(watch_.look(particles_, fluid_, extremes_, time_)));
+}
+
+Plan FluidRun::plan() const {
+    Plan plan;
+    plan.particles = count_;
+    plan.bytes_per_particle = particles_.bytes() / std::max<std::size_t>(1, particles_.owned());
+    plan.sound_speed = settings_.sound_speed;
+    plan.largest_speed = scene_.flow.largest_speed;
+    plan.sound = sound_;
+    double g = 0;  // largest over one run, sampled
+    for (int k = 0; k <= 64; ++k) {
+        double here = 0;
+        for (const double axis : fluid_.body_acceleration(scene_.run.duration * k / 64)) here = std::hypot(here, axis);
+        g = std::max(g, here);
+    }
+    plan.limits = fluid_step_limits(scales_, plan.largest_speed, g);
+    add_driving_limit(plan.limits, fluid_.driving(), scales_.support, time_);
+    const StepLimit ruling = ruling_limit(plan.limits);
+    plan.dt = ruling.dt;
+    plan.ruling_limit = ruling.model;
+    plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
+    plan.spring_substeps = fluid_.springs().substeps(plan.dt);
+    if (settings_.implicit_viscosity && scales_.kinematic_viscosity > 0) {
+        plan.limits.push_back(viscous_step_limit(scales_));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
+    if (scales_.implicit_species && scales_.diffusivity > 0) {
+        plan.limits.push_back(species_step_limit(scales_));
+        plan.limits.back().formula += "; not binding, stepped implicitly";
+    }
+    add_limits_of_elastic_solids(plan);
+    plan.models = models_in_use(scene_, settings_, fluid_.sweeps(), fluid_.springs());
+    plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
+    add_fields(plan);
+    return plan;
+}
+
+void FluidRun::add_limits_of_elastic_solids(Plan& plan) const {
+    for (const auto& limit : fluid_.springs().step_limits())
+        plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
+                               std::string("2 / omega_max of the drawn lattice; ") +
+                                   (fluid_.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
+    for (const Solidify& rule : scene_.solidify)
+        plan.limits.push_back({"springs (" + *rule.name + ")", new_bond_limit(scene_, rule),
+                               std::string("2 / omega of one new bond alone; ") +
+                                   (fluid_.springs().implicit() ? "not binding, stepped implicitly"
+                                                                : "sub-cycled, by the stiffest body there is")});
+}
+
+void FluidRun::add_fields(Plan& plan) const {
+    for (const ParticleGroup& group : particles_.groups()) {
+        if (group.empty()) continue;
+        for (const Field field : group.declared()) {
+            const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
+            plan.fields.push_back(word(static_cast<PartKind>(group.kind())) + std::string(": ") +
+                                  std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+            const std::string_view owner = info(field).needed_by;
+            const auto model = std::ranges::find_if(plan.models, [&](const ModelUse& use) {
+                return !owner.empty() && use.model.find(owner) != std::string::npos;
+            });
+            if (model == plan.models.end()) {
+                plan.common_fields.push_back(plan.fields.back());
+            } else {
+                model->fields.push_back(plan.fields.back());
+                model->bytes += bytes;
+            }
+        }
+    }
+}
+
+void FluidRun::advance(const RunOptions& options, double until) {
+    const double target = next_change(std::min({until, frame_times_.next(), measure_times_.next(), events_.next()}));
+    const double dt = next_step(target, extremes_.largest_speed);
+    try {
+        extremes_ = fluid_.advance(time_, dt);
+        residence_times_.add(particles_, dt, settings_.threads);
+        mean_displacement_.add(fluid_.springs(), time_, dt);
+    } catch (const DivergenceError& error) {
+        time_ += dt;
+        ++step_;
+        // The fluid_ may have gone first; if not, the springs are to blame, or viscosity speaks for itself.
+        extremes_ = fluid_.extremes();
+        stop_if_diverged(options.sink);
+        if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr &&
+            dynamic_cast<const UnsolvedSpecies*>(&error) == nullptr)
+            stop_on_violation(options.sink, text_of(watch_.stuck_springs(particles_, fluid_, error.problem(), time_)));
+        diverged(options.sink, error.problem(), error.what_to_do());
+    }
+    time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
+    ++step_;
+
+    watch_.walls_have_moved(fluid_.walls().farthest());
+    density_low_ = std::min(density_low_, extremes_.density_low);
+    density_high_ = std::max(density_high_, extremes_.density_high);
+    if (!watch_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
+    // The next step follows from what there is after it, as it does after a restart.
+    if (events_.act(time_, particles_, fluid_)) extremes_ = fluid_.extremes();
+    write_what_is_due(options.sink);
+}
+
+RunProgress FluidRun::progress(double until) const {
+    return {time_,
+            until,
+            static_cast<long>(step_),
+            ruling_limit(limits_now(extremes_.largest_speed)).dt,
+            extremes_.largest_speed,
+            static_cast<long>(frames_)};
+}
+
+RankShares FluidRun::shares(std::int64_t steps) const {
+    const Neighbours& neighbours = fluid_.neighbours();
+    const HaloTraffic traffic = neighbours.traffic();
+    const auto a_step = [&](std::int64_t all) {
+        return ranks_.largest(static_cast<double>(all)) / static_cast<double>(std::max<std::int64_t>(1, steps));
+    };
+    return {neighbours.imbalance(), neighbours.copies_per_owned(particles_), a_step(traffic.messages),
+            a_step(traffic.bytes)};
+}
+
+RunSummary FluidRun::summary() const {
+    RunSummary summary;
+    summary.start = at_start_;
+    for (const ParticleGroup& group : particles_.groups())
+        if (const auto all = ranks_.sum(static_cast<std::int64_t>(group.owned())); all > 0)
+            summary.particles[word(static_cast<PartKind>(group.kind()))] = static_cast<std::size_t>(all);
+    summary.steps = static_cast<long>(step_);
+    summary.simulated_s = time_;
+    summary.threads = settings_.threads;
+    summary.ranks = ranks_.size();
+    summary.vector_unit = word(chosen_vector_unit(settings_.vector_unit));
+    summary.sound_speed = settings_.sound_speed;
+    summary.end = conserved();
+    const OutsideImpulses& given = fluid_.impulses();
+    summary.impulse_of_body_forces = given.of_body_forces;
+    summary.impulse_of_fixed = given.of_fixed;
+    summary.impulse_of_drag = given.of_drag;
+    for (int axis = 0; axis < particles_.dimension(); ++axis)
+        // What planes of symmetry take or give is known as the rest.
+        if (particles_.space().is_mirrored(axis))
+            summary.impulse_of_fixed[axis] = summary.end.momentum[axis] - summary.start.momentum[axis] -
+                                             given.of_body_forces[axis] - given.of_drag[axis];
+    double residual = 0, scale = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double impulse = given.of_body_forces[axis] + summary.impulse_of_fixed[axis] + given.of_drag[axis];
+        residual = std::hypot(residual, summary.end.momentum[axis] - summary.start.momentum[axis] - impulse);
+        scale += std::abs(given.of_body_forces[axis]) + std::abs(summary.impulse_of_fixed[axis]) +
+                 std::abs(given.of_drag[axis]);
+    }
+    summary.momentum_residual = scale > 0 ? residual / scale : residual;
+    const double rest_density = equations_of_state(scene_, particles_.space()).front().rest_density;
+    summary.density_low = density_low_ * rest_density;
+    summary.density_high = density_high_ * rest_density;
+    summary.lost = static_cast<std::size_t>(
+        ranks_.sum(static_cast<std::int64_t>(watch_.lost(particles_, fluid_.neighbours().list()))));
+    summary.state_hash = state_hash(particles_, ranks_);
+    summary.seconds_by_stage = fluid_.timer().seconds();
+    if (fluid_.viscous_solves() != nullptr) summary.viscous_solves = *fluid_.viscous_solves();
+    if (const SpeciesTransport* species = fluid_.species()) {
+        summary.species = species->balances(particles_);
+        summary.species_solves = species->solves();
+    }
+    summary.measures = measures_.series();
+    const SpringBodies& springs = fluid_.springs();
+    for (int origin = 0; scene_.changes_bodies() && origin < static_cast<int>(springs.names().size()); ++origin)
+        summary.aggregates.push_back(aggregate_of(springs, origin));
+    return summary;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,77 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "solver/monitor/stability_monitor.hpp"
+#include "solver/output/mean_displacement.hpp"
+#include "solver/output/measures.hpp"
+#include "solver/output/residence_times.hpp"
+#include "solver/run/setup.hpp"
+#include "solver/solidify/body_events.hpp"
+#include "solver/state/schedule.hpp"
+#include "solver/time/fluid_step.hpp"
+#include "solver/time/run.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// The run of a fluid with its walls and elastic solids.
+class FluidRun final : public Run {
+  public:
+    FluidRun(Scene scene, const ParticleSet& set, const Resources& resources);
+
+    [[nodiscard]] Plan plan() const override;
+
+  protected:
+    [[nodiscard]] const Ranks& ranks() const override { return ranks_; }
+    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] double duration() const override { return scene_.run.duration; }
+    [[nodiscard]] std::int64_t step() const override { return step_; }
+    [[nodiscard]] long frames() const override { return static_cast<long>(frames_); }
+    void start(FrameSink* sink) override;
+    void advance(const RunOptions& options, double until) override;
+    void finish(FrameSink* /*sink*/) override { fluid_.refresh_neighbours(); }
+    void write_frame(FrameSink* sink) override;
+    void write_diverged_frame(FrameSink* sink) override;
+    void archive(Archive& file) override;
+    [[nodiscard]] RunProgress progress(double until) const override;
+    [[nodiscard]] RunSummary summary() const override;
+    [[nodiscard]] RankShares shares(std::int64_t steps) const override;
+
+  private:
+    [[nodiscard]] Conserved conserved() const;
+    [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
+    [[nodiscard]] double next_step(double target, double largest_speed) const;
+    /// The time at which what drives the scene changes, if that is before the target, else the target.
+    [[nodiscard]] double next_change(double target) const;
+    void write_what_is_due(FrameSink* sink);
+    void stop_if_diverged(FrameSink* sink);
+    void add_fields(Plan& plan) const;
+    void add_limits_of_elastic_solids(Plan& plan) const;
+
+    SoundSpeed sound_;
+    Scene scene_;
+    Ranks ranks_;
+    std::map<std::string, std::size_t> count_;  ///< particles of all ranks by kind
+    PairSettings settings_;                     // before the particles: the search for a free surface takes memory
+    ParticleStore particles_;
+    FluidStep fluid_;
+    StepScales scales_;
+    ResidenceTimes residence_times_;
+    MeanDisplacement mean_displacement_;
+    Measures measures_;
+    BodyEvents events_;
+    Watch watch_;
+
+    double time_ = 0;  ///< [s]
+    std::int64_t step_ = 0;
+    FluidExtremes extremes_{};  ///< of the last step
+    Schedule frame_times_, measure_times_;
+    std::int64_t frames_ = 0;
+    double last_frame_ = 0;                                                            ///< time of the last frame [s]
+    double density_low_ = std::numeric_limits<double>::infinity(), density_high_ = 0;  ///< so far, relative
+    Conserved at_start_;
+};
+
+}  // namespace dmp::solver

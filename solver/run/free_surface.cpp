@@ -1,0 +1,73 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/free_surface.hpp"
+
+#include <cmath>
+
+#include "models/sph/kernels.hpp"
+#include "particles/cell_grid.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+/// Adds the mirror images of points that lie within reach of a plane of symmetry, axis by axis.
+template <int D>
+void add_mirror_images(const ParticleSet& set, double reach, Coordinates& points, std::vector<double>& volume) {
+    for (int axis = 0; axis < D; ++axis)
+        for (const int side : {0, 1}) {
+            if (!set.mirrored[axis][side]) continue;
+            const double plane = side == 0 ? set.box.low[axis] : set.box.high[axis];
+            for (std::size_t i = 0, count = volume.size(); i < count; ++i) {
+                if (std::abs(points[axis][i] - plane) > reach) continue;
+                for (int other = 0; other < D; ++other) {
+                    const double place = points[other][i];
+                    points[other].push_back(other == axis ? 2 * plane - place : place);
+                }
+                volume.push_back(volume[i]);
+            }
+        }
+}
+
+template <int D>
+bool any_on_surface(const ParticleSet& set, int threads) {
+    const double support = 3 * set.spacing;
+    const WendlandC2<D> kernel(support);
+    Coordinates points;
+    std::vector<double> volume = set.volume;
+    for (int axis = 0; axis < D; ++axis)
+        for (const Vec& place : set.position)
+            points[axis].push_back(set.periodic[axis] ? wrapped(place[axis], set.box.low[axis], set.box.high[axis])
+                                                      : place[axis]);
+    const auto images = periodic_images(points, set.size(), set.box, set.periodic, support);
+    for (const PeriodicImage& image : images) {
+        for (int axis = 0; axis < D; ++axis) points[axis].push_back(points[axis][image.source] + image.shift[axis]);
+        volume.push_back(set.volume[image.source]);
+    }
+    add_mirror_images<D>(set, support, points, volume);
+    const CellGrid grid(points, volume.size(), D, support);
+    const auto count = static_cast<std::ptrdiff_t>(set.size());
+    bool found = false;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(|| : found)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        if (set.kind(static_cast<std::size_t>(i)) != ParticleKind::fluid) continue;
+        std::array<double, 3> place{};
+        for (int axis = 0; axis < D; ++axis) place[axis] = points[axis][i];
+        double divergence = 0;
+        grid.for_each_near(place, support, [&](int j) {
+            double r_square = 0;
+            for (int axis = 0; axis < D; ++axis) r_square += square(points[axis][j] - place[axis]);
+            divergence -= volume[j] * kernel.slope(std::sqrt(r_square)) * r_square;
+        });
+        found = found || divergence < 0.75 * D;
+    }
+    return found;
+}
+
+}  // namespace
+
+bool has_free_surface(const ParticleSet& set, int threads) {
+    return set.dimension == 3 ? any_on_surface<3>(set, threads) : any_on_surface<2>(set, threads);
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,174 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <omp.h>
+
+#include "models/contact/repulsion.hpp"
+#include "solver/run/free_surface.hpp"
+#include "solver/run/starting_state.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+/// Harmonic means are worked out only where they differ from the sum.
+bool has_unlike_viscosities(const Scene& scene) {
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    return std::any_of(fluids.begin(), fluids.end(),
+                       [&](const Part* part) { return *part->viscosity != *fluids.front()->viscosity; });
+}
+
+ViscousForce viscous_force(const Scene& scene) {
+    if (*scene.accuracy.viscous_law != ViscousLaw::morris) return ViscousForce::monaghan;
+    const bool harmonic = *scene.accuracy.viscosity_mean == ViscosityMean::harmonic;
+    return harmonic && has_unlike_viscosities(scene) ? ViscousForce::morris_harmonic : ViscousForce::morris;
+}
+
+double largest_density(const Scene& scene) {
+    double largest = 0;
+    for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
+    return largest;
+}
+
+}  // namespace
+
+double sound_speed(const Scene& scene) {
+    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value
+                                          : scene.flow.largest_speed / scene.accuracy.mach_number;
+}
+
+PairSettings pair_settings(const Scene& scene, const Resources& resources) {
+    PairSettings settings;
+    settings.kernel = scene.accuracy.kernel;
+    settings.walls = scene.accuracy.walls;
+    settings.viscous_force = viscous_force(scene);
+    settings.approaching_pairs_only = *scene.accuracy.viscous_law == ViscousLaw::monaghan_approaching;
+    settings.arithmetic_viscosity = *scene.accuracy.viscosity_mean == ViscosityMean::arithmetic;
+    settings.spacing = scene.particles.spacing;
+    settings.support = scene.accuracy.support * scene.particles.spacing;
+    settings.sound_speed = sound_speed(scene);
+    settings.background_pressure = scene.accuracy.background_pressure;
+    settings.density_by_summation = *scene.accuracy.density == DensityModel::summation;
+    settings.gradient_correction = scene.accuracy.gradient_correction;
+    settings.transport_velocity = scene.accuracy.transport_velocity;
+    settings.density_diffusion = settings.density_by_summation ? 0 : scene.accuracy.density_diffusion.value;
+    settings.shifting = settings.transport_velocity ? 0 : scene.accuracy.shifting.value;
+    settings.density = largest_density(scene);
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        settings.viscosity = std::max(settings.viscosity, part->viscosity.value);
+    if (scene.contact.range > 0) {
+        const double range = scene.contact.range * scene.particles.spacing;
+        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^3, in the plane rho c0^2 r*^2 on 1 m of
+        // depth. At 0.9 r* it then pushes like a pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not
+        // exceed, and at touch it does not rule the step.
+        const double depth = *scene.dimension == 3 ? range : 1;
+        settings.repulsion_strength = scene.contact.strength > 0 ? scene.contact.strength.value
+                                                                 : 0.002 * settings.density * settings.sound_speed *
+                                                                       settings.sound_speed * range * range * depth;
+    }
+    settings.implicit_viscosity =
+        *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) settings.periodic[axis] = scene.flow.periodic[axis];
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        settings.slip_walls = settings.slip_walls || part->slip;
+        settings.moving_walls = settings.moving_walls || part->moves();
+    }
+    settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
+    settings.vector_unit = resources.vector_unit;
+    return settings;
+}
+
+PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Resources& resources) {
+    PairSettings settings = pair_settings(scene, resources);
+    for (int axis = 0; axis < set.dimension; ++axis) {
+        const Expression& g = scene.flow.acceleration[axis];
+        if (!set.periodic[axis] && !set.is_mirrored(axis) && !g.is_zero()) settings.stratified = true;
+    }
+    if (!settings.stratified) settings.stratified = has_free_surface(set, settings.threads);
+    return settings;
+}
+
+std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSpace& space) {
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    const double first_density = fluids.empty() ? 1 : fluids.front()->density.value;
+    std::vector<LiquidState> equations;
+    for (const auto& part : space.parts) {
+        const bool is_fluid = part.kind == ParticleKind::fluid;
+        equations.push_back({sound_speed(scene),
+                             is_fluid ? scene.part_of_particles(part.name).density.value : first_density,
+                             scene.accuracy.background_pressure, scene.accuracy.equation_of_state});
+    }
+    return equations;
+}
+
+std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
+    std::vector<double> densities;
+    for (const LiquidState& state : equations_of_state(scene, set)) densities.push_back(state.rest_density);
+    return densities;
+}
+
+void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
+    const std::vector<double> densities = rest_densities(scene, set);
+    std::vector<double> viscosities, slips;
+    for (const auto& part : set.parts) {
+        slips.push_back(part.kind == ParticleKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
+        viscosities.push_back(part.kind == ParticleKind::fluid ? scene.part_of_particles(part.name).viscosity.value
+                                                               : 0);
+    }
+    const double range = scene.contact.range * scene.particles.spacing;
+    for (ParticleGroup& group : particles.groups()) {
+        const auto fill = [&](Field field, int axis, const auto& value_of) {
+            if (!group.has(field)) return;
+            for (std::size_t i = 0; i < group.owned(); ++i)
+                group.data(field, axis)[i] =
+                    value_of(group.tags()[i].part, static_cast<std::size_t>(group.tags()[i].id));
+        };
+        fill(Field::density, 0, [&](std::size_t part, std::size_t) { return densities[part]; });
+        fill(Field::viscosity, 0, [&](std::size_t part, std::size_t) { return viscosities[part]; });
+        fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
+        fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
+        fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
+        fill(Field::wall_slip, 0, [&](std::size_t part, std::size_t) { return slips[part]; });
+        for (int axis = 0; axis < set.dimension; ++axis) {
+            for (const Field normal : {Field::wall_normal, Field::drawn_normal})
+                fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
+            fill(Field::drawn_position, axis, [&](std::size_t, std::size_t id) { return set.position[id][axis]; });
+        }
+    }
+    fill_starting_density(scene, set, equations_of_state(scene, set), particles);
+}
+
+StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSettings& settings, double viscous_limit) {
+    StepScales scales;
+    scales.support = settings.support;
+    scales.sound_speed = settings.sound_speed;
+    scales.viscous_limit = viscous_limit;
+    scales.step_factor = scene.accuracy.step_factor;
+    scales.shifting = settings.shifting;
+    scales.implicit_viscosity = settings.implicit_viscosity;
+    for (const Part* part : scene.parts_of(PartKind::fluid))
+        scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
+    scales.implicit_species = *scene.accuracy.species_stepping == SpeciesStepping::implicitly;
+    for (const Species& species : scene.species)
+        for (const Part& part : scene.parts)
+            if (const Value<double>* diffusivity = species.diffusivity_in(part);
+                diffusivity != nullptr && *part.enabled)
+                scales.diffusivity = std::max(scales.diffusivity, **diffusivity);
+    if (settings.repulsion_strength > 0 && set.size() > 0) {
+        const double lightest = *std::min_element(set.mass.begin(), set.mass.end());
+        const double range = scene.contact.range * scene.particles.spacing;
+        scales.contact_limit = Repulsion{settings.repulsion_strength}.step_limit(range, lightest);
+    }
+    return scales;
+}
+
+double new_bond_limit(const Scene& scene, const Solidify& rule) {
+    const double mass =
+        scene.part_of_particles(rule.liquid).density * std::pow(scene.particles.spacing, scene.dimension);
+    return 2 / std::sqrt(2 * rule.bond_stiffness / (mass / 2));
+}
+
+}  // namespace dmp::solver

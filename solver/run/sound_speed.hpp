@@ -1,0 +1,19 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/particle_set.hpp"
+#include "scene/scene.hpp"
+#include "solver/results/plan.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// Where the scene leaves the pressure open, it is that of a column of the densest liquid under the body acceleration,
+/// as long as the fluid is at the start, summed over the axes that are not periodic; the acceleration is the largest of
+/// 64 instants of the run (components that depend on place count 0).
+SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
+
+/// The scene with that speed of sound in place of an "auto" that looks at speeds alone.
+Scene with_sound_speed(Scene scene, const SoundSpeed& chosen);
+
+}  // namespace dmp::solver

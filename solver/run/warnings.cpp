@@ -1,0 +1,230 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/warnings.hpp"
+
+#include <algorithm>
+
+#include "solver/output/species_measures.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+class Warnings {
+  public:
+    Warnings(const Scene& scene, std::size_t bodies)
+        : scene_(scene),
+          bodies_(bodies),
+          fluid_(!scene.parts_of(PartKind::fluid).empty()),
+          walls_(!scene.parts_of(PartKind::rigid).empty()),
+          springs_(scene.may_have_springs()) {}
+
+    std::vector<Warning> all() && {
+        about_drive();
+        about_contact();
+        about_fluid_models();
+        about_walls();
+        about_springs();
+        about_species();
+        about_solidify();
+        about_joins();
+        about_measures();
+        about_output();
+        return std::move(found_);
+    }
+
+  private:
+    void add(std::string key, const Place& place, std::string problem, std::string what_to_do) {
+        found_.push_back({std::move(key), place, std::move(problem), std::move(what_to_do)});
+    }
+    /// About a value that the scene gives for nothing.
+    template <class T>
+    void has_no_effect(const std::string& key, const Value<T>& value, const std::string& reason) {
+        if (value.given()) add(key, value.place, "has no effect: " + reason, "leave it out");
+    }
+
+    [[nodiscard]] bool is_driven() const {
+        const auto any = [](const std::array<Expression, 3>& formulas) {
+            return !std::ranges::all_of(formulas, &Expression::is_zero);
+        };
+        return any(scene_.flow.acceleration) || any(*scene_.flow.initial_velocity) ||
+               !scene_.flow.initial_pressure->is_zero() || !scene_.forces.empty() || !scene_.moving_shapes.empty() ||
+               std::ranges::any_of(scene_.parts_of(PartKind::rigid),
+                                   [](const Part* wall) { return wall->slides() || wall->moves(); });
+    }
+
+    void about_drive() {
+        if (is_driven()) return;
+        add("flow.acceleration", {}, "is 0 and nothing else drives the scene: nothing will move",
+            "give a body acceleration");
+    }
+
+    void about_contact() {
+        const auto& contact = scene_.contact;
+        const bool meets = springs_ && (walls_ || bodies_ > 1);
+        if (*contact.range == 0) {
+            has_no_effect("contact.strength", contact.strength, "contact.range is 0");
+            if (meets)
+                add("contact.range", contact.range.place,
+                    "is 0: " + std::string(bodies_ > 1 ? "spring bodies" : "spring bodies and walls") +
+                        " that touch will pass through each other",
+                    "give a range, 1.0 for example");
+        } else if (!walls_ && !springs_) {
+            has_no_effect("contact.range", contact.range, "no part is solid");
+            has_no_effect("contact.strength", contact.strength, "no part is solid");
+        } else if (springs_ && !fluid_ && *contact.strength == 0) {
+            add("contact.strength", contact.strength.place,
+                "is \"auto\", which follows the fluid, and there is none: spring bodies that touch will pass through "
+                "each other and themselves",
+                "give it in J");
+        }
+    }
+
+    void about_fluid_models() {
+        const auto& accuracy = scene_.accuracy;
+        if (fluid_ && *accuracy.support < 2.9)
+            add("accuracy.support", accuracy.support.place,
+                "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
+                "not cure it (docs/accuracy.md)",
+                "take 3 or more");
+        if (fluid_) return about_shifting();
+        const std::string reason = "no part is a fluid";
+        if (*accuracy.density_diffusion > 0)
+            has_no_effect("accuracy.density_diffusion", accuracy.density_diffusion, reason);
+        if (*accuracy.shifting > 0) has_no_effect("accuracy.shifting", accuracy.shifting, reason);
+        has_no_effect("accuracy.kernel", accuracy.kernel, reason);
+        has_no_effect("accuracy.walls", accuracy.walls, reason);
+    }
+
+    /// Measured in docs/accuracy.md, "Shifting and the speed of sound". Implicit viscosity damps what it stirs up.
+    void about_shifting() {
+        constexpr double times_too_fast = 50;
+        const auto& accuracy = scene_.accuracy;
+        if (*accuracy.shifting == 0 || *accuracy.transport_velocity || !accuracy.sound_speed.given()) return;
+        if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly || *scene_.flow.largest_speed == 0) return;
+        if (*accuracy.sound_speed < 0.999 * times_too_fast * *scene_.flow.largest_speed) return;
+        add("accuracy.sound_speed", accuracy.sound_speed.place,
+            "is 50 times flow.largest_speed or more: shifting then stirs the fluid and slows the flow "
+            "(docs/accuracy.md)",
+            "lower it to 25 times or less, or set accuracy.shifting = 0");
+    }
+
+    void about_walls() {
+        if (!fluid_) return;
+        const auto& walls = scene_.accuracy.walls;
+        if (!walls_ && !springs_) has_no_effect("accuracy.walls", walls, "no part is solid");
+        if (!walls_ || *walls != WallModel::extrapolated) return;
+        for (const Part* part : scene_.parts_of(PartKind::fluid))
+            if (*part->viscosity == 0)
+                add("part." + *part->name + ".viscosity", part->viscosity.place,
+                    "is 0 between no-slip walls: they cannot hold the fluid back", "give the fluid a viscosity");
+    }
+
+    void about_springs() {
+        for (const Part* part : scene_.parts_of(PartKind::springs))
+            if (*part->drag == 0) has_no_effect("part." + *part->name + ".drag", part->drag, "it is 0");
+        const auto& accuracy = scene_.accuracy;
+        if (!springs_) has_no_effect("accuracy.spring_stepping", accuracy.spring_stepping, "no part has springs");
+        if (!springs_ || *accuracy.spring_stepping == SpringStepping::implicit)
+            has_no_effect("accuracy.spring_step_factor", accuracy.spring_step_factor,
+                          springs_ ? "springs are stepped implicitly" : "no part has springs");
+    }
+
+    void about_species() {
+        const auto& accuracy = scene_.accuracy;
+        if (scene_.species.empty()) {
+            has_no_effect("accuracy.species_stepping", accuracy.species_stepping, "the scene has no [[species]]");
+            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "the scene has no [[species]]");
+        } else if (*accuracy.species_stepping == SpeciesStepping::explicitly) {
+            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "diffusion is stepped explicitly");
+        }
+        const bool measured =
+            std::ranges::any_of(scene_.measures, [](const Measure& measure) { return is_of_species(*measure.kind); });
+        for (const Species& species : scene_.species) {
+            const std::string key = "species." + *species.name;
+            if (!measured && !scene_.asks_for(FluidField::concentration))
+                add(key, species.name.place,
+                    "is not shown: 'concentration' is not among output.fields and no measure "
+                    "asks for it",
+                    "add it there");
+            if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
+                add(key, species.name.place, "is nowhere: it starts at 0 and no wall gives any of it",
+                    "give a concentration at the start or at a wall");
+        }
+    }
+
+    void about_solidify() {
+        for (const Solidify& rule : scene_.solidify) {
+            const std::string key = "solidify." + *rule.name + ".";
+            if (*rule.reach < *scene_.particles.spacing)
+                add(key + "reach", rule.reach.place,
+                    "is less than the spacing: only liquid that happens to be compressed is ever within reach",
+                    "write 1.1 to 1.4 spacings, for the nearest neighbours");
+            if (*rule.from >= *scene_.run.duration)
+                add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
+                    "lower it, or run for longer");
+        }
+    }
+
+    void about_joins() {
+        for (const Join& join : scene_.joins)
+            for (const std::string& name : *join.parts)
+                if (const Part* part = scene_.part_named(name); part != nullptr && !*part->enabled)
+                    add("join." + *join.name + ".parts", join.parts.place,
+                        "'" + name + "' is left out (enabled = false), and so is the join",
+                        "leave the join out, or enable the part");
+    }
+
+    void about_measures() {
+        for (const Measure& measure : scene_.measures) {
+            if (*measure.kind != MeasureKind::gap) continue;
+            const Part* part = scene_.part_named(measure.part);
+            if (part != nullptr && !*part->enabled)
+                add("measure." + *measure.name + ".part", measure.part.place,
+                    "'" + *measure.part + "' is left out (enabled = false), so the measure has no column",
+                    "leave the measure out, or enable the part");
+        }
+        if (scene_.measures.empty())
+            has_no_effect("output.measure_every", scene_.output.measure_every, "the scene has no [[measure]]");
+    }
+
+    void about_output() {
+        const auto& output = scene_.output;
+        const auto is_named = [this](const ResidenceRegion& region) {
+            return std::ranges::any_of(scene_.solidify, [&](const Solidify& rule) {
+                return *rule.seed_region == *region.name || *rule.region == *region.name;
+            });
+        };
+        if (!scene_.asks_for(FluidField::residence_time))
+            for (const ResidenceRegion& region : scene_.regions)
+                if (!is_named(region))
+                    has_no_effect("region." + *region.name, region.name,
+                                  "'residence_time' is not among output.fields and no probe reads it");
+        const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
+        if (!averages)
+            has_no_effect("output.average_from", output.average_from,
+                          "no springs part has 'mean_displacement' among output.solid_fields");
+        if (averages && *output.average_from >= *scene_.run.duration)
+            add("output.average_from", output.average_from.place, "is not before the run's end: nothing is averaged",
+                "begin earlier");
+        const bool shown = std::ranges::find(output.fields, *output.picture_field) != output.fields.end();
+        if (*output.pictures && fluid_ && !shown)
+            add("output.picture_field", output.picture_field.place,
+                "'" + word(*output.picture_field) + "' is not among output.fields: pictures will show no colours",
+                "add it there");
+    }
+
+    const Scene& scene_;
+    std::size_t bodies_;
+    bool fluid_, walls_, springs_;
+    std::vector<Warning> found_;
+};
+
+}  // namespace
+
+std::string Warning::text() const {
+    return (place.known() ? place.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
+}
+
+std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
+
+}  // namespace dmp::solver

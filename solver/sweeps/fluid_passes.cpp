@@ -1,0 +1,281 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/sweeps/fluid_passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "solver/parallel/largest_square.hpp"
+#include "solver/parallel/low_and_high.hpp"
+#include "solver/store/sums_over.hpp"
+#include "solver/sweeps/reproducible_sum.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Calls visit(i) for the owned particles of a group, several at a time: none may need what another one brings about.
+template <class Visit>
+void for_each_owned(const ParticleGroup& group, int threads, const Visit& visit) {
+    const auto count = static_cast<std::ptrdiff_t>(group.owned());
+#pragma omp parallel for simd num_threads(threads) schedule(static)
+    for (std::ptrdiff_t i = 0; i < count; ++i) visit(i);
+}
+
+template <int D>
+std::array<double*, D> axes(ParticleGroup& group, Field field) {
+    std::array<double*, D> arrays{};
+    for (int axis = 0; axis < D; ++axis) arrays[axis] = group.data(field, axis);
+    return arrays;
+}
+
+/// Whether fourth powers of speeds up to this one have a quantum.
+bool can_round(double largest_speed) { return largest_speed > 0 && std::pow(largest_speed, 4) < infinity; }
+
+OrderFree rounding_of_powers(double largest_speed) { return OrderFree(at_least_something(std::pow(largest_speed, 4))); }
+
+/// Of so few the sum is exact (OrderFree).
+double sum_of_fourth_powers(const LargestSquare::Squares& squares, const OrderFree& rounded) {
+    constexpr std::ptrdiff_t lanes = LargestSquare::lanes;
+    std::array<double, lanes> sums{};
+    for (std::ptrdiff_t k = 0; k < LargestSquare::at_a_time; k += lanes)
+        for (std::ptrdiff_t lane = 0; lane < lanes; ++lane)
+            sums[lane] += rounded(squares[k + lane] * squares[k + lane]);
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+/// Of a largest square that is infinite where a number was none.
+double root(double square) { return std::sqrt(square); }
+
+}  // namespace
+
+FluidPasses::FluidPasses(std::vector<LiquidState> state_of_part, int threads)
+    : state_of_part_(std::move(state_of_part)),
+      one_state_(std::all_of(state_of_part_.begin(), state_of_part_.end(),
+                             [&](const LiquidState& state) {
+                                 return state.rest_density == state_of_part_.front().rest_density &&
+                                        state.sound_speed == state_of_part_.front().sound_speed;
+                             })),
+      threads_(threads) {}
+
+void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
+    ParticleGroup& fluid = particles.fluid();
+    const PositionQuantum& quantum = particles.quantum();
+    for (int axis = 0; axis < particles.dimension(); ++axis) {
+        double* x = fluid.data(Field::position, axis);
+        const double* v = fluid.data(Field::velocity, axis);
+        for_each_owned(fluid, threads_, [=](std::ptrdiff_t i) { x[i] += quantum.round(dt * v[i]); });
+    }
+    for (ParticleGroup& group : particles.groups())
+        if (group.has(Field::density_rate)) {
+            double* density = group.data(Field::density);
+            const double* rate = group.data(Field::density_rate);
+            update_pressure(group, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; });
+        }
+}
+
+void FluidPasses::note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const {
+    for_each_owned(fluid, threads_, [&](std::ptrdiff_t i) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis)
+            square += std::pow(shift.per_sum * fluid.data(Field::shift, axis)[i], 2);
+        const double length = std::sqrt(square), shortened = length > shift.longest ? shift.longest / length : 1;
+        for (int axis = 0; axis < fluid.dimension(); ++axis)
+            fluid.data(Field::transport_velocity, axis)[i] =
+                shortened * shift.per_sum / dt * fluid.data(Field::shift, axis)[i];
+    });
+}
+
+void FluidPasses::update_density(ParticleGroup& group, double dt) const {
+    double* density = group.data(Field::density);
+    const double* rate = group.data(Field::density_rate);
+    for_each_owned(group, threads_, [=](std::ptrdiff_t i) { density[i] += dt * rate[i]; });
+}
+
+/// Pressure and volume from density_of(i), which may bring the density up to date.
+template <class DensityOf>
+void FluidPasses::update_pressure(ParticleGroup& group, const DensityOf& density_of) const {
+    const double* mass = group.data(Field::mass);
+    double* pressure = group.data(Field::pressure);
+    double* volume = group.data(Field::volume);
+    const auto update = [&](const auto& state_of) {
+        for_each_owned(group, threads_, [=](std::ptrdiff_t i) {
+            const double density = density_of(i);
+            pressure[i] = state_of(i).pressure(density);
+            volume[i] = mass[i] / density;
+        });
+    };
+    if (one_state_)
+        update([state = state_of_part_.front()](std::ptrdiff_t) { return state; });
+    else
+        update([tags = group.tags(), this](std::ptrdiff_t i) { return state_of_part_[tags[i].part]; });
+}
+
+void FluidPasses::update_pressure(ParticleStore& particles) const {
+    for (ParticleGroup& group : particles.groups())
+        if (group.has(Field::pressure))
+            update_pressure(group, [density = group.data(Field::density)](std::ptrdiff_t i) { return density[i]; });
+}
+
+SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
+                            double expected_speed) const {
+    return can_round(expected_speed) ? kick_and_sum<true>(fluid, dt, g, expected_speed)
+                                     : kick_and_sum<false>(fluid, dt, g, 0);
+}
+
+template <bool sums_powers>
+SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
+                                    double expected_speed) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    const double* mass = fluid.data(Field::mass);
+    const OrderFree rounded = rounding_of_powers(expected_speed);
+    SpeedSums sums;
+    const auto pass = [&]<int D>() {
+        const auto v = axes<D>(fluid, Field::velocity), force = axes<D>(fluid, Field::force);
+#pragma omp parallel num_threads(threads_)
+        {
+            LargestSquare largest;
+            ExactSum powers;
+#pragma omp for schedule(static) nowait
+            for (std::ptrdiff_t begin = 0; begin < count; begin += LargestSquare::at_a_time) {
+                const std::ptrdiff_t some = std::min(LargestSquare::at_a_time, count - begin);
+                LargestSquare::Squares square{};
+                for (int axis = 0; axis < D; ++axis) {
+                    double* speed = v[axis] + begin;
+                    const double *pushed = force[axis] + begin, *inertia = mass + begin, driven = g[axis];
+#pragma omp simd
+                    for (std::ptrdiff_t k = 0; k < some; ++k) {
+                        speed[k] += dt * (pushed[k] / inertia[k] + driven);
+                        square[k] += speed[k] * speed[k];
+                    }
+                }
+                largest.look_at(square);
+                if constexpr (sums_powers) powers.add(sum_of_fourth_powers(square, rounded));
+            }
+#pragma omp critical(dmp_kick)
+            {
+                sums.largest = std::max(sums.largest, largest.value());
+                sums.fourth_powers.add(powers);
+            }
+        }
+    };
+    fluid.dimension() == 3 ? pass.template operator()<3>() : pass.template operator()<2>();
+    sums.largest = root(sums.largest);
+    return sums;
+}
+
+bool FluidPasses::sum_alike(double expected_speed, double largest_speed) {
+    return can_round(expected_speed) && can_round(largest_speed) &&
+           rounding_of_powers(expected_speed).quantum() == rounding_of_powers(largest_speed).quantum();
+}
+
+ExactSum FluidPasses::fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const {
+    if (!can_round(largest_speed)) {
+        ExactSum none_or_broken;
+        none_or_broken.add(largest_speed == 0 ? 0 : infinity);
+        return none_or_broken;
+    }
+    std::array<const double*, 3> v{};
+    for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
+    const OrderFree rounded = rounding_of_powers(largest_speed);
+    return sums_of_multiples<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
+        sum[0] += rounded(square * square);
+    })[0];
+}
+
+template <int D>
+PassExtremes FluidPasses::drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const {
+    ParticleGroup& fluid = particles.fluid();
+    const PositionQuantum quantum = particles.quantum();
+    const auto x = axes<D>(fluid, Field::position), v = axes<D>(fluid, Field::velocity);
+    const bool shifts = shift.per_sum != 0;
+    const auto sum = axes<D>(fluid, shifts ? Field::shift : Field::velocity);
+    const double per_sum_square = shift.per_sum * shift.per_sum, longest_square = shift.longest * shift.longest;
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    double farthest = 0;
+    if (!shifts) {
+#pragma omp parallel for num_threads(threads_) schedule(static)
+        for (std::ptrdiff_t i = 0; i < count; ++i)
+            for (int axis = 0; axis < D; ++axis) x[axis][i] += quantum.round(dt * v[axis][i]);
+    } else {
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : farthest)
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            double square = 0;
+            for (int axis = 0; axis < D; ++axis) square += sum[axis][i] * sum[axis][i];
+            const double length_square = per_sum_square * square;
+            const double shortened = length_square > longest_square ? std::sqrt(longest_square / length_square) : 1;
+            for (int axis = 0; axis < D; ++axis)
+                x[axis][i] += quantum.round(dt * v[axis][i] + shortened * shift.per_sum * sum[axis][i]);
+            farthest = std::max(farthest, std::min(length_square, longest_square));
+        }
+    }
+    PassExtremes extremes;
+    extremes.longest_shift = std::sqrt(farthest);
+    return extremes;
+}
+
+PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const {
+    PassExtremes extremes = particles.dimension() == 3 ? drift_and_shift<3>(particles, dt, shift)
+                                                       : drift_and_shift<2>(particles, dt, shift);
+    for (ParticleGroup& group : particles.groups())
+        if (group.has(Field::density_rate) && group.kind() != ParticleKind::fluid) update_density(group, dt);
+    ParticleGroup& fluid = particles.fluid();
+    double* density = fluid.data(Field::density);
+    if (fluid.has(Field::density_rate)) {
+        const double* rate = fluid.data(Field::density_rate);
+        look_at_densities(
+            fluid, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; }, extremes);
+    } else {
+        look_at_densities(
+            fluid, [=](std::ptrdiff_t i) { return density[i]; }, extremes);
+    }
+    return extremes;
+}
+
+/// Takes note of the extremes of density_of(i), which may bring the density up to date.
+template <class DensityOf>
+void FluidPasses::look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of,
+                                    PassExtremes& extremes) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    if (count == 0) {
+        extremes.density_low = infinity;
+        extremes.density_high = -infinity;
+    } else if (one_state_) {
+        const double rest_density = state_of_part_.front().rest_density;
+        const auto [low, high] = low_and_high(count, threads_, density_of);
+        extremes.density_low = low / rest_density;
+        extremes.density_high = high / rest_density;
+    } else {
+        const auto relative = [&, tags = fluid.tags()](std::ptrdiff_t i) {
+            return density_of(i) / state_of_part_[tags[i].part].rest_density;
+        };
+        std::tie(extremes.density_low, extremes.density_high) = low_and_high(count, threads_, relative);
+    }
+}
+
+PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    std::array<const double*, 3> v{};
+    for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
+    double fastest = 0;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(max : fastest)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        double square = 0;
+        for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
+        fastest = square <= fastest ? fastest : square < infinity ? square : infinity;  // NaN too
+    }
+    PassExtremes extremes;
+    extremes.largest_speed = root(fastest);
+    look_at_densities(
+        fluid, [density = fluid.data(Field::density)](std::ptrdiff_t i) { return density[i]; }, extremes);
+    return extremes;
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,36 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "base/simd/vector.hpp"
+
+namespace dmp::solver {
+
+/// Rounds the terms of a sum to whole multiples of a power of two. Such sums are exact, hence the same bits in any
+/// order: of neighbours, of copies, on any number of threads and ranks, whenever the list was made.
+/// (Fixed-point accumulation in the mantissa of a double; after Demmel & Nguyen 2013, with one bin.)
+/// The quantum is 2^-46 of the largest term expected: terms up to 32 times that, and sums up to 128 times it, stay
+/// exact. What is larger still is added like any other number, and only its last bits then depend on the order.
+class OrderFree {
+  public:
+    explicit OrderFree(double largest_term) : magic_(1.5 * std::ldexp(1.0, std::ilogb(largest_term) - 46 + 52)) {}
+
+    template <class T>
+    [[nodiscard]] T operator()(const T& term) const {
+        return (term + T(magic_)) - T(magic_);
+    }
+    template <class T, int D>
+    [[nodiscard]] Vector<T, D> operator()(const Vector<T, D>& term) const {
+        Vector<T, D> rounded;
+        for (int axis = 0; axis < D; ++axis) rounded[axis] = (*this)(term[axis]);
+        return rounded;
+    }
+    /// What terms are multiples of.
+    [[nodiscard]] double quantum() const { return std::ldexp(magic_ / 1.5, -52); }
+
+  private:
+    double magic_;
+};
+
+}  // namespace dmp::solver

@@ -1,0 +1,104 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/time/run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <vector>
+
+namespace dmp::solver {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Of the ranks' texts, that of the lowest rank whose text is not empty.
+std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
+    const std::vector<char> own(text.begin(), text.end());
+    const std::int64_t mine = text.empty() ? ranks.size() : ranks.rank();
+    const auto lowest = static_cast<std::int64_t>(ranks.smallest(static_cast<double>(mine)));
+    const auto all = ranks.all_gather(lowest == ranks.rank() ? own : std::vector<char>());
+    return {all.begin(), all.end()};
+}
+
+}  // namespace
+
+long Run::resume(const Hdf5Reader& checkpoint) {
+    Archive file(ranks(), checkpoint);
+    archive(file);
+    return frames();
+}
+
+RunSummary Run::run(const RunOptions& options) {
+    const double until = options.until > 0 ? options.until : duration();
+    Checkpoints checkpoints(ranks(), options.checkpoints);
+    const std::int64_t first_step = step();
+    start(options.sink);
+    const End end = step_until(checkpoints, options, until);
+    finish(options.sink);
+
+    RunSummary summary = this->summary();
+    const Plan plan = this->plan();
+    summary.limits = plan.limits;
+    summary.ruling_limit = plan.ruling_limit;
+    summary.wall_s = end.wall;
+    std::size_t particles = 0;
+    for (const auto& [kind, count] : plan.particles) particles += count;
+    const std::int64_t steps = step() - first_step;
+    summary.particle_steps_per_s = static_cast<double>(steps) * static_cast<double>(particles) / end.wall;
+    summary.interrupted = end.interrupted;
+    summary.out_of_time = end.out_of_time;
+    summary.first_step = static_cast<long>(first_step);
+    summary.shares = shares(steps);
+    return summary;
+}
+
+Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, double until) {
+    const auto save = [&] { checkpoints.save(step(), [&](Archive& file) { archive(file); }); };
+    const auto start = Clock::now();
+    auto last_progress = start;
+    End end;
+    const double last = until * (1 - 1e-12);
+    while (time() < last && !finished()) {
+        // What one rank asks for, all ranks do.
+        std::array<double, 3> requests{options.stop != nullptr && *options.stop ? 1.0 : 0.0,
+                                       options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
+                                       checkpoints.due() ? 1.0 : 0.0};
+        ranks().largest(requests);
+        end.out_of_time = requests[1] > 0;
+        end.interrupted = requests[0] > 0 || end.out_of_time;
+        if (end.interrupted) {
+            if (checkpoints.wanted()) save();
+            write_frame(options.sink);
+            break;
+        }
+        if (requests[2] > 0) save();
+        advance(options, until);
+        if (options.progress && ranks().is_first() && seconds_since(last_progress) > 0.2) {
+            last_progress = Clock::now();
+            options.progress(progress(until));
+        }
+    }
+    // A time given on the command line gets a frame, also where none is due.
+    if (options.until > 0 && !end.interrupted) write_frame(options.sink);
+    end.wall = seconds_since(start);
+    return end;
+}
+
+void Run::stop_on_violation(FrameSink* sink, const std::string& found) {
+    const std::string first = first_that_is_not_empty(ranks(), found);
+    if (first.empty()) return;
+    const auto end = first.find('\n');
+    diverged(sink, first.substr(0, end), first.substr(end + 1));
+}
+
+void Run::diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do) {
+    write_diverged_frame(sink);
+    throw DivergenceError("the simulation diverged at t = " + std::to_string(time()) + " s, step " +
+                              std::to_string(step()) + ": " + problem,
+                          what_to_do);
+}
+
+}  // namespace dmp::solver

@@ -1,0 +1,89 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "solver/parallel/ranks.hpp"
+#include "solver/results/frame.hpp"
+#include "solver/results/plan.hpp"
+#include "solver/results/run_summary.hpp"
+#include "solver/state/checkpoints.hpp"
+
+namespace dmp::solver {
+
+struct RunProgress {
+    double time = 0, until = 0;  ///< [s]
+    long step = 0;
+    double dt = 0;
+    double largest_speed = 0;
+    long frames = 0;
+};
+
+struct RunOptions {
+    double until = 0;  ///< [s]; 0 = the scene's duration
+    FrameSink* sink = nullptr;
+    std::function<void(const RunProgress&)> progress;  ///< called a few times a second at most
+    const std::atomic<bool>* stop = nullptr;           ///< set from a signal handler: finish the step, write, leave
+    double wall_limit = 0;                             ///< wall time after which to write and leave [s]; 0: none
+    CheckpointOptions checkpoints;
+};
+
+/// A scene in motion, whatever moves in it: a fluid with elastic solids (FluidRun) or spheres (SphereRun).
+class Run {
+  public:
+    Run() = default;
+    virtual ~Run() = default;
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    [[nodiscard]] virtual Plan plan() const = 0;
+
+    /// Restores the state of a checkpoint. Returns the number of frames written up to then.
+    long resume(const Hdf5Reader& checkpoint);
+
+    /// Steps to the end of the run: saves checkpoints, reports progress, and stops early when asked to. All ranks
+    /// together. Throws DivergenceError (after a last frame) and ResourceError.
+    RunSummary run(const RunOptions& options);
+
+  protected:
+    [[nodiscard]] virtual const Ranks& ranks() const = 0;
+    [[nodiscard]] virtual double time() const = 0;      ///< [s]
+    [[nodiscard]] virtual double duration() const = 0;  ///< of the scene [s]
+    [[nodiscard]] virtual std::int64_t step() const = 0;
+    [[nodiscard]] virtual long frames() const = 0;
+
+    /// Neighbour lists and forces of the present state; at step 0 also the first frame and measures.
+    virtual void start(FrameSink* sink) = 0;
+    /// One step, towards `until` or the next time at which output is due.
+    virtual void advance(const RunOptions& options, double until) = 0;
+    /// After the last step.
+    virtual void finish(FrameSink* sink) = 0;
+    /// Whether nothing more will happen; the same on all ranks.
+    [[nodiscard]] virtual bool finished() const { return false; }
+    virtual void write_frame(FrameSink* sink) = 0;
+    /// The same of a state that may hold anything: no neighbours are searched.
+    virtual void write_diverged_frame(FrameSink* sink) = 0;
+    virtual void archive(Archive& file) = 0;
+    [[nodiscard]] virtual RunProgress progress(double until) const = 0;
+    /// Without limits, wall time and shares, which run() adds.
+    [[nodiscard]] virtual RunSummary summary() const = 0;
+    /// Over this many steps.
+    [[nodiscard]] virtual RankShares shares(std::int64_t steps) const = 0;
+
+    /// Ends the run with a last frame where any rank found a violation: "problem\nwhat to do", empty where there is
+    /// none. The message is that of the lowest rank with one. All ranks take part.
+    void stop_on_violation(FrameSink* sink, const std::string& found);
+    [[noreturn]] void diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do);
+
+  private:
+    struct End {
+        bool interrupted = false, out_of_time = false;
+        double wall = 0;  ///< [s]
+    };
+    [[nodiscard]] End step_until(Checkpoints& checkpoints, const RunOptions& options, double until);
+};
+
+}  // namespace dmp::solver
