@@ -3,7 +3,7 @@
 
 namespace dmp {
 
-std::string Place::text() const {
+std::string SourceLocation::text() const {
     if (!known() || line == 0) return file;
     std::string text = file + ":" + std::to_string(line);
     if (column > 0) text += ":" + std::to_string(column);
@@ -12,7 +12,7 @@ std::string Place::text() const {
 
 namespace {
 
-std::string whole_message(const Place& where, const std::string& problem, const std::string& what_to_do) {
+std::string whole_message(const SourceLocation& where, const std::string& problem, const std::string& what_to_do) {
     std::string message = where.known() ? where.text() + ": " + problem : problem;
     if (!what_to_do.empty()) message += "\n  " + what_to_do;
     return message;
@@ -20,7 +20,7 @@ std::string whole_message(const Place& where, const std::string& problem, const 
 
 }  // namespace
 
-Error::Error(Place where, std::string what, std::string what_to_do)
+Error::Error(SourceLocation where, std::string what, std::string what_to_do)
     : std::runtime_error(whole_message(where, what, what_to_do)),
       where_(std::move(where)),
       problem_(std::move(what)),

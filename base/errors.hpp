@@ -8,7 +8,7 @@
 namespace dmp {
 
 /// A place in a text the user wrote. Line and column count from 1; 0 means "no such place".
-struct Place {
+struct SourceLocation {
     std::string file;
     int line = 0;
     int column = 0;
@@ -21,14 +21,14 @@ struct Place {
 /// Every error of dmp says what is wrong, where, and what to do about it.
 class Error : public std::runtime_error {
   public:
-    Error(Place where, std::string what, std::string what_to_do);
+    Error(SourceLocation where, std::string what, std::string what_to_do);
 
-    [[nodiscard]] const Place& where() const { return where_; }
+    [[nodiscard]] const SourceLocation& where() const { return where_; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
     [[nodiscard]] const std::string& what_to_do() const { return what_to_do_; }
 
   private:
-    Place where_;
+    SourceLocation where_;
     std::string problem_;
     std::string what_to_do_;
 };

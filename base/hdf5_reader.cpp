@@ -33,7 +33,8 @@ struct Hdf5Reader::State {
     std::vector<std::string> names;
 
     [[noreturn]] void refuse(const std::string& problem) const {
-        throw InputError(Place{path.string(), 0, 0}, problem, "Restore the file from a copy, or make it again.");
+        throw InputError(SourceLocation{path.string(), 0, 0}, problem,
+                         "Restore the file from a copy, or make it again.");
     }
 
     /// Passes on what an HDF5 call returned, or throws.

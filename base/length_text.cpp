@@ -41,8 +41,8 @@ std::string length_text(double length, double size) {
     return text.str();
 }
 
-std::string place_text(const Vec& place, int dimension) {
-    return "(" + coordinates_text(place, dimension, ", ", ")", 5);
+std::string position_text(const Vec& position, int dimension) {
+    return "(" + coordinates_text(position, dimension, ", ", ")", 5);
 }
 
 std::string extent_text(const Box& box, int dimension) {

@@ -22,7 +22,7 @@ std::string length_text(double length);
 std::string length_text(double length, double size);
 
 /// A place [m] for a person, five digits: "(0.5, 0, -3.25) mm"; of a drawing in the plane "(0.5, 0) mm".
-std::string place_text(const Vec& place, int dimension = 3);
+std::string position_text(const Vec& position, int dimension = 3);
 
 /// How large a box is: "40 x 8 x 8 mm", "40 x 8 mm".
 std::string extent_text(const Box& box, int dimension = 3);

@@ -22,7 +22,7 @@ std::vector<fs::path> entries(const fs::path& folder) {
     fs::directory_iterator entry(folder, failed);
     for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) paths.push_back(entry->path());
     if (failed)
-        throw InputError(Place{folder.string(), 0, 0}, "cannot be looked into: " + failed.message(),
+        throw InputError(SourceLocation{folder.string(), 0, 0}, "cannot be looked into: " + failed.message(),
                          "Check that it is a folder and that you may read it.");
     return paths;
 }

@@ -163,7 +163,8 @@ void check_seal(const fs::path& file, const SealedKind& kind) {
         problem = "not readable: " + error.code().message();
     }
     if (!problem.empty())
-        throw InputError(Place{file.string(), 0, 0}, problem, "Use another file, or restore this one from a copy.");
+        throw InputError(SourceLocation{file.string(), 0, 0}, problem,
+                         "Use another file, or restore this one from a copy.");
 }
 
 }  // namespace dmp

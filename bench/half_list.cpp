@@ -20,10 +20,10 @@ template <int D, class Kernel>
 class HalfListLoop final : public HalfList {
   public:
     HalfListLoop(const ParticleSet& set, double support)
-        : kernel_(support), support_square_(square(support)), sorted_place_(set.size()) {
+        : kernel_(support), support_square_(square(support)), sorted_position_(set.size()) {
         const double reach = (1 + skin_of_support) * support;
         sort_particles(set, reach);
-        add_copies(set, reach);
+        add_ghosts(set, reach);
         build_list(set, reach);
     }
 
@@ -44,8 +44,8 @@ class HalfListLoop final : public HalfList {
                     other.rate += a.mass * volume_rate;
                 });
             }
-            for (int k = first_copy_[i]; k < first_copy_[i + 1]; ++k) {
-                const Point& b = points_[near_copies_[k]];
+            for (int k = first_ghost_[i]; k < first_ghost_[i + 1]; ++k) {
+                const Point& b = points_[near_ghosts_[k]];
                 add_pair(a, b, [&](double volume_rate, const std::array<double, D>& force) {
                     for (int axis = 0; axis < D; ++axis) sum.force[axis] += force[axis];
                     sum.rate += b.mass * volume_rate;
@@ -56,26 +56,26 @@ class HalfListLoop final : public HalfList {
     }
 
     [[nodiscard]] std::size_t particles() const override { return density_.size(); }
-    [[nodiscard]] std::size_t pairs_listed() const override { return neighbours_.size() + near_copies_.size() / 2; }
+    [[nodiscard]] std::size_t pairs_listed() const override { return neighbours_.size() + near_ghosts_.size() / 2; }
     [[nodiscard]] std::size_t pairs_within_support() const override {
         // Lattice neighbours exactly at the support are out, whichever way their distance is rounded.
         const double inside = support_square_ * (1 - 1e-9);
-        std::size_t pairs = 0, to_copies = 0;
+        std::size_t pairs = 0, to_ghosts = 0;
         for (std::size_t i = 0; i < density_.size(); ++i) {
             for (int k = first_[i]; k < first_[i + 1]; ++k)
                 pairs += distance_square(points_[i], points_[neighbours_[k]]) < inside ? 1 : 0;
-            for (int k = first_copy_[i]; k < first_copy_[i + 1]; ++k)
-                to_copies += distance_square(points_[i], points_[near_copies_[k]]) < inside ? 1 : 0;
+            for (int k = first_ghost_[i]; k < first_ghost_[i + 1]; ++k)
+                to_ghosts += distance_square(points_[i], points_[near_ghosts_[k]]) < inside ? 1 : 0;
         }
-        return pairs + to_copies / 2;
+        return pairs + to_ghosts / 2;
     }
 
     [[nodiscard]] std::array<double, 3> force(std::size_t i) const override {
         std::array<double, 3> force{};
-        for (int axis = 0; axis < D; ++axis) force[axis] = sums_[sorted_place_[i]].force[axis];
+        for (int axis = 0; axis < D; ++axis) force[axis] = sums_[sorted_position_[i]].force[axis];
         return force;
     }
-    [[nodiscard]] double density_rate(std::size_t i) const override { return sums_[sorted_place_[i]].rate; }
+    [[nodiscard]] double density_rate(std::size_t i) const override { return sums_[sorted_position_[i]].rate; }
 
   private:
     /// What a pair needs of a particle; in the plane one line of the cache.
@@ -128,10 +128,10 @@ class HalfListLoop final : public HalfList {
             points_[i].pressure_term = stiffness * (cube * cube * ratio - 1) * square(points_[i].inverse_density);
             sums_[i] = {};
         }
-        for (std::size_t k = 0; k < copies_.size(); ++k) {
+        for (std::size_t k = 0; k < ghosts_.size(); ++k) {
             Point& copy = points_[density_.size() + k];
-            copy = points_[copies_[k].source];
-            for (int axis = 0; axis < D; ++axis) copy.position[axis] += copies_[k].shift[axis];
+            copy = points_[ghosts_[k].source];
+            for (int axis = 0; axis < D; ++axis) copy.position[axis] += ghosts_[k].shift[axis];
         }
     }
 
@@ -143,23 +143,23 @@ class HalfListLoop final : public HalfList {
     }
 
     void sort_particles(const ParticleSet& set, double cell) {
-        Coordinates places;
+        Coordinates positions;
         for (int axis = 0; axis < D; ++axis)
             for (std::size_t i = 0; i < set.size(); ++i) {
                 const double x = set.position[i][axis];
-                places[axis].push_back(set.periodic[axis] ? wrapped(x, set.box.low[axis], set.box.high[axis]) : x);
+                positions[axis].push_back(set.periodic[axis] ? wrapped(x, set.box.low[axis], set.box.high[axis]) : x);
             }
-        const CellGrid grid(places, set.size(), D, cell);
+        const CellGrid grid(positions, set.size(), D, cell);
         for (const int i : grid.order()) {
             const SweepState state = sweep_state(set, i);
             Point point{};
             for (int axis = 0; axis < D; ++axis) {
-                point.position[axis] = places[axis][i];
+                point.position[axis] = positions[axis][i];
                 point.velocity[axis] = state.velocity[axis];
             }
             point.mass = set.mass[i];
             point.viscosity = Liquid::viscosity;
-            sorted_place_[i] = points_.size();
+            sorted_position_[i] = points_.size();
             points_.push_back(point);
             density_.push_back(state.density);
             fixed_.push_back(set.fixed[i]);
@@ -167,10 +167,10 @@ class HalfListLoop final : public HalfList {
         sums_.resize(set.size());
     }
 
-    void add_copies(const ParticleSet& set, double reach) {
-        copies_ = periodic_images(coordinates(), points_.size(), set.box, set.periodic, reach);
-        for (const PeriodicImage& copy : copies_) fixed_.push_back(fixed_[copy.source]);
-        points_.resize(points_.size() + copies_.size());
+    void add_ghosts(const ParticleSet& set, double reach) {
+        ghosts_ = periodic_images(coordinates(), points_.size(), set.box, set.periodic, reach);
+        for (const PeriodicImage& copy : ghosts_) fixed_.push_back(fixed_[copy.source]);
+        points_.resize(points_.size() + ghosts_.size());
         update_particles();
     }
 
@@ -179,17 +179,17 @@ class HalfListLoop final : public HalfList {
         const CellGrid grid(coordinates(), points_.size(), D, reach);
         for (int i = 0; i < own; ++i) {
             first_.push_back(static_cast<int>(neighbours_.size()));
-            first_copy_.push_back(static_cast<int>(near_copies_.size()));
-            std::array<double, 3> place{};
-            for (int axis = 0; axis < D; ++axis) place[axis] = points_[i].position[axis];
-            grid.for_each_near(place, reach, [&](int j) {
+            first_ghost_.push_back(static_cast<int>(near_ghosts_.size()));
+            std::array<double, 3> position{};
+            for (int axis = 0; axis < D; ++axis) position[axis] = points_[i].position[axis];
+            grid.for_each_near(position, reach, [&](int j) {
                 if (j <= i || (fixed_[i] && fixed_[j])) return;
                 if (distance_square(points_[i], points_[j]) < square(reach))
-                    (j < own ? neighbours_ : near_copies_).push_back(j);
+                    (j < own ? neighbours_ : near_ghosts_).push_back(j);
             });
         }
         first_.push_back(static_cast<int>(neighbours_.size()));
-        first_copy_.push_back(static_cast<int>(near_copies_.size()));
+        first_ghost_.push_back(static_cast<int>(near_ghosts_.size()));
     }
 
     Kernel kernel_;
@@ -198,10 +198,10 @@ class HalfListLoop final : public HalfList {
     std::vector<Sum> sums_;
     std::vector<double> density_;
     std::vector<std::uint8_t> fixed_;
-    std::vector<PeriodicImage> copies_;
-    std::vector<int> first_, neighbours_;        ///< of particle i those behind it: [first_[i], first_[i + 1])
-    std::vector<int> first_copy_, near_copies_;  ///< copies near it
-    std::vector<std::size_t> sorted_place_;      ///< by index in the set
+    std::vector<PeriodicImage> ghosts_;
+    std::vector<int> first_, neighbours_;         ///< of particle i those behind it: [first_[i], first_[i + 1])
+    std::vector<int> first_ghost_, near_ghosts_;  ///< copies near it
+    std::vector<std::size_t> sorted_position_;    ///< by index in the set
 };
 
 }  // namespace

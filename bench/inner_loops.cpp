@@ -83,7 +83,7 @@ void cell_grid_build(benchmark::State& state) {
     const ParticleSet set = make_particles(channel);
     Coordinates points;
     for (int axis = 0; axis < channel.dimension; ++axis)
-        for (const Vec& place : set.position) points[axis].push_back(place[axis]);
+        for (const Vec& position : set.position) points[axis].push_back(position[axis]);
     for (auto _ : state) {
         const CellGrid grid(points, set.size(), channel.dimension, channel.support * Liquid::spacing);
         benchmark::DoNotOptimize(grid.order().data());

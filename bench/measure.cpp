@@ -51,7 +51,7 @@ class ResidentGrowth {
 };
 
 /// Wall time, and how much of it this process had processors for: on a shared machine the rest was lost to others.
-class Watch {
+class StabilityMonitor {
   public:
     [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     [[nodiscard]] double share(int threads) const { return (processor_seconds() - used_) / (seconds() * threads); }
@@ -80,9 +80,9 @@ class EngineRuns {
         const Plan plan = simulation.plan();
         RunOptions run;
         run.until = options_.steps * plan.dt;
-        const Watch watch;
+        const StabilityMonitor monitor;
         const RunSummary summary = simulation.run(run);
-        processor_.push_back(watch.share(options_.threads));
+        processor_.push_back(monitor.share(options_.threads));
 
         const auto per_particle = [&](double seconds) {
             return seconds * summary.threads * nanoseconds /
@@ -129,10 +129,10 @@ class YardstickRuns {
 
     void run(HalfList& list, int sweeps) {
         list.sweep();  // into the cache, as a loop of steps would have it
-        const Watch watch;
+        const StabilityMonitor monitor;
         for (int k = 0; k < sweeps; ++k) list.sweep();
-        sweeps_.push_back(watch.seconds() * nanoseconds / (sweeps * particles_));
-        processor_.push_back(watch.share(1));
+        sweeps_.push_back(monitor.seconds() * nanoseconds / (sweeps * particles_));
+        processor_.push_back(monitor.share(1));
     }
     [[nodiscard]] Spread sweep() const { return spread_of(sweeps_); }
     [[nodiscard]] double processor() const { return spread_of(processor_).median; }
@@ -170,8 +170,8 @@ Measured measure(const Options& options) {
     }
 
     Measured measured;
-    measured.fluid = set.count(ParticleKind::fluid);
-    measured.walls = set.count(ParticleKind::rigid);
+    measured.fluid = set.count(PartKind::fluid);
+    measured.walls = set.count(PartKind::rigid);
     const auto per_particle = [&](std::size_t pairs) {
         return static_cast<double>(pairs) / static_cast<double>(set.size());
     };

@@ -67,7 +67,7 @@ class Parser {
                       "Solve for the viscous forces instead of taking them from the last velocities");
         app_.add_option("--vector-unit", vector_unit_, "The engine's: avx2 or avx512; default: the widest")
             ->type_name("NAME");
-        app_.add_option("--set", options_.channel.overrides, "A key of the scene: --set accuracy.shifting=4")
+        app_.add_option("--set", options_.channel.overrides, "A key of the scene: --set numerics.shifting=4")
             ->type_name("KEY=VALUE")
             ->allow_extra_args(false);
         number("--species", options_.channel.species, "Species that diffuse in the liquid; default: none");
@@ -108,7 +108,7 @@ class Parser {
         }
         if (vector_unit_) {
             std::map<std::string, VectorUnit> units;
-            for (const VectorUnit unit : available_vector_units()) units.emplace(word(unit), unit);
+            for (const VectorUnit unit : available_vector_units()) units.emplace(to_string(unit), unit);
             options_.vector_unit = chosen("--vector-unit", *vector_unit_, units);
         }
         if (walls_) {
@@ -128,11 +128,11 @@ class Parser {
 
     static void use_defaults_of_scenes(Channel& channel) {
         const Scene scene;
-        channel.kernel = scene.accuracy.kernel;
-        channel.support = scene.accuracy.support;
-        channel.walls = scene.accuracy.walls;
-        channel.density_diffusion = scene.accuracy.density_diffusion;
-        channel.shifting = scene.accuracy.shifting;
+        channel.kernel = scene.numerics.kernel;
+        channel.support = scene.numerics.support;
+        channel.walls = scene.numerics.walls;
+        channel.density_diffusion = scene.numerics.density_diffusion;
+        channel.shifting = scene.numerics.shifting;
         channel.contact_range = scene.contact.range;
     }
 

@@ -20,7 +20,7 @@ std::string particle_text(const Channel& channel, const ParticleSet& set) {
                                       {"sound_speed", Liquid::sound_speed},
                                       {"speed", Liquid::speed},
                                       {"acceleration", Liquid::acceleration},
-                                      {"kernel", word(channel.kernel)},
+                                      {"kernel", to_string(channel.kernel)},
                                       {"support", channel.support * set.spacing}};
     std::string text = head.dump() + "\n";
     for (std::size_t i = 0; i < set.size(); ++i) {

@@ -28,8 +28,8 @@ std::string heading(const Options& options, const Measured& measured) {
         "{}: {} + {} in walls; support {} dx, {}, {} walls, diffusion {}, shifting {}, on {}\n"
         "{} of {} steps on {}, and of as many yardstick sweeps on 1 thread, in turns; medians (extremes)\n",
         options.name, count_text(measured.fluid, "fluid particle"), count_text(measured.walls), channel.support,
-        word(channel.kernel), word(channel.walls), channel.density_diffusion, channel.shifting,
-        word(options.vector_unit), count_text(static_cast<std::size_t>(options.repeat), "repeat"), options.steps,
+        to_string(channel.kernel), to_string(channel.walls), channel.density_diffusion, channel.shifting,
+        to_string(options.vector_unit), count_text(static_cast<std::size_t>(options.repeat), "repeat"), options.steps,
         count_text(static_cast<std::size_t>(options.threads), "thread"));
 }
 
@@ -114,13 +114,13 @@ std::string json_text(const Options& options, const Measured& measured) {
               {"wall_particles", measured.walls},
               {"dimension", channel.dimension},
               {"support", channel.support},
-              {"kernel", word(channel.kernel)},
-              {"walls", word(channel.walls)},
+              {"kernel", to_string(channel.kernel)},
+              {"walls", to_string(channel.walls)},
               {"density_diffusion", channel.density_diffusion},
               {"shifting", channel.shifting},
               {"contact_range", channel.contact_range},
               {"implicit_viscosity", channel.implicit_viscosity},
-              {"vector_unit", word(options.vector_unit)},
+              {"vector_unit", to_string(options.vector_unit)},
               {"accurate", options.accurate},
               {"threads", options.threads},
               {"repeat", options.repeat},

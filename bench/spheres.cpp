@@ -22,7 +22,7 @@ namespace {
 using namespace dmp;
 using namespace dmp::bench;
 
-Value<double> given(double value) { return {value, Place{"bench", 1, 1}}; }
+Value<double> given(double value) { return {value, SourceLocation{"bench", 1, 1}}; }
 Expression formula(const std::string& text) { return {text, text}; }
 
 struct Start {
@@ -37,18 +37,18 @@ struct Start {
         made.youngs_modulus = given(youngs_modulus);
         made.poisson_ratio = given(0.3);
         scene.parts.push_back(made);
-        set.parts.push_back({name, kind == PartKind::spheres ? ParticleKind::spheres : ParticleKind::rigid});
+        set.parts.push_back({name, kind == PartKind::spheres ? PartKind::spheres : PartKind::rigid});
         return static_cast<int>(set.parts.size()) - 1;
     }
     void contact(double restitution, double friction) {
         ContactPair pair;
-        pair.parts = Value<std::array<std::string, 2>>({"any", "any"}, Place{"bench", 2, 1});
+        pair.parts = Value<std::array<std::string, 2>>({"any", "any"}, SourceLocation{"bench", 2, 1});
         pair.restitution = given(restitution);
         pair.friction = given(friction);
         scene.contact_pairs.push_back(pair);
     }
-    void sphere(int of_part, const Vec& place, double radius, double mass, const Vec& velocity) {
-        set.position.push_back(place);
+    void sphere(int of_part, const Vec& position, double radius, double mass, const Vec& velocity) {
+        set.position.push_back(position);
         set.velocity.push_back(velocity);
         set.angular_velocity.push_back(Vec::Zero());
         set.radius.push_back(radius);
@@ -77,16 +77,16 @@ Start bed(int cells) {
             for (int x = 0; x < cells; ++x)
                 for (const Vec& of : basis) {
                     const double radius = 0.5 * diameter * (1 + 0.05 * bench::noise(1, id++, 0));
-                    Vec place = lattice * (Vec(x, y, z) + of);
-                    place[2] += 0.5 * diameter;
-                    made.sphere(bulk, place, radius, 2500 * 4 * std::numbers::pi / 3 * std::pow(radius, 3),
-                                {0.05 * (2 * place[2] / side - 1), 0, 0});
+                    Vec position = lattice * (Vec(x, y, z) + of);
+                    position[2] += 0.5 * diameter;
+                    made.sphere(bulk, position, radius, 2500 * 4 * std::numbers::pi / 3 * std::pow(radius, 3),
+                                {0.05 * (2 * position[2] / side - 1), 0, 0});
                 }
     made.set.wall_planes.push_back({floor, Vec::Zero(), Vec::UnitZ()});
     made.set.periodic = {true, true, false};
     made.set.box = {Vec::Zero(), Vec(side, side, 1.3 * side)};
     made.scene.flow.acceleration[2] = formula("-9.81");
-    made.scene.accuracy.contact_step = given(5e-7);
+    made.scene.numerics.contact_step = given(5e-7);
     return made;
 }
 
@@ -111,7 +111,7 @@ Start carrier() {
     }
     made.set.wall_planes.push_back({wall, Vec::Zero(), Vec::UnitZ()});
     made.set.box = {Vec::Constant(-2e-4), Vec::Constant(2e-4)};
-    made.scene.run.until_still = given(2e-7);
+    made.scene.run.until_steady = given(2e-7);
     return made;
 }
 
@@ -129,7 +129,7 @@ void measure(const std::string& name, Start made, double until) {
     Simulation simulation(made.scene, made.set, 1);
     RunOptions options;
     options.until = until / 4;
-    if (*made.scene.run.until_still == 0) simulation.run(options);
+    if (*made.scene.run.until_steady == 0) simulation.run(options);
     options.until = until;
     const double before = processor_seconds();
     const RunSummary summary = simulation.run(options);

@@ -97,7 +97,7 @@ ParticleSet make_particles(const Channel& channel) {
     set.spacing = dx;
     set.box = {Vec(0, -layers * dx, 0), Vec(along * dx, (across + layers) * dx, solid_space ? deep * dx : 0)};
     set.periodic = {true, false, solid_space};
-    set.parts = {{"blood", ParticleKind::fluid}, {"wall", ParticleKind::rigid}};
+    set.parts = {{"blood", PartKind::fluid}, {"wall", PartKind::rigid}};
 
     const auto count = static_cast<std::size_t>(along) * (across + 2 * layers) * deep;
     const double volume = solid_space ? dx * dx * dx : dx * dx;
@@ -114,11 +114,11 @@ ParticleSet make_particles(const Channel& channel) {
         for (int y = -layers; y < across + layers; ++y)
             for (int x = 0; x < along; ++x) {
                 const bool below = y < 0, above = y >= across, wall = below || above;
-                Vec place(x + 0.5, y + 0.5, solid_space ? z + 0.5 : 0);
+                Vec position(x + 0.5, y + 0.5, solid_space ? z + 0.5 : 0);
                 if (channel.disordered && !wall)
                     for (int axis = 0; axis < channel.dimension; ++axis)
-                        place[axis] += largest_displacement * noise(seed, set.position.size(), axis);
-                set.position.emplace_back(dx * place);
+                        position[axis] += largest_displacement * noise(seed, set.position.size(), axis);
+                set.position.emplace_back(dx * position);
                 set.part.push_back(wall ? 1 : 0);
                 set.fixed.push_back(wall ? 1 : 0);
                 set.wall_normal.emplace_back(0, below ? 1 : above ? -1 : 0, 0);
@@ -163,7 +163,7 @@ largest_speed = "{} m/s"
 [contact]
 range = {}
 
-[accuracy]
+[numerics]
 kernel = "{}"
 support = {}
 sound_speed = "{} m/s"
@@ -181,9 +181,9 @@ measure_every = "1 s"
 {})toml",
         channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
         Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "", Liquid::speed,
-        channel.contact_range, word(channel.kernel), channel.support, Liquid::sound_speed, word(channel.walls),
+        channel.contact_range, to_string(channel.kernel), channel.support, Liquid::sound_speed, to_string(channel.walls),
         channel.density_diffusion, channel.shifting,
-        word(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly),
+        to_string(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly),
         species_text(channel.species));
 }
 

@@ -68,7 +68,7 @@ class Parser {
     }
 
     Command read(std::span<const char* const> argv) {
-        if (argv.size() == 2 && std::string_view(argv[1]) == read_drawing_word) return ReadDrawingCommand{};
+        if (argv.size() == 2 && std::string_view(argv[1]) == read_geometry_command) return ReadGeometryCommand{};
         try {
             app_.parse(static_cast<int>(argv.size()), argv.data());
         } catch (const CLI::CallForHelp&) {
@@ -131,7 +131,7 @@ class Parser {
                          "Also write them into a file for 'run --particles', e.g. on a "
                          "cluster")
             ->type_name("FILE");
-        mesh_app_->add_flag("--settle", mesh_.settle,
+        mesh_app_->add_flag("--settle", mesh_.rest_test,
                             "Run the particles for 500 steps with nothing that drives them: none may leave");
         mesh_app_->footer(
             examples(program_, {"mesh cases/vein_valve", "mesh cases/vein_valve --set particles.spacing=\"0.1 mm\"",
@@ -187,7 +187,7 @@ class Parser {
         explain_app_->add_flag("!--no-measure", explain_.measure,
                                "Do not time the scene's first steps, which takes up to two seconds");
         explain_app_->footer(
-            examples(program_, {"explain cases/vein_valve", "explain particles.spacing", "explain accuracy.support"}));
+            examples(program_, {"explain cases/vein_valve", "explain particles.spacing", "explain numerics.support"}));
     }
 
     void add_escape() {
@@ -292,7 +292,7 @@ class Parser {
 
     static std::optional<VectorUnit> vector_unit_called(const std::string& text) {
         for (const VectorUnit unit : {VectorUnit::avx2, VectorUnit::avx512}) {
-            if (word(unit) == text) return unit;
+            if (to_string(unit) == text) return unit;
         }
         return std::nullopt;
     }

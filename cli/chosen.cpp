@@ -20,7 +20,7 @@ class Origins {
     explicit Origins(const Scene& scene) : scene_(scene) {}
     template <class T>
     std::string operator()(const Value<T>& value, const char* key) const {
-        return fmt::format("{}, {}", key, value.given() ? value.place.text() : default_origin(scene_, key));
+        return fmt::format("{}, {}", key, value.given() ? value.location.text() : default_origin(scene_, key));
     }
 
   private:
@@ -29,24 +29,24 @@ class Origins {
 
 std::string sound_speed_text(const Scene& scene, const Plan& plan) {
     const Origins origin_text(scene);
-    const bool automatic = *scene.accuracy.sound_speed == 0;
+    const bool automatic = *scene.numerics.sound_speed == 0;
     if (automatic && plan.sound.pressure_rules) {
         const std::string pressure = plan.sound.pressure_is_estimated
                                          ? "by the body acceleration over the fluid's extent"
                                          : origin_text(scene.flow.largest_pressure, "flow.largest_pressure");
         return fmt::format(
             "{}   (sqrt(p / rho) / Mach {:.3g} of the largest pressure expected, {}, {}; "
-            "accuracy.sound_speed = \"auto\")",
-            quantity_text(plan.sound_speed, "m/s"), *scene.accuracy.mach_number,
+            "numerics.sound_speed = \"auto\")",
+            quantity_text(plan.sound_speed, "m/s"), *scene.numerics.mach_number,
             quantity_text(plan.sound.largest_pressure, "Pa"), pressure);
     }
     return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
                        automatic
-                           ? fmt::format("(the largest speed expected, {}, over Mach {:.3g}; accuracy.sound_speed = "
+                           ? fmt::format("(the largest speed expected, {}, over Mach {:.3g}; numerics.sound_speed = "
                                          "\"auto\"; {})",
-                                         quantity_text(plan.largest_speed, "m/s"), *scene.accuracy.mach_number,
-                                         origin_text(scene.accuracy.mach_number, "accuracy.mach_number"))
-                           : "(" + origin_text(scene.accuracy.sound_speed, "accuracy.sound_speed") + ")");
+                                         quantity_text(plan.largest_speed, "m/s"), *scene.numerics.mach_number,
+                                         origin_text(scene.numerics.mach_number, "numerics.mach_number"))
+                           : "(" + origin_text(scene.numerics.sound_speed, "numerics.sound_speed") + ")");
 }
 
 std::string contact_text(const Scene& scene) {
@@ -63,45 +63,45 @@ std::string contact_text(const Scene& scene) {
 
 std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
     if (!scene.parts_of(PartKind::spheres).empty()) return chosen_of_spheres_text(scene, plan, origin);
-    const auto& accuracy = scene.accuracy;
+    const auto& numerics = scene.numerics;
     const Origins origin_text(scene);
     Listing list;
-    list.add("quality", fmt::format("{} ({})", word(*scene.quality), origin_text(scene.quality, "quality")));
+    list.add("quality", fmt::format("{} ({})", to_string(*scene.quality), origin_text(scene.quality, "quality")));
     list.add("sound speed", sound_speed_text(scene, plan));
-    list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", word(*accuracy.kernel),
-                                   origin_text(accuracy.kernel, "accuracy.kernel"), *accuracy.support,
-                                   origin_text(accuracy.support, "accuracy.support")));
-    list.add("walls", fmt::format("{} ({})", word(*accuracy.walls), origin_text(accuracy.walls, "accuracy.walls")));
+    list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", to_string(*numerics.kernel),
+                                   origin_text(numerics.kernel, "numerics.kernel"), *numerics.support,
+                                   origin_text(numerics.support, "numerics.support")));
+    list.add("walls", fmt::format("{} ({})", to_string(*numerics.walls), origin_text(numerics.walls, "numerics.walls")));
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         const std::string key = "part." + *part->name + ".layers";
         list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
     }
-    list.add("liquid", fmt::format("{} equation of state ({}), density by {} ({})", word(*accuracy.equation_of_state),
-                                   origin_text(accuracy.equation_of_state, "accuracy.equation_of_state"),
-                                   word(*accuracy.density), origin_text(accuracy.density, "accuracy.density")));
+    list.add("liquid", fmt::format("{} equation of state ({}), density by {} ({})", to_string(*numerics.equation_of_state),
+                                   origin_text(numerics.equation_of_state, "numerics.equation_of_state"),
+                                   to_string(*numerics.density), origin_text(numerics.density, "numerics.density")));
     list.add("viscosity",
-             fmt::format("{} ({}), {} mean between fluids ({})", word(*accuracy.viscous_law),
-                         origin_text(accuracy.viscous_law, "accuracy.viscous_law"), word(*accuracy.viscosity_mean),
-                         origin_text(accuracy.viscosity_mean, "accuracy.viscosity_mean")));
-    list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *accuracy.density_diffusion,
-                                      origin_text(accuracy.density_diffusion, "accuracy.density_diffusion"),
-                                      *accuracy.shifting, origin_text(accuracy.shifting, "accuracy.shifting")));
-    if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly)
+             fmt::format("{} ({}), {} mean between fluids ({})", to_string(*numerics.viscous_law),
+                         origin_text(numerics.viscous_law, "numerics.viscous_law"), to_string(*numerics.viscosity_mean),
+                         origin_text(numerics.viscosity_mean, "numerics.viscosity_mean")));
+    list.add("diffusion", fmt::format("density {:.4g} ({}), shifting {:.4g} ({})", *numerics.density_diffusion,
+                                      origin_text(numerics.density_diffusion, "numerics.density_diffusion"),
+                                      *numerics.shifting, origin_text(numerics.shifting, "numerics.shifting")));
+    if (*numerics.viscosity_stepping == ViscosityStepping::implicitly)
         list.add("stepped", fmt::format("implicitly ({}), solved to {:.3g} ({})",
-                                        origin_text(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"),
-                                        *accuracy.viscosity_tolerance,
-                                        origin_text(accuracy.viscosity_tolerance, "accuracy.viscosity_tolerance")));
+                                        origin_text(numerics.viscosity_stepping, "numerics.viscosity_stepping"),
+                                        *numerics.viscosity_tolerance,
+                                        origin_text(numerics.viscosity_tolerance, "numerics.viscosity_tolerance")));
     for (const Species& species : scene.species)
         list.add("species " + *species.name,
                  fmt::format("in {}, diffusion stepped {}ly ({})", species.concentration_unit(),
-                             word(*accuracy.species_stepping),
-                             origin_text(accuracy.species_stepping, "accuracy.species_stepping")));
-    list.add("step factor", fmt::format("{:.4g} ({})", *accuracy.step_factor,
-                                        origin_text(accuracy.step_factor, "accuracy.step_factor")));
+                             to_string(*numerics.species_stepping),
+                             origin_text(numerics.species_stepping, "numerics.species_stepping")));
+    list.add("step factor", fmt::format("{:.4g} ({})", *numerics.step_factor,
+                                        origin_text(numerics.step_factor, "numerics.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& [what, constants] : origin.springs) list.add(what, constants);
-    for (const Part* part : scene.parts_of(PartKind::springs)) {
+    for (const Part* part : scene.parts_of(PartKind::elastic)) {
         list.add(
             "damping " + *part->name,
             fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({})", *part->bond_damping,
@@ -109,16 +109,16 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     }
     if (plan.spring_substeps > 0) {
         list.add("spring steps",
-                 fmt::format("{} ({}), {} in each time step", word(*accuracy.spring_stepping),
-                             origin_text(accuracy.spring_stepping, "accuracy.spring_stepping"), plan.spring_substeps));
-        if (*accuracy.spring_stepping == SpringStepping::subcycled)
-            list.add("", fmt::format("{:.4g} of the largest stable one ({})", *accuracy.spring_step_factor,
-                                     origin_text(accuracy.spring_step_factor, "accuracy.spring_step_factor")));
+                 fmt::format("{} ({}), {} in each time step", to_string(*numerics.spring_stepping),
+                             origin_text(numerics.spring_stepping, "numerics.spring_stepping"), plan.spring_substeps));
+        if (*numerics.spring_stepping == SpringStepping::subcycled)
+            list.add("", fmt::format("{:.4g} of the largest stable one ({})", *numerics.spring_step_factor,
+                                     origin_text(numerics.spring_step_factor, "numerics.spring_step_factor")));
     }
     for (const Solidify& rule : scene.solidify)
         list.add("solidify " + *rule.name,
-                 fmt::format("{} ({}), seeds active {} ({}), bonds to {} ({})", word(*rule.rule),
-                             origin_text(rule.rule, "rule"), word(*rule.active), origin_text(rule.active, "active"),
+                 fmt::format("{} ({}), seeds active {} ({}), bonds to {} ({})", to_string(*rule.rule),
+                             origin_text(rule.rule, "rule"), to_string(*rule.active), origin_text(rule.active, "active"),
                              *rule.bond_to == BondTo::seed ? "the seed" : "neighbours",
                              origin_text(rule.bond_to, "bond_to")));
     list.add("contact", contact_text(scene));

@@ -14,7 +14,7 @@ namespace {
 /// Where a pair's value comes from; pairs have no levels of quality.
 template <class T>
 std::string origin_text(const Value<T>& value) {
-    return value.given() ? value.place.text() : "default";
+    return value.given() ? value.location.text() : "default";
 }
 
 std::string damping_text(const ContactPair& pair) {
@@ -27,7 +27,7 @@ std::string damping_text(const ContactPair& pair) {
 
 std::string adhesion_text(const ContactPair& pair) {
     if (*pair.adhesion == AdhesionKind::none) return "none (" + origin_text(pair.adhesion) + ")";
-    std::string text = word(*pair.adhesion) + ", " +
+    std::string text = to_string(*pair.adhesion) + ", " +
                        (pair.pull_off_force.given() ? quantity_text(*pair.pull_off_force, "N")
                                                     : quantity_text(*pair.work_of_adhesion, "J/m^2"));
     if (*pair.adhesion == AdhesionKind::bradley)
@@ -39,12 +39,12 @@ std::string adhesion_text(const ContactPair& pair) {
 }
 
 void add_pair(Listing& list, const ContactPair& pair) {
-    list.add("contact", fmt::format("'{}' and '{}': {} ({})", (*pair.parts)[0], (*pair.parts)[1], word(*pair.law),
+    list.add("contact", fmt::format("'{}' and '{}': {} ({})", (*pair.parts)[0], (*pair.parts)[1], to_string(*pair.law),
                                     origin_text(pair.law)));
     if (*pair.law == ContactLawKind::none) return;
     list.add("", fmt::format("{}; friction {:.4g}", damping_text(pair), *pair.friction));
     if (*pair.rolling_friction > 0)
-        list.add("", fmt::format("rolling friction {:.4g}, {} ({})", *pair.rolling_friction, word(*pair.rolling_law),
+        list.add("", fmt::format("rolling friction {:.4g}, {} ({})", *pair.rolling_friction, to_string(*pair.rolling_law),
                                  origin_text(pair.rolling_law)));
     list.add("", "adhesion " + adhesion_text(pair));
 }
@@ -52,10 +52,10 @@ void add_pair(Listing& list, const ContactPair& pair) {
 }  // namespace
 
 std::string chosen_of_spheres_text(const Scene& scene, const Plan& plan, const Origin& origin) {
-    const auto& accuracy = scene.accuracy;
+    const auto& numerics = scene.numerics;
     Listing list;
-    list.add("quality", fmt::format("{} ({})", word(*scene.quality),
-                                    scene.quality.given() ? scene.quality.place.text() : "default"));
+    list.add("quality", fmt::format("{} ({})", to_string(*scene.quality),
+                                    scene.quality.given() ? scene.quality.location.text() : "default"));
     for (const ContactPair& pair : scene.contact_pairs) add_pair(list, pair);
     for (const PartKind kind : {PartKind::plane, PartKind::surface})
         for (const Part* wall : scene.parts_of(kind))
@@ -64,11 +64,11 @@ std::string chosen_of_spheres_text(const Scene& scene, const Plan& plan, const O
                                                 : std::string("does not yield (no youngs_modulus)"));
     list.add(
         "step",
-        *accuracy.contact_step > 0
-            ? fmt::format("{} ({})", quantity_text(*accuracy.contact_step, "s"), accuracy.contact_step.place.text())
-            : fmt::format("{:.4g} in an impact ({})", *accuracy.steps_per_contact,
-                          accuracy.steps_per_contact.given() ? accuracy.steps_per_contact.place.text()
-                                                             : default_origin(scene, "accuracy.steps_per_contact")));
+        *numerics.contact_step > 0
+            ? fmt::format("{} ({})", quantity_text(*numerics.contact_step, "s"), numerics.contact_step.location.text())
+            : fmt::format("{:.4g} in an impact ({})", *numerics.steps_per_contact,
+                          numerics.steps_per_contact.given() ? numerics.steps_per_contact.location.text()
+                                                             : default_origin(scene, "numerics.steps_per_contact")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& note : origin.notes) list.add("note", note);

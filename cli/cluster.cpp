@@ -18,7 +18,7 @@ constexpr const char* only_here = "this dmp was built for clusters, without gmsh
 
 std::string workstation_libraries() { return ""; }
 
-ParticlesWithOrigin particles_from_drawing(const Scene& /*scene*/) {
+ParticlesWithOrigin particles_from_geometry(const Scene& /*scene*/) {
     refuse("cannot make particles of the scene's drawing",
            "On a workstation: dmp mesh SCENE --particles FILE.h5\n"
            "Copy the file here and add --particles FILE.h5 to this command.");
@@ -46,7 +46,7 @@ int execute(const NewCommand& /*command*/) {
     refuse("cannot read drawings", "Make the scene on a workstation: dmp new NAME --from FILE");
 }
 
-int execute(const ReadDrawingCommand& /*command*/) { refuse("cannot read drawings", "Do so on a workstation."); }
+int execute(const ReadGeometryCommand& /*command*/) { refuse("cannot read drawings", "Do so on a workstation."); }
 
 int execute(const ConvertCommand& /*command*/) {
     refuse("cannot write ParaView's files", "Copy the run's folder to a workstation and convert it there.");

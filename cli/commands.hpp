@@ -38,9 +38,9 @@ struct RunCommand {
 /// `dmp mesh`: the particles and their quality report.
 struct MeshCommand {
     SceneChoice scene;
-    std::string out;        ///< empty: out/NAME_mesh below the current folder
-    std::string particles;  ///< file for 'dmp run --particles'; empty: none
-    bool settle = false;    ///< then run them at rest for a while
+    std::string out;         ///< empty: out/NAME_mesh below the current folder
+    std::string particles;   ///< file for 'dmp run --particles'; empty: none
+    bool rest_test = false;  ///< then run them at rest for a while
 };
 
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.
@@ -84,8 +84,8 @@ struct NewCommand {
 
 /// What dmp starts itself with to read a drawing in another process (geometry/geometry_process.hpp); no help tells of
 /// it.
-struct ReadDrawingCommand {};
-inline constexpr const char* read_drawing_word = "read-drawing";
+struct ReadGeometryCommand {};
+inline constexpr const char* read_geometry_command = "read-drawing";
 
 /// `dmp doctor`: is this machine all right?
 struct DoctorCommand {};
@@ -96,14 +96,14 @@ struct PrintCommand {
 };
 
 using Command = std::variant<RunCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, ExplainCommand,
-                             EscapeCommand, DoctorCommand, ReadDrawingCommand, PrintCommand>;
+                             EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
 int execute(const MeshCommand& command);
 int execute(const InspectCommand& command);
 int execute(const NewCommand& command);
-int execute(const ReadDrawingCommand& command);
+int execute(const ReadGeometryCommand& command);
 int execute(const ConvertCommand& command);
 int execute(const ExplainCommand& command);
 int execute(const EscapeCommand& command);

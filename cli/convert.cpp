@@ -33,7 +33,7 @@ struct Found {
 /// The frames that the run's index names. One of which a piece is missing is none.
 Found find_frames(const fs::path& folder) {
     if (!fs::is_directory(folder))
-        throw InputError(Place{folder.string(), 0, 0}, "there is no such folder",
+        throw InputError(SourceLocation{folder.string(), 0, 0}, "there is no such folder",
                          "Name the folder that a run left, the one with frames/ in it.");
     Found found;
     if (fs::exists(folder / frame_index_name)) {
@@ -56,7 +56,7 @@ Found find_frames(const fs::path& folder) {
         note_missing();
     }
     if (found.frames.empty())
-        throw InputError(Place{folder.string(), 0, 0},
+        throw InputError(SourceLocation{folder.string(), 0, 0},
                          std::string("there are no frames in it to convert (") + frame_index_name + ")",
                          "Name the folder that a run left. Runs that write ParaView's files need no converting.");
     return found;

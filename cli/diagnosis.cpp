@@ -14,7 +14,7 @@ namespace {
 
 constexpr double gibibyte = 1024.0 * 1024 * 1024;
 
-Finding look_at_build(const BuildFacts& build) {
+Finding inspect_build(const BuildFacts& build) {
     Finding finding{Health::ok, "build", fmt::format("{}, {}", build.build_type, build.compiler)};
     if (!build.sanitizers.empty()) {
         finding.health = Health::warn;
@@ -27,7 +27,7 @@ Finding look_at_build(const BuildFacts& build) {
     return finding;
 }
 
-Finding look_at_vector_units(const Machine& machine) {
+Finding inspect_vector_units(const Machine& machine) {
     const auto& units = machine.vector_units;
     if (units.empty()) {
         return {Health::bad, "vector unit", "this processor has none of those that dmp is built for",
@@ -38,7 +38,7 @@ Finding look_at_vector_units(const Machine& machine) {
     return finding;
 }
 
-Finding look_at_processors(const Machine& machine) {
+Finding inspect_processors(const Machine& machine) {
     Finding finding{Health::ok, "processors", fmt::format("{} for threads", machine.processors)};
     if (machine.processor_quota > 0 && machine.processor_quota < machine.processors) {
         finding.health = Health::warn;
@@ -48,7 +48,7 @@ Finding look_at_processors(const Machine& machine) {
     return finding;
 }
 
-Finding look_at_memory(const Machine& machine) {
+Finding inspect_memory(const Machine& machine) {
     if (machine.memory <= 0) return {Health::warn, "memory", "the system does not say how much there is"};
     Finding finding{Health::ok, "memory",
                     fmt::format("{}, {} free", bytes_text(machine.memory), bytes_text(machine.memory_free))};
@@ -60,7 +60,7 @@ Finding look_at_memory(const Machine& machine) {
     return finding;
 }
 
-Finding look_at_disk(const Machine& machine) {
+Finding inspect_disk(const Machine& machine) {
     Finding finding{Health::ok, "disk", bytes_text(machine.disk_free) + " free here"};
     if (machine.disk_free < 1 * gibibyte) {
         finding.health = Health::warn;
@@ -69,13 +69,13 @@ Finding look_at_disk(const Machine& machine) {
     return finding;
 }
 
-Finding look_at_writing(const Machine& machine) {
+Finding inspect_writing(const Machine& machine) {
     if (machine.write_error.empty()) return {Health::ok, "writing", "a file was written into this folder and removed"};
     return {Health::bad, "writing", "no file can be written into this folder: " + machine.write_error,
             "Go to a folder of yours, make room, or use --out DIR."};
 }
 
-Finding look_at_pictures(const Machine& machine) {
+Finding inspect_pictures(const Machine& machine) {
     if (!machine.xvfb.empty()) return {Health::ok, "pictures", "drawn on a screen of " + machine.xvfb};
     if (!machine.display.empty()) return {Health::ok, "pictures", "drawn on display " + machine.display};
     return {Health::warn, "pictures", "neither a display nor Xvfb: runs leave no pictures",
@@ -86,15 +86,15 @@ Finding look_at_pictures(const Machine& machine) {
 
 std::vector<Finding> diagnose(const BuildFacts& build, const Machine& machine) {
     std::vector<Finding> findings{
-        {Health::ok, "dmp", build.version}, look_at_build(build),    look_at_vector_units(machine),
-        look_at_processors(machine),        look_at_memory(machine), look_at_disk(machine),
-        look_at_writing(machine),
+        {Health::ok, "dmp", build.version}, inspect_build(build),    inspect_vector_units(machine),
+        inspect_processors(machine),        inspect_memory(machine), inspect_disk(machine),
+        inspect_writing(machine),
     };
     if (build.libraries.empty()) {
         findings.push_back({Health::ok, "for clusters", "particles come from a file, frames are written in HDF5"});
         return findings;
     }
-    findings.push_back(look_at_pictures(machine));
+    findings.push_back(inspect_pictures(machine));
     findings.push_back({Health::ok, "libraries", build.libraries});
     findings.push_back(
         {Health::ok, "ParaView", "Debian's 5.11 fails on appended VTK XML; dmp writes inline binary, which it reads"});

@@ -28,7 +28,7 @@ std::string mark(Health health, const Style& style) {
 }  // namespace
 
 int execute(const DoctorCommand& /*command*/) {
-    const auto findings = diagnose(build_facts(), look_at_machine(std::filesystem::current_path()));
+    const auto findings = diagnose(build_facts(), inspect_machine(std::filesystem::current_path()));
     const Style style(Stream::output);
     std::string text;
     for (const auto& finding : findings) {

@@ -64,12 +64,12 @@ std::string listed(const std::vector<std::string>& names) {
 std::string written_selection(const FaceSelection& selection, double size, int dimension) {
     std::string text = fmt::format("\n[[select]]\nname = \"{}\"\nof = \"{}\"\n", selection.name, selection.of);
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (const auto& place = selection.in_plane.at(axis))
-            text += fmt::format("{} = \"{}\"\n", "xyz"[axis], in_millimetres(*place, size));
-    const auto corner = [&](const Vec& place) {
+        if (const auto& position = selection.in_plane.at(axis))
+            text += fmt::format("{} = \"{}\"\n", "xyz"[axis], in_millimetres(*position, size));
+    const auto corner = [&](const Vec& position) {
         std::vector<std::string> list;
         list.reserve(3);
-        for (int axis = 0; axis < dimension; ++axis) list.push_back(in_millimetres(place[axis], size));
+        for (int axis = 0; axis < dimension; ++axis) list.push_back(in_millimetres(position[axis], size));
         return listed(list);
     };
     if (const auto& box = selection.in_box)

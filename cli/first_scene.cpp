@@ -29,12 +29,13 @@ struct Cap {
     Vec centre = Vec::Zero();
 };
 
-Cap cap_at(const TriangleSurface& surface, int axis, double place, double tolerance) {
+Cap cap_at(const TriangleSurface& surface, int axis, double position, double tolerance) {
     Cap cap;
     for (const auto& [a, b, c] : surface.triangles) {
         const Vec &p = surface.corners[static_cast<std::size_t>(a)], &q = surface.corners[static_cast<std::size_t>(b)],
                   &r = surface.corners[static_cast<std::size_t>(c)];
-        if (std::max({std::abs(p[axis] - place), std::abs(q[axis] - place), std::abs(r[axis] - place)}) > tolerance)
+        if (std::max({std::abs(p[axis] - position), std::abs(q[axis] - position), std::abs(r[axis] - position)}) >
+            tolerance)
             continue;
         const double area = 0.5 * (q - p).cross(r - p).norm();
         cap.area += area;
@@ -169,7 +170,7 @@ class Author {
         if (has_faces(asked)) select_faces(drawing, asked);
         std::string best;
         std::ptrdiff_t most = 0;
-        const auto look = [&](const std::string& name, const TriangleSurface& surface) {
+        const auto consider = [&](const std::string& name, const TriangleSurface& surface) {
             const NearestTriangle nearest(surface, 0.1 * spacing_);
             const std::ptrdiff_t held = std::ranges::count_if(
                 sheet.surface.corners, [&](const Vec& corner) { return nearest.nearest(corner).has_value(); });
@@ -178,7 +179,7 @@ class Author {
             most = held;
         };
         for (const SurfaceSet& set : drawing.surfaces)
-            if (set.name != sheet.name && !is_cap(set)) look(set.name, set.surface);
+            if (set.name != sheet.name && !is_cap(set)) consider(set.name, set.surface);
         for (const Solid& solid : drawing.solids)
             if (solid.name != fluid_.name) look(solid.name, solid.surface);
         return best;
@@ -198,7 +199,7 @@ class Author {
             "{:g} % of its length",
             sheet.name, anchor.empty() ? "free" : "clamped at '" + anchor + "'", stiffness, pressure, 100 * bend));
         return fmt::format(
-                   "\n[[part]]\nname = \"{}\"\nkind = \"springs\"\ndensity = \"{:g} kg/m^3\"\n"
+                   "\n[[part]]\nname = \"{}\"\nkind = \"elastic\"\ndensity = \"{:g} kg/m^3\"\n"
                    "youngs_modulus = \"{:.3g} Pa\"\nthickness = \"{}\"\n",
                    sheet.name, liquid_.density, stiffness, in_millimetres(thickness, 0)) +
                (anchor.empty() ? "" : fmt::format("anchor = \"{}\"\n", anchor));
@@ -228,12 +229,12 @@ class Author {
             }
             parts += written_left_out(set.name, "an end of the period");
         }
-        for (const auto& [name, places] : geometry_.points) parts += written_left_out(name, "points");
+        for (const auto& [name, positions] : geometry_.points) parts += written_left_out(name, "points");
         for (const bool high : {false, true}) {
             if (!periodic_) break;
             FaceSelection cap{.name = free_name(high ? "outlet" : "inlet"), .of = fluid_.name};
-            const double place = (high ? box_.high : box_.low)[axis_];
-            cap.in_plane.at(static_cast<std::size_t>(axis_)) = place;
+            const double position = (high ? box_.high : box_.low)[axis_];
+            cap.in_plane.at(static_cast<std::size_t>(axis_)) = position;
             selections += written_selection(cap, box_.extent().norm(), 3);
             taken.push_back(cap.name);
             asked.push_back(cap);

@@ -112,7 +112,7 @@ class AuthorInPlane {
                 left_out.push_back(curve.name);
             }
         }
-        for (const auto& [name, places] : geometry_.points)
+        for (const auto& [name, positions] : geometry_.points)
             if (std::ranges::find(anchors, name) == anchors.end())
                 parts += written_left_out(name, "nothing is held there");
         assume("walls that do not move and that the fluid sticks to: " + (walls.empty() ? "none" : quoted_list(walls)));
@@ -136,7 +136,7 @@ class AuthorInPlane {
                         "E I = {:.2g} N m^2",
                         curve.name, held, 100 * bend, pressure, bending));
         return fmt::format(
-                   "\n[[part]]\nname = \"{}\"\nkind = \"springs\"\nbending_stiffness = \"{:.3g} N*m^2\"\n"
+                   "\n[[part]]\nname = \"{}\"\nkind = \"elastic\"\nbending_stiffness = \"{:.3g} N*m^2\"\n"
                    "axial_stiffness = \"{:.3g} N\"\nmass_per_length = \"{:.3g} kg/m\"\n",
                    curve.name, bending, axial, rho * thick) +
                (curve.anchor.empty() ? "" : fmt::format("anchor = \"{}\"\n", curve.anchor));
@@ -148,7 +148,7 @@ class AuthorInPlane {
             fmt::format("\n[flow]\nlargest_speed = \"{:.4g} m/s\"\n", (profile ? faster : faster_past_bodies) * speed_);
         if (!is_periodic()) {
             assume("it is enclosed, at rest and not driven: its ends are not two flat sides that are alike");
-            return flow + written_accuracy();
+            return flow + written_numerics();
         }
         std::vector<std::string> axes;
         if (guess_.periodic[0]) axes.emplace_back("x");
@@ -162,9 +162,9 @@ class AuthorInPlane {
                            axis_name(), acceleration_, speed_, reynolds()));
         if (profile) {
             const int aside = 1 - axis_;
-            const auto from = [&](double place, const char* sign) {
-                return fmt::format("({}{} {} {})", sign, "xy"[aside], (*sign == '-') == (place < 0) ? '-' : '+',
-                                   in_millimetres(std::abs(place), size()));
+            const auto from = [&](double position, const char* sign) {
+                return fmt::format("({}{} {} {})", sign, "xy"[aside], (*sign == '-') == (position < 0) ? '-' : '+',
+                                   in_millimetres(std::abs(position), size()));
             };
             start.at(static_cast<std::size_t>(axis_)) =
                 fmt::format("\"{:.4g} m/s * 4 * {} * {} / ({})^2\"", speed_, from(guess_.box.low[aside], ""),
@@ -172,11 +172,11 @@ class AuthorInPlane {
             flow += fmt::format("initial_velocity = [{}, {}]\n", start[0], start[1]);
         }
         assume(profile ? "it starts from the parabolic profile between two plates" : "it starts at rest");
-        return flow + written_accuracy();
+        return flow + written_numerics();
     }
 
-    [[nodiscard]] std::string written_accuracy() const {
-        return reynolds() < 1 ? "\n[accuracy]\nviscosity_stepping = \"implicit\"\n" : "";
+    [[nodiscard]] std::string written_numerics() const {
+        return reynolds() < 1 ? "\n[numerics]\nviscosity_stepping = \"implicit\"\n" : "";
     }
 
     const Geometry& geometry_;

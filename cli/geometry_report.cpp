@@ -40,7 +40,7 @@ struct Scale {
         const Vec extent = box.extent();
         return fmt::format("{} x {} x {} {}", length(extent[0]), length(extent[1]), length(extent[2]), unit);
     }
-    [[nodiscard]] std::string place(const Vec& at) const {
+    [[nodiscard]] std::string location(const Vec& at) const {
         return fmt::format("({}, {}, {})", length(at[0]), length(at[1]), length(at[2]));
     }
 };
@@ -70,7 +70,7 @@ std::string unit_word(UnitSource source) {
 }
 
 /// How far triangles may be from curved surfaces of a drawing so large.
-double chord_error_to_look_at(double size) { return std::max(1e-3 * size, std::numeric_limits<double>::min()); }
+double inspection_chord_error(double size) { return std::max(1e-3 * size, std::numeric_limits<double>::min()); }
 
 std::string triangles_text(const TriangleSurface& surface) { return count_text(surface.triangles.size(), "triangle"); }
 
@@ -90,7 +90,7 @@ std::vector<SolidMeeting> meetings_in(const Geometry& geometry) {
     std::vector<std::string> names;
     for (const Solid& solid : geometry.solids) names.push_back(solid.name);
     std::vector<SolidMeeting> found = solids_that_meet_themselves(geometry, names);
-    const double tolerance = 5 * chord_error_to_look_at(geometry.box.extent().norm());
+    const double tolerance = 5 * inspection_chord_error(geometry.box.extent().norm());
     const std::vector<SolidMeeting> shared = solids_that_overlap(geometry, names, tolerance);
     found.insert(found.end(), shared.begin(), shared.end());
     return found;
@@ -98,13 +98,13 @@ std::vector<SolidMeeting> meetings_in(const Geometry& geometry) {
 
 }  // namespace
 
-std::string drawing_text(const Geometry& geometry, bool unit_known) {
+std::string geometry_text(const Geometry& geometry, bool unit_known) {
     const Scale scale = scale_for(geometry.box, unit_known);
     Listing facts;
     facts.add("kind", geometry.dimension == 3 ? "in space" : "in the plane");
     facts.add("unit", unit_text(geometry, unit_known));
-    facts.add("box", fmt::format("{}, from {} to {}", scale.size(geometry.box), scale.place(geometry.box.low),
-                                 scale.place(geometry.box.high)));
+    facts.add("box", fmt::format("{}, from {} to {}", scale.size(geometry.box), scale.location(geometry.box.low),
+                                 scale.location(geometry.box.high)));
     if (!unit_known)
         facts.add("that is", fmt::format("{}, {} or {}: say which by --unit, and geometry.unit in the scene",
                                          Scale{1, "m"}.size(geometry.box), Scale{1, "mm"}.size(geometry.box),
@@ -133,7 +133,7 @@ std::string drawing_text(const Geometry& geometry, bool unit_known) {
     return text;
 }
 
-std::string drawing_json(const Geometry& geometry, bool unit_known) {
+std::string geometry_json(const Geometry& geometry, bool unit_known) {
     Json json{{"file", geometry.file}, {"dimension", geometry.dimension}, {"unit", nullptr}};
     if (unit_known) json["unit"] = {{"metres", geometry.unit}, {"source", unit_word(geometry.unit_source)}};
     json["box"] = json_of(geometry.box);
@@ -163,25 +163,26 @@ std::string drawing_json(const Geometry& geometry, bool unit_known) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-DrawingOptions drawing_options(const std::string& file, const std::string& unit) {
-    DrawingOptions options{.file = file};
+GeometryOptions geometry_options(const std::string& file, const std::string& unit) {
+    GeometryOptions options{.file = file};
     if (unit.empty()) return options;
     const bool bare = std::isalpha(static_cast<unsigned char>(unit.front())) != 0;
-    const Place place{"--unit", 0, 0};
-    options.unit = read_quantity(bare ? "1 " + unit : unit, "m", place);
+    const SourceLocation location{"--unit", 0, 0};
+    options.unit = read_quantity(bare ? "1 " + unit : unit, "m", location);
     if (!(*options.unit > 0))
-        throw InputError(place, "'" + unit + "' is no length of a unit", "Give a length such as mm, or \"25.4 mm\".");
+        throw InputError(location, "'" + unit + "' is no length of a unit",
+                         "Give a length such as mm, or \"25.4 mm\".");
     return options;
 }
 
-Geometry read_to_look_at(DrawingOptions options) {
+Geometry read_for_inspection(GeometryOptions options) {
     if (needs_a_unit(options.file) && !options.unit) options.unit = 1;
-    if (has_straight_edges_only(options.file)) return read_drawing_of_a_stranger(options);
+    if (has_straight_edges_only(options.file)) return answer_geometry_request_command(options);
     // Coarsely first: how fine is fine depends on the size.
     options.chord_error = std::numeric_limits<double>::max();
-    const double size = read_drawing_of_a_stranger(options).box.extent().norm();
-    options.chord_error = chord_error_to_look_at(size);
-    return read_drawing_of_a_stranger(options);
+    const double size = answer_geometry_request_command(options).box.extent().norm();
+    options.chord_error = inspection_chord_error(size);
+    return answer_geometry_request_command(options);
 }
 
 }  // namespace dmp::cli

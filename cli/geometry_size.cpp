@@ -57,11 +57,11 @@ std::string unit_advice(const Geometry& geometry) {
 void check_part(const Geometry& geometry, const Part& part, const Box& box, double spacing) {
     const bool has_room = geometry.solid(part.name) != nullptr || geometry.region(part.name) != nullptr;
     if (!has_room || box.extent().norm() >= spacing) return;
-    throw InputError(part.name.place,
+    throw InputError(part.name.location,
                      fmt::format("'{}' is smaller than a particle: it is {} large, around {}, "
                                  "and particles are {} apart",
                                  part.name.value, extent_text(box, geometry.dimension),
-                                 place_text(0.5 * (box.low + box.high), geometry.dimension), length_text(spacing)),
+                                 position_text(0.5 * (box.low + box.high), geometry.dimension), length_text(spacing)),
                      unit_advice(geometry) + ", or leave the part out (enabled = false)");
 }
 
@@ -73,7 +73,7 @@ void check_lattice(const Geometry& geometry, const Scene& scene, const Box& box)
         "the drawing is {} large and particles are {} apart: that is a lattice of "
         "{:.2g} points ({})",
         extent_text(box, geometry.dimension), length_text(spacing), points, geometry.file);
-    if (points > most_points) throw InputError(scene.particles.spacing.place, problem, unit_advice(geometry));
+    if (points > most_points) throw InputError(scene.particles.spacing.location, problem, unit_advice(geometry));
     const double bytes = points * (geometry.dimension == 3 ? bytes_in_space : bytes_in_plane);
     const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     if (memory > 0 && bytes > memory)
@@ -84,7 +84,7 @@ void check_lattice(const Geometry& geometry, const Scene& scene, const Box& box)
 
 }  // namespace
 
-void check_drawn_size(const Geometry& geometry, const Scene& scene) {
+void check_geometry_size(const Geometry& geometry, const Scene& scene) {
     std::optional<Box> fluids;
     for (const Part& part : scene.parts) {
         const auto box = part.enabled ? box_of(geometry, part.name) : std::nullopt;

@@ -11,10 +11,10 @@ namespace dmp::cli {
 
 int execute(const InspectCommand& command) {
     refuse_several_ranks();
-    const DrawingOptions options = drawing_options(command.file, command.unit);
-    const Geometry geometry = read_to_look_at(options);
+    const GeometryOptions options = geometry_options(command.file, command.unit);
+    const Geometry geometry = read_for_inspection(options);
     const bool unit_known = options.unit.has_value() || !needs_a_unit(options.file);
-    print(command.json ? drawing_json(geometry, unit_known) : drawing_text(geometry, unit_known));
+    print(command.json ? geometry_json(geometry, unit_known) : geometry_text(geometry, unit_known));
     return exit_done;
 }
 

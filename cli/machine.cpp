@@ -82,10 +82,10 @@ std::string try_to_write(const fs::path& folder) {
     return error;
 }
 
-std::vector<std::string> words_of_vector_units() {
+std::vector<std::string> vector_unit_names() {
     std::vector<std::string> words;
     try {
-        for (const VectorUnit unit : available_vector_units()) words.emplace_back(word(unit));
+        for (const VectorUnit unit : available_vector_units()) words.emplace_back(to_string(unit));
     } catch (const ResourceError&) {
         words.clear();  // none: the diagnosis says so
     }
@@ -94,7 +94,7 @@ std::vector<std::string> words_of_vector_units() {
 
 }  // namespace
 
-Machine look_at_machine(const fs::path& folder) {
+Machine inspect_machine(const fs::path& folder) {
     Machine machine;
     machine.processors = processors_allowed();
     machine.processor_quota = processor_quota();
@@ -111,7 +111,7 @@ Machine look_at_machine(const fs::path& folder) {
     const char* display = std::getenv("DISPLAY");
     machine.display = display == nullptr ? "" : display;
     machine.xvfb = find_program("Xvfb");
-    machine.vector_units = words_of_vector_units();
+    machine.vector_units = vector_unit_names();
     return machine;
 }
 

@@ -19,6 +19,6 @@ struct Machine {
     std::vector<std::string> vector_units;  ///< of the processor, that dmp has code for; the widest last
 };
 
-[[nodiscard]] Machine look_at_machine(const std::filesystem::path& folder);
+[[nodiscard]] Machine inspect_machine(const std::filesystem::path& folder);
 
 }  // namespace dmp::cli

@@ -25,20 +25,20 @@ namespace dmp::cli {
 int execute(const MeshCommand& command) {
     refuse_several_ranks();
     Scene scene = read_scene(command.scene.path, command.scene.overrides);
-    if (command.settle && is_of_spheres(scene))
+    if (command.rest_test && is_of_spheres(scene))
         throw InputError("--settle is for fluids and their walls, and this is a scene of spheres",
                          "leave --settle out");
     MeshDetail detail;
     MeshReport report;
     ParticlesWithOrigin fresh = MeshCache().make(scene, [&]() -> ParticlesWithOrigin {
-        MeshResult made = mesh_drawing(scene, detail);
+        MeshResult made = mesh_geometry(scene, detail);
         report = std::move(made.report);
         return {std::move(made.particles), origin_of(scene, report)};
     });
     const Prepared prepared{std::move(scene), std::move(fresh.particles), std::move(fresh.origin)};
     const auto folder = output_folder(command.out, scene_name(prepared.scene) + "_mesh");
     const std::string removed = prepare_folder(folder);
-    if (command.settle) report.at_rest = settle(prepared.scene, prepared.particles);
+    if (command.rest_test) report.at_rest = rest_test(prepared.scene, prepared.particles);
     print(heading(prepared) + "\n" + report.text() + "\n");
     if (!removed.empty()) print(removed + "\n");
 
@@ -52,7 +52,7 @@ int execute(const MeshCommand& command) {
     if (*prepared.scene.output.pictures && !is_of_spheres(prepared.scene)) {
         const std::string& title = *prepared.scene.title;
         const Pictures pictures = write_mesh_pictures(
-            folder, mesh_look(prepared.particles, detail, title.empty() ? scene_name(prepared.scene) : title));
+            folder, mesh_view(prepared.particles, detail, title.empty() ? scene_name(prepared.scene) : title));
         files.insert(files.end(), pictures.files.begin(), pictures.files.end());
         if (!pictures.warning.empty()) print(Style(Stream::output).warning("warning: ") + pictures.warning + "\n");
     }

@@ -49,7 +49,7 @@ std::string program_text() {
 /// All that the particles depend on, a line each; empty where that is not known.
 std::vector<std::string> lines_behind(const Scene& scene) {
     if (is_of_spheres(scene) || scene.geometry.file->empty()) return {};
-    const fs::path drawing = drawing_of(scene).file;
+    const fs::path drawing = geometry_options_of(scene).file;
     std::error_code none;
     if (!fs::is_regular_file(drawing, none)) return {};  // who reads it says what is wrong with it
     const std::string text = read_file(drawing);
@@ -91,7 +91,7 @@ std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
         if (stored.made_from != lines) return std::nullopt;  // another scene of the same hash
         const Json json = Json::parse(read_file(with_ending(*name, ".json")));
         ParticlesWithOrigin found{std::move(stored.particles), {"drawing", scene.geometry.file, {}, {}}};
-        for (const auto& line : json.at("springs"))
+        for (const auto& line : json.at("elastic"))
             found.origin.springs.emplace_back(line.at(0).get<std::string>(), line.at(1).get<std::string>());
         found.origin.notes = json.at("notes").get<std::vector<std::string>>();
         found.origin.notes.push_back("these particles were made in an earlier run, which took " +
@@ -120,8 +120,8 @@ void MeshCache::keep(const Scene& scene, ParticlesWithOrigin& made, double secon
         const auto name = name_of(lines);
         if (!name) return;
         make_folder(*folder_);
-        Json json{{"springs", Json::array()}, {"notes", made.origin.notes}, {"seconds", seconds}};
-        for (const auto& [part, constants] : made.origin.springs) json["springs"].push_back({part, constants});
+        Json json{{"elastic", Json::array()}, {"notes", made.origin.notes}, {"seconds", seconds}};
+        for (const auto& [part, constants] : made.origin.springs) json["elastic"].push_back({part, constants});
         write_file(with_ending(*name, ".json"), json.dump(2, ' ', false, Json::error_handler_t::replace));
         write_particles(with_ending(*name, ".h5"), made.particles, lines);
         make_room();

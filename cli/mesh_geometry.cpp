@@ -98,12 +98,12 @@ void repair_fluids(Repaired& drawing, const Scene& scene) {
 }
 
 /// The drawing with its fluids closed, and with the faces that the scene selects of what they are then.
-Repaired repaired_drawing(const Scene& scene) {
-    DrawingOptions options = drawing_of(scene);
+Repaired repaired_geometry(const Scene& scene) {
+    GeometryOptions options = geometry_options_of(scene);
     const auto selections = std::exchange(options.selections, {});
-    Repaired drawing{read_drawing_of_a_stranger(options), {}};
+    Repaired drawing{answer_geometry_request_command(options), {}};
     if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
-    check_drawn_size(drawing.geometry, scene);
+    check_geometry_size(drawing.geometry, scene);
     if (drawing.geometry.dimension == 3) {
         auto names = scene.names_of_parts(PartKind::rigid);
         for (std::string& name : scene.names_of_parts(PartKind::fluid)) names.push_back(std::move(name));
@@ -126,21 +126,21 @@ MeshResult with_notes(MeshResult result, const Repaired& drawing) {
 
 }  // namespace
 
-Geometry read_drawing_of_a_stranger(const DrawingOptions& options) {
-    return read_drawing_apart(options, {.command = {"/proc/self/exe", read_drawing_word}});
+Geometry answer_geometry_request_command(const GeometryOptions& options) {
+    return read_geometry_in_process(options, {.command = {"/proc/self/exe", read_geometry_command}});
 }
 
-int execute(const ReadDrawingCommand& /*command*/) { return answer_drawing_request(); }
+int execute(const ReadGeometryCommand& /*command*/) { return answer_geometry_request(); }
 
-MeshResult mesh_drawing(const Scene& scene) {
+MeshResult mesh_geometry(const Scene& scene) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Repaired drawing = repaired_drawing(scene);
+    const Repaired drawing = repaired_geometry(scene);
     return with_notes(mesh(drawing.geometry, scene), drawing);
 }
 
-MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail) {
+MeshResult mesh_geometry(const Scene& scene, MeshDetail& detail) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Repaired drawing = repaired_drawing(scene);
+    const Repaired drawing = repaired_geometry(scene);
     MeshResult result = with_notes(mesh(drawing.geometry, scene), drawing);
     detail = inspect(result, drawing.geometry, scene);
     return result;

@@ -10,13 +10,13 @@
 namespace dmp::cli {
 
 /// Reads a drawing; what others' programs parse in a process of its own, which is this program once more.
-[[nodiscard]] Geometry read_drawing_of_a_stranger(const DrawingOptions& options);
+[[nodiscard]] Geometry answer_geometry_request_command(const GeometryOptions& options);
 
 /// From a scene's drawing, or its spheres, to particles and the report on them. Throws InputError.
-[[nodiscard]] MeshResult mesh_drawing(const Scene& scene);
+[[nodiscard]] MeshResult mesh_geometry(const Scene& scene);
 
 /// The same with a closer look at the particles, which takes longer.
-[[nodiscard]] MeshResult mesh_drawing(const Scene& scene, MeshDetail& detail);
+[[nodiscard]] MeshResult mesh_geometry(const Scene& scene, MeshDetail& detail);
 
 /// What of the report a run says before it starts.
 [[nodiscard]] Origin origin_of(const Scene& scene, const MeshReport& report);

@@ -6,28 +6,28 @@
 
 namespace dmp::cli {
 
-MeshLook mesh_look(const ParticleSet& particles, const MeshDetail& detail, const std::string& title) {
-    MeshLook look;
-    look.title = title;
-    look.dimension = particles.dimension;
-    look.spacing = particles.spacing;
-    look.position = particles.position;
-    look.kernel_sum = detail.kernel_sum;
-    look.surface_error = detail.surface_error;
-    look.valence = valence(particles);
-    look.kind.reserve(particles.size());
+MeshView mesh_view(const ParticleSet& particles, const MeshDetail& detail, const std::string& title) {
+    MeshView mesh;
+    mesh.title = title;
+    mesh.dimension = particles.dimension;
+    mesh.spacing = particles.spacing;
+    mesh.position = particles.position;
+    mesh.kernel_sum = detail.kernel_sum;
+    mesh.surface_error = detail.surface_error;
+    mesh.valence = valence(particles);
+    mesh.kind.reserve(particles.size());
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const ParticleKind kind = particles.kind(i);
-        look.kind.push_back(kind == ParticleKind::fluid   ? MeshLook::Kind::fluid
-                            : kind == ParticleKind::rigid ? MeshLook::Kind::wall
-                                                          : MeshLook::Kind::solid);
+        const PartKind kind = particles.kind(i);
+        mesh.kind.push_back(kind == PartKind::fluid   ? MeshView::Kind::fluid
+                            : kind == PartKind::rigid ? MeshView::Kind::wall
+                                                          : MeshView::Kind::solid);
     }
     for (const Bond& bond : particles.bonds) {
         const Vec apart =
             particles.position[static_cast<std::size_t>(bond.a)] - particles.position[static_cast<std::size_t>(bond.b)];
-        if (apart.norm() < 2 * bond.rest_length) look.bond_ends.insert(look.bond_ends.end(), {bond.a, bond.b});
+        if (apart.norm() < 2 * bond.rest_length) mesh.bond_ends.insert(mesh.bond_ends.end(), {bond.a, bond.b});
     }
-    return look;
+    return mesh;
 }
 
 }  // namespace dmp::cli

@@ -8,6 +8,6 @@
 namespace dmp::cli {
 
 /// Particles and what was found out about each, for write_mesh_pictures().
-[[nodiscard]] MeshLook mesh_look(const ParticleSet& particles, const MeshDetail& detail, const std::string& title);
+[[nodiscard]] MeshView mesh_view(const ParticleSet& particles, const MeshDetail& detail, const std::string& title);
 
 }  // namespace dmp::cli

@@ -34,8 +34,8 @@ int execute(const NewCommand& command) {
     refuse_several_ranks();
     const fs::path folder = command.folder;
     refuse_what_is_there(folder);
-    const DrawingOptions options = drawing_options(command.drawing, command.unit);
-    const Geometry geometry = read_to_look_at(options);
+    const GeometryOptions options = geometry_options(command.drawing, command.unit);
+    const Geometry geometry = read_for_inspection(options);
     if (needs_a_unit(options.file) && !options.unit) throw missing_unit(options, geometry.box);
     const FirstScene first = first_scene(geometry, options.unit.has_value());
 

@@ -52,9 +52,9 @@ std::size_t remove_own(const fs::path& folder) {
     // Checkpoints first: none may outlive the frames it goes on from.
     std::size_t removed = CheckpointFolder(folder).remove();
     removed += remove_frames(folder, 0);
-    for (const auto& place : {folder / "frames", folder}) {
-        if (!fs::is_directory(place)) continue;
-        for (const auto& entry : fs::directory_iterator(place)) {
+    for (const auto& position : {folder / "frames", folder}) {
+        if (!fs::is_directory(position)) continue;
+        for (const auto& entry : fs::directory_iterator(position)) {
             if (entry.is_regular_file() && is_own(finished_name(entry.path()).value_or(entry.path())))
                 removed += fs::remove(entry.path()) ? 1 : 0;
         }

@@ -12,7 +12,7 @@ namespace dmp::cli {
 
 namespace {
 
-constexpr std::array kinds{ParticleKind::fluid, ParticleKind::springs, ParticleKind::rigid, ParticleKind::spheres};
+constexpr std::array kinds{PartKind::fluid, PartKind::elastic, PartKind::rigid, PartKind::spheres};
 constexpr std::array names{"fluid", "solid", "walls", "spheres"};
 
 using Indices = std::vector<std::size_t>;
@@ -35,13 +35,13 @@ FrameField vector(const char* name, const char* unit, const Indices& members, co
 }
 
 void add_bonds(FrameGroup& group, const ParticleSet& particles, const Indices& members) {
-    std::vector<std::int32_t> place(particles.size(), -1);
-    for (std::size_t k = 0; k < members.size(); ++k) place[members[k]] = static_cast<std::int32_t>(k);
+    std::vector<std::int32_t> position(particles.size(), -1);
+    for (std::size_t k = 0; k < members.size(); ++k) position[members[k]] = static_cast<std::int32_t>(k);
     FrameField length{"rest_length", "m", 1, {}};
     FrameField stiffness{"stiffness", "N/m", 1, {}};
     for (const Bond& bond : particles.bonds) {
-        const std::int32_t a = place[static_cast<std::size_t>(bond.a)];
-        const std::int32_t b = place[static_cast<std::size_t>(bond.b)];
+        const std::int32_t a = position[static_cast<std::size_t>(bond.a)];
+        const std::int32_t b = position[static_cast<std::size_t>(bond.b)];
         if (a < 0 || b < 0) continue;  // the other end is in another group's picture
         group.bond_ends.insert(group.bond_ends.end(), {a, b});
         length.values.push_back(static_cast<float>(bond.rest_length));
@@ -50,7 +50,7 @@ void add_bonds(FrameGroup& group, const ParticleSet& particles, const Indices& m
     group.bond_fields = {std::move(length), std::move(stiffness)};
 }
 
-FrameGroup group_of(const ParticleSet& particles, ParticleKind kind, const char* name) {
+FrameGroup group_of(const ParticleSet& particles, PartKind kind, const char* name) {
     Indices members;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (particles.kind(i) == kind) members.push_back(i);
@@ -64,19 +64,19 @@ FrameGroup group_of(const ParticleSet& particles, ParticleKind kind, const char*
     }
     group.fields.push_back(scalar("volume", "m^3", members, [&](std::size_t i) { return particles.volume[i]; }));
     group.fields.push_back(scalar("mass", "kg", members, [&](std::size_t i) { return particles.mass[i]; }));
-    if (kind == ParticleKind::springs) {
+    if (kind == PartKind::elastic) {
         group.fields.push_back(scalar("body", "1", members, [&](std::size_t i) { return particles.body[i]; }));
         group.fields.push_back(scalar("fixed", "1", members, [&](std::size_t i) { return particles.fixed[i]; }));
         group.fields.push_back(scalar("seated", "1", members, [&](std::size_t i) { return particles.seated[i]; }));
         add_bonds(group, particles, members);
     }
-    if (kind == ParticleKind::spheres) {
+    if (kind == PartKind::spheres) {
         group.fields.push_back(scalar("radius", "m", members, [&](std::size_t i) { return particles.radius[i]; }));
         group.fields.push_back(vector("velocity", "m/s", members, particles.velocity));
         group.fields.push_back(vector("angular_velocity", "rad/s", members, particles.angular_velocity));
         group.fields.push_back(scalar("fixed", "1", members, [&](std::size_t i) { return particles.fixed[i]; }));
     }
-    if (kind == ParticleKind::rigid) {
+    if (kind == PartKind::rigid) {
         group.fields.push_back(vector("wall_normal", "1", members, particles.wall_normal));
         group.fields.push_back(
             scalar("wall_distance", "m", members, [&](std::size_t i) { return particles.wall_distance[i]; }));

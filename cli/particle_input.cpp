@@ -35,7 +35,7 @@ bool matters(const std::string& table, const std::string& key) {
     if (table == "join") return key != "damping";
     if (table == "flow") return key == "periodic" || key == "symmetry";
     if (table == "contact") return key == "range";
-    if (table == "accuracy") return key == "support";
+    if (table == "numerics") return key == "support";
     constexpr std::array others{"viscosity", "bond_damping", "drag", "surface_velocity",
                                 "slip",      "velocity",     "spin", "centre"};
     return table == "part" && std::ranges::find(others, key) == others.end();
@@ -69,7 +69,7 @@ std::string difference(const std::vector<std::string>& made_from, const std::vec
     return text;
 }
 
-constexpr std::array kinds{"fluid", "rigid", "springs", "spheres"};  // by ParticleKind
+constexpr std::array kinds{"fluid", "rigid", "elastic", "spheres"};  // by PartKind
 
 /// The same for what every particle set says of itself.
 std::string difference(const ParticleSpace& file, const Scene& scene) {
@@ -92,7 +92,7 @@ std::string difference(const ParticleSpace& file, const Scene& scene) {
     for (const auto& part : file.parts)
         made_from.push_back(line(part.name, kinds.at(static_cast<std::size_t>(part.kind))));
     for (const Part& part : scene.parts)
-        if (*part.enabled) now.push_back(line(part.name, part.is_wall_for_spheres() ? kinds[1] : word(*part.kind)));
+        if (*part.enabled) now.push_back(line(part.name, part.is_wall_for_spheres() ? kinds[1] : to_string(*part.kind)));
     return difference(made_from, now);
 }
 
@@ -123,7 +123,7 @@ Origin origin_of(const std::filesystem::path& file, const ParticleSet& particles
     for (const Hinge& hinge : particles.hinges) hinges[part_of(hinge.centre)].add(hinge.stiffness);
     for (const Dihedral& dihedral : particles.dihedrals) dihedrals[part_of(dihedral.b)].add(dihedral.stiffness);
     for (std::size_t n = 0; n < particles.parts.size(); ++n) {
-        if (particles.parts[n].kind != ParticleKind::springs) continue;
+        if (particles.parts[n].kind != PartKind::elastic) continue;
         const std::string folds = particles.dihedrals.empty() ? "" : ", k_d " + dihedrals[n].text("J");
         origin.springs.emplace_back(
             "springs " + particles.parts[n].name,
@@ -178,7 +178,7 @@ ParticlesWithOrigin particles_from_file(const std::filesystem::path& file, const
     if (differs.empty() && !stored.made_from.empty())
         differs = difference(stored.made_from, values_behind_particles(scene));
     if (!differs.empty())
-        throw InputError(Place{file.string(), 0, 0}, "the particles were made for another scene:" + differs,
+        throw InputError(SourceLocation{file.string(), 0, 0}, "the particles were made for another scene:" + differs,
                          "Make them anew, with the same --set as this run has: dmp mesh SCENE --particles FILE.h5");
     Origin origin = origin_of(file, stored.particles, scene.joins_of_enabled());
     return {std::move(stored.particles), std::move(origin)};

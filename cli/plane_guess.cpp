@@ -96,7 +96,7 @@ class Look {
         guess_.across = usual_distance(walls_, size_);
         if (!(guess_.across > 0)) guess_.across = std::min(guess_.box.extent().x(), guess_.box.extent().y());
         for (CurveGuess& curve : guess_.curves)
-            if (curve.role == CurveRole::flexible) look_at_ends(curve);
+            if (curve.role == CurveRole::flexible) inspect_ends(curve);
         return std::move(guess_);
     }
 
@@ -109,9 +109,9 @@ class Look {
         int side = -1;  ///< 2 axis, and 1 more on the high side; -1: on none
     };
 
-    [[nodiscard]] bool is_fluid(const Vec& place) const {
+    [[nodiscard]] bool is_fluid(const Vec& position) const {
         return std::ranges::any_of(fluids_,
-                                   [&](const InsideTest& fluid) { return fluid.side_of(place) == Side::inside; });
+                                   [&](const InsideTest& fluid) { return fluid.side_of(position) == Side::inside; });
     }
 
     /// What is beside it says what it is: most of its length counts.
@@ -126,8 +126,8 @@ class Look {
             for_each_segment(piece, [&](const Vec& a, const Vec& b) {
                 const Segment segment{a, b};
                 for (const double along : {0.125, 0.375, 0.625, 0.875}) {
-                    const Vec place = a + along * (b - a), aside = beside * size_ * segment.left();
-                    const int sides = (is_fluid(place + aside) ? 1 : 0) + (is_fluid(place - aside) ? 1 : 0);
+                    const Vec position = a + along * (b - a), aside = beside * size_ * segment.left();
+                    const int sides = (is_fluid(position + aside) ? 1 : 0) + (is_fluid(position - aside) ? 1 : 0);
                     (sides == 2 ? both_sides : one_side) += sides > 0 ? segment.length() : 0;
                 }
             });
@@ -150,8 +150,8 @@ class Look {
                 for (std::size_t k = 0; k < named.size(); ++k)
                     if (named[k].nearest(segment.middle())) edge.names.push_back(k);
                 for (int side = 0; side < 4; ++side) {
-                    const double place = (side % 2 == 0 ? guess_.box.low : guess_.box.high)[side / 2];
-                    if (std::max(std::abs(a[side / 2] - place), std::abs(b[side / 2] - place)) <= on_side * size_)
+                    const double position = (side % 2 == 0 ? guess_.box.low : guess_.box.high)[side / 2];
+                    if (std::max(std::abs(a[side / 2] - position), std::abs(b[side / 2] - position)) <= on_side * size_)
                         edge.side = side;
                 }
                 edges_.push_back(std::move(edge));
@@ -160,10 +160,10 @@ class Look {
 
     /// Whether a curve is nothing but (part of) a side of the box.
     [[nodiscard]] bool is_flat(std::size_t curve, int side) const {
-        const double place = (side % 2 == 0 ? guess_.box.low : guess_.box.high)[side / 2];
+        const double position = (side % 2 == 0 ? guess_.box.low : guess_.box.high)[side / 2];
         return std::ranges::all_of(geometry_.curves[curve].pieces, [&](const Polyline& piece) {
-            return std::ranges::all_of(piece.points,
-                                       [&](const Vec& p) { return std::abs(p[side / 2] - place) <= on_side * size_; });
+            return std::ranges::all_of(
+                piece.points, [&](const Vec& p) { return std::abs(p[side / 2] - position) <= on_side * size_; });
         });
     }
 
@@ -247,25 +247,25 @@ class Look {
         return selection;
     }
 
-    [[nodiscard]] double distance_to_walls(const Vec& place) const {
+    [[nodiscard]] double distance_to_walls(const Vec& position) const {
         Projection best{.distance = std::numeric_limits<double>::infinity()};
-        for (const Segment& wall : walls_) keep_nearest(best, place, wall.a, wall.b);
+        for (const Segment& wall : walls_) keep_nearest(best, position, wall.a, wall.b);
         return best.distance;
     }
 
     /// From a loose end of a flexible piece to all other flexible pieces.
-    [[nodiscard]] double distance_to_others(const Vec& place, const Polyline* own) const {
+    [[nodiscard]] double distance_to_others(const Vec& position, const Polyline* own) const {
         Projection best{.distance = std::numeric_limits<double>::infinity()};
         for (std::size_t k = 0; k < guess_.curves.size(); ++k) {
             if (guess_.curves[k].role != CurveRole::flexible) continue;
             for (const Polyline& piece : geometry_.curves[k].pieces)
                 if (&piece != own)
-                    for_each_segment(piece, [&](const Vec& a, const Vec& b) { keep_nearest(best, place, a, b); });
+                    for_each_segment(piece, [&](const Vec& a, const Vec& b) { keep_nearest(best, position, a, b); });
         }
         return best.distance;
     }
 
-    void look_at_ends(CurveGuess& curve) {
+    void inspect_ends(CurveGuess& curve) {
         for (const Polyline& piece : geometry_.curve_set(curve.name)->pieces)
             for (const Vec& end : {piece.points.front(), piece.points.back()}) {
                 const double to_wall = distance_to_walls(end);

@@ -22,8 +22,8 @@ namespace dmp::cli {
 namespace {
 
 std::string particles_text(const ParticleSet& particles) {
-    constexpr std::array kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs, ParticleKind::spheres};
-    constexpr std::array names{"fluid", "rigid", "springs", "spheres"};
+    constexpr std::array kinds{PartKind::fluid, PartKind::rigid, PartKind::elastic, PartKind::spheres};
+    constexpr std::array names{"fluid", "rigid", "elastic", "spheres"};
     std::string text;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const std::size_t count = particles.count(kinds.at(k));
@@ -38,7 +38,7 @@ std::string particles_text(const ParticleSet& particles) {
 Prepared prepare(const SceneChoice& choice) {
     Scene scene = read_scene(choice.path, choice.overrides);
     ParticlesWithOrigin made =
-        choice.particles.empty() ? particles_from_drawing(scene) : particles_from_file(choice.particles, scene);
+        choice.particles.empty() ? particles_from_geometry(scene) : particles_from_file(choice.particles, scene);
     return {std::move(scene), std::move(made.particles), std::move(made.origin)};
 }
 

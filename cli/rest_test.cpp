@@ -48,7 +48,7 @@ class Moves : public FrameSink {
 };
 
 Scene at_rest(Scene scene, double sound_speed) {
-    scene.accuracy.sound_speed = sound_speed;
+    scene.numerics.sound_speed = sound_speed;
     for (Expression& g : scene.flow.acceleration) g = {};
     scene.flow.initial_velocity = {};
     scene.flow.initial_pressure = {};
@@ -70,7 +70,7 @@ Scene at_rest(Scene scene, double sound_speed) {
 
 }  // namespace
 
-MeshReport::RestLine settle(const Scene& scene, const ParticleSet& particles, long steps) {
+MeshReport::RestLine rest_test(const Scene& scene, const ParticleSet& particles, long steps) {
     Scene quiet = at_rest(scene, Simulation(scene, particles).plan().sound_speed);
     const Plan plan = Simulation(quiet, particles).plan();
     RunOptions options;

@@ -12,6 +12,7 @@ inline constexpr long steps_at_rest = 500;
 /// off: body forces, motions of walls and their surfaces, the fluid's velocity and pressure at the start, [[force]],
 /// [[moving_shape]],
 /// [[solidify]] and [[break]]. Sound, kernel and walls stay the scene's. Not for scenes of spheres.
-[[nodiscard]] MeshReport::RestLine settle(const Scene& scene, const ParticleSet& particles, long steps = steps_at_rest);
+[[nodiscard]] MeshReport::RestLine rest_test(const Scene& scene, const ParticleSet& particles,
+                                             long steps = steps_at_rest);
 
 }  // namespace dmp::cli

@@ -37,10 +37,10 @@ constexpr double trial_seconds = 1.0;
 /// A time from the command line [s], or what holds when it was not given.
 double time_of(const std::string& option, const std::string& text, double otherwise, bool may_be_zero = false) {
     if (text.empty()) return otherwise;
-    const Place place{option, 0, 0};
-    const double time = read_quantity(text, "s", place);
+    const SourceLocation location{option, 0, 0};
+    const double time = read_quantity(text, "s", location);
     if (!(time > 0 || (may_be_zero && time == 0))) {
-        throw InputError(place, "'" + text + "' is no time for this",
+        throw InputError(location, "'" + text + "' is no time for this",
                          "Give a time after 0, e.g. " + option + " \"0.2 s\".");
     }
     return time;
@@ -60,7 +60,7 @@ std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& fo
 }
 
 PictureOptions picture_options(const Scene& scene) {
-    PictureOptions options{.field = word(*scene.output.picture_field)};
+    PictureOptions options{.field = to_string(*scene.output.picture_field)};
     for (const BoxSide side : *scene.flow.symmetry) options.mirrored.at(axis_of(side)).at(is_high(side) ? 1 : 0) = true;
     return options;
 }

@@ -10,11 +10,11 @@ namespace dmp::cli {
 
 std::string workstation_libraries() { return "VTK " DMP_VTK_VERSION ", gmsh " DMP_GMSH_VERSION; }
 
-ParticlesWithOrigin particles_from_drawing(const Scene& scene) {
+ParticlesWithOrigin particles_from_geometry(const Scene& scene) {
     const MeshCache cache;
     if (auto found = cache.find(scene)) return std::move(*found);
     return cache.make(scene, [&]() -> ParticlesWithOrigin {
-        MeshResult result = mesh_drawing(scene);
+        MeshResult result = mesh_geometry(scene);
         return {std::move(result.particles), origin_of(scene, result.report)};
     });
 }

@@ -20,7 +20,7 @@ namespace dmp::cli {
 [[nodiscard]] std::string workstation_libraries();
 
 /// The particles that a scene's drawing asks for. Throws InputError.
-[[nodiscard]] ParticlesWithOrigin particles_from_drawing(const Scene& scene);
+[[nodiscard]] ParticlesWithOrigin particles_from_geometry(const Scene& scene);
 
 /// Frames as ParaView opens them. Throws InputError when the folder cannot be made or written to.
 [[nodiscard]] std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label);

@@ -90,7 +90,7 @@ void cancel_shared_edges(std::vector<MeshEdge>& edges) {
 
 }  // namespace
 
-DrawnCurves::DrawnCurves(const DrawingOptions& options) : options_(options) {
+CadCurves::CadCurves(const GeometryOptions& options) : options_(options) {
     std::vector<std::size_t> tags;
     std::vector<double> x;
     std::vector<double> parameters;
@@ -98,13 +98,13 @@ DrawnCurves::DrawnCurves(const DrawingOptions& options) : options_(options) {
     for (std::size_t i = 0; i < tags.size(); ++i) nodes_[tags[i]] = in_metres({x[3 * i], x[3 * i + 1], x[3 * i + 2]});
 }
 
-Vec DrawnCurves::point(int tag) const { return in_metres(value_at(0, tag, {})); }
+Vec CadCurves::point(int tag) const { return in_metres(value_at(0, tag, {})); }
 
-InputError DrawnCurves::problem(int curve, const std::string& what, const std::string& what_to_do) const {
-    return {Place{.file = options_.file}, "curve " + std::to_string(curve) + " " + what, what_to_do};
+InputError CadCurves::problem(int curve, const std::string& what, const std::string& what_to_do) const {
+    return {SourceLocation{.file = options_.file}, "curve " + std::to_string(curve) + " " + what, what_to_do};
 }
 
-const std::vector<CurvePiece>& DrawnCurves::curve(int tag) {
+const std::vector<CurvePiece>& CadCurves::curve(int tag) {
     const auto [found, fresh] = curves_.try_emplace(tag);
     auto& pieces = found->second;
     if (!fresh) return pieces;
@@ -121,13 +121,13 @@ const std::vector<CurvePiece>& DrawnCurves::curve(int tag) {
     return pieces;
 }
 
-CurveSet DrawnCurves::set(const std::string& name, const std::vector<int>& tags) {
+CurveSet CadCurves::set(const std::string& name, const std::vector<int>& tags) {
     std::vector<CurvePiece> pieces;
     for (const int tag : tags) std::ranges::copy(curve(tag), std::back_inserter(pieces));
     return {.name = name, .pieces = maximal_chains(pieces)};
 }
 
-std::vector<CurvePiece> DrawnCurves::boundary(const std::vector<int>& surfaces) {
+std::vector<CurvePiece> CadCurves::boundary(const std::vector<int>& surfaces) {
     std::vector<CurvePiece> pieces;
     std::vector<int> meshes;
     for (const int surface : surfaces) {
@@ -148,7 +148,7 @@ std::vector<CurvePiece> DrawnCurves::boundary(const std::vector<int>& surfaces) 
 }
 
 /// Points along a curve, close enough together; the first and the last are the drawing's own points.
-CurvePiece DrawnCurves::sampled(int tag, bool straight) const {
+CurvePiece CadCurves::sampled(int tag, bool straight) const {
     constexpr int parts = 8;  // to begin with, so that an S is not taken for its chord
     std::vector<double> from;
     std::vector<double> to;
@@ -170,8 +170,8 @@ CurvePiece DrawnCurves::sampled(int tag, bool straight) const {
 }
 
 /// Appends the points strictly between the ends of one part [t, t + step] of a curve, by halving.
-void DrawnCurves::refine(int tag, double t, double step, const Vec& start, const Vec& end, int depth,
-                         CurvePiece& points) const {
+void CadCurves::refine(int tag, double t, double step, const Vec& start, const Vec& end, int depth,
+                       CurvePiece& points) const {
     constexpr int deepest = 40;
     constexpr double margin = 0.95;  // the largest deviation may lie between the samples
     const double tolerance = margin * options_.chord_error / options_.metres();
@@ -190,7 +190,7 @@ void DrawnCurves::refine(int tag, double t, double step, const Vec& start, const
 }
 
 /// The mesh edges of curves, or those around surfaces.
-std::vector<CurvePiece> DrawnCurves::mesh_edges(int dimension, const std::vector<int>& tags) const {
+std::vector<CurvePiece> CadCurves::mesh_edges(int dimension, const std::vector<int>& tags) const {
     std::vector<MeshEdge> edges;
     for (const int tag : tags) append_edges(dimension, tag, edges);
     if (dimension == 2) cancel_shared_edges(edges);

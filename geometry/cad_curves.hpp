@@ -12,9 +12,9 @@ namespace dmp::geometry {
 
 /// The points and curves of the drawing that gmsh has open, as pieces in metres. Each curve is made once, so that all
 /// who share it share its bits.
-class DrawnCurves {
+class CadCurves {
   public:
-    explicit DrawnCurves(const DrawingOptions& options);
+    explicit CadCurves(const GeometryOptions& options);
 
     [[nodiscard]] Vec point(int tag) const;
 
@@ -34,7 +34,7 @@ class DrawnCurves {
     void refine(int tag, double t, double step, const Vec& start, const Vec& end, int depth, CurvePiece& points) const;
     [[nodiscard]] std::vector<CurvePiece> mesh_edges(int dimension, const std::vector<int>& tags) const;
 
-    const DrawingOptions& options_;
+    const GeometryOptions& options_;
     std::map<std::size_t, Vec> nodes_;  ///< of a mesh [m]
     std::map<int, std::vector<CurvePiece>> curves_;
 };

@@ -30,15 +30,15 @@ bool has_a_mesh() {
 
 }  // namespace
 
-DrawnSurfaces::DrawnSurfaces(const DrawingOptions& options) : options_(options) {
+CadSurfaces::CadSurfaces(const GeometryOptions& options) : options_(options) {
     if (!has_a_mesh()) make_mesh();
     std::vector<std::size_t> tags;
     std::vector<double> coordinates, parametric;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric);
     for (std::size_t i = 0; i < tags.size(); ++i) {
-        const Vec place = options.metres() * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
-        check_place(place, options.file);
-        nodes_[tags[i]] = place;
+        const Vec position = options.metres() * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+        check_coordinates(position, options.file);
+        nodes_[tags[i]] = position;
     }
     gmsh::vectorpair surfaces;
     gmsh::model::getEntities(surfaces, 2);
@@ -60,7 +60,7 @@ DrawnSurfaces::DrawnSurfaces(const DrawingOptions& options) : options_(options) 
     }
 }
 
-void DrawnSurfaces::make_mesh() const {
+void CadSurfaces::make_mesh() const {
     double low_x = 0, low_y = 0, low_z = 0, high_x = 0, high_y = 0, high_z = 0;
     gmsh::model::getBoundingBox(-1, -1, low_x, low_y, low_z, high_x, high_y, high_z);
     std::array<double, 3> extents{high_x - low_x, high_y - low_y, high_z - low_z};
@@ -75,7 +75,7 @@ void DrawnSurfaces::make_mesh() const {
     gmsh::model::mesh::generate(2);
 }
 
-TriangleSurface DrawnSurfaces::surfaces(const std::vector<int>& tags) const {
+TriangleSurface CadSurfaces::surfaces(const std::vector<int>& tags) const {
     TriangleSurface surface;
     std::map<std::size_t, int> numbers;
     const auto number_of = [&](std::size_t node) {
@@ -92,7 +92,7 @@ TriangleSurface DrawnSurfaces::surfaces(const std::vector<int>& tags) const {
     return surface;
 }
 
-TriangleSurface DrawnSurfaces::boundary(const std::vector<int>& volumes) const {
+TriangleSurface CadSurfaces::boundary(const std::vector<int>& volumes) const {
     std::map<int, int> times;
     for (const int volume : volumes) {
         gmsh::vectorpair around;
@@ -105,12 +105,12 @@ TriangleSurface DrawnSurfaces::boundary(const std::vector<int>& volumes) const {
     return surfaces(tags);
 }
 
-Vec DrawnSurfaces::point(int tag) const {
+Vec CadSurfaces::point(int tag) const {
     std::vector<double> x;
     gmsh::model::getValue(0, tag, {}, x);
-    const Vec place = options_.metres() * Vec(x.at(0), x.at(1), x.at(2));
-    check_place(place, options_.file);
-    return place;
+    const Vec position = options_.metres() * Vec(x.at(0), x.at(1), x.at(2));
+    check_coordinates(position, options_.file);
+    return position;
 }
 
 }  // namespace dmp::geometry

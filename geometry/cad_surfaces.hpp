@@ -11,9 +11,9 @@ namespace dmp::geometry {
 
 /// The surfaces of the 3-D drawing that gmsh has open, as triangles in metres that share their corners. A drawing with
 /// formulas is meshed first, finely enough to follow its curves to within the chord error.
-class DrawnSurfaces {
+class CadSurfaces {
   public:
-    explicit DrawnSurfaces(const DrawingOptions& options);
+    explicit CadSurfaces(const GeometryOptions& options);
 
     /// The triangles of some surfaces.
     [[nodiscard]] TriangleSurface surfaces(const std::vector<int>& tags) const;
@@ -25,7 +25,7 @@ class DrawnSurfaces {
     using Triangle = std::array<std::size_t, 3>;  ///< numbers of gmsh's nodes
 
     void make_mesh() const;
-    const DrawingOptions& options_;
+    const GeometryOptions& options_;
     std::map<std::size_t, Vec> nodes_;                ///< [m]
     std::map<int, std::vector<Triangle>> triangles_;  ///< by surface
 };

@@ -118,14 +118,14 @@ std::vector<SurfaceHole> fill_holes(TriangleSurface& surface, double largest_per
             const Vec& here = surface.corners[static_cast<std::size_t>(rim.corners[k])];
             const auto next = static_cast<std::size_t>(rim.corners[(k + 1) % rim.corners.size()]);
             hole.perimeter += (surface.corners[next] - here).norm();
-            hole.place += here / static_cast<double>(rim.corners.size());
+            hole.position += here / static_cast<double>(rim.corners.size());
         }
         if (hole.perimeter > largest_perimeter || hole.edges < 3) continue;
         std::vector<std::array<int, 3>> filling;
         if (hole.edges <= most_edges_of_least_area) {
             filling = LeastArea(surface, rim.corners).triangles();
         } else {
-            surface.corners.push_back(hole.place);
+            surface.corners.push_back(hole.position);
             filling = around_middle(rim.corners, static_cast<int>(surface.corners.size()) - 1);
         }
         double area = 0;

@@ -11,9 +11,9 @@ namespace dmp::geometry {
 /// A closed chain of open edges.
 struct SurfaceHole {
     std::size_t edges = 0;
-    double perimeter = 0;       ///< [m]
-    Vec place = Vec::Zero();    ///< mean of its corners [m]
-    std::size_t triangles = 0;  ///< that fill it; 0: it is still there
+    double perimeter = 0;        ///< [m]
+    Vec position = Vec::Zero();  ///< mean of its corners [m]
+    std::size_t triangles = 0;   ///< that fill it; 0: it is still there
 };
 
 /// Fills the holes of a surface whose perimeter is at most a limit [m], each with the triangles of least area between

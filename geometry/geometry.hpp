@@ -35,7 +35,7 @@ struct Projection {
 };
 
 /// A named area of a 2-D drawing, bounded by closed polylines (the first need not be the outer one; even-odd rule).
-/// Every loop counts as closed. read_drawing turns all loops so that the region lies on their left.
+/// Every loop counts as closed. read_geometry turns all loops so that the region lies on their left.
 /// For many points ask an InsideTest (geometry/inside_test.hpp).
 struct Region {
     std::string name;
@@ -109,18 +109,18 @@ struct FaceSelection {
     std::optional<Vec> normal{};                      ///< of any length: where they face
     double angle = 0;                                 ///< from the normal, at most [rad]
     std::vector<std::string> except{};                ///< names of earlier selections that they are not in
-    Place place{};                                    ///< where the scene asks for it, for errors
+    SourceLocation location{};                        ///< where the scene asks for it, for errors
 };
 
-struct DrawingOptions {
+struct GeometryOptions {
     std::string file{};  ///< path of the drawing
     std::optional<double>
         unit{};  ///< one unit of the drawing [m]; none: what the file says, or 1 m for gmsh's drawings
-    std::map<std::string, double> parameters{};       ///< DefineConstant name -> value in the drawing's units
-    std::map<std::string, Place> parameter_places{};  ///< where the scene sets them, for errors
-    double chord_error = 1e-6;                        ///< largest distance between a curve and its polyline [m]
+    std::map<std::string, double> parameters{};  ///< DefineConstant name -> value in the drawing's units
+    std::map<std::string, SourceLocation> parameter_locations{};  ///< where the scene sets them, for errors
+    double chord_error = 1e-6;  ///< largest distance between a curve and its polyline [m]
     std::vector<FaceSelection> selections{};
-    Place place{};  ///< where the scene names the file, for errors
+    SourceLocation location{};  ///< where the scene names the file, for errors
 
     [[nodiscard]] double metres() const { return unit.value_or(1.0); }  ///< one unit of the drawing [m]
 };
@@ -153,6 +153,6 @@ struct DrawingOptions {
 /// name) or fixes itself; a drawing without named groups, or without volumes and outside z = 0; groups without a name;
 /// curves without length; regions that are empty, open or cross themselves; solids that are not closed or enclose
 /// nothing; selections without a face.
-Geometry read_drawing(const DrawingOptions& options);
+Geometry read_geometry(const GeometryOptions& options);
 
 }  // namespace dmp::geometry

@@ -128,10 +128,10 @@ template <class Archive, class T>
 void pass(Archive& archive, std::map<std::string, T>& values);
 
 template <class Archive>
-void pass(Archive& archive, Place& place) {
-    pass(archive, place.file);
-    pass(archive, place.line);
-    pass(archive, place.column);
+void pass(Archive& archive, SourceLocation& location) {
+    pass(archive, location.file);
+    pass(archive, location.line);
+    pass(archive, location.column);
 }
 
 template <class Archive>
@@ -221,18 +221,18 @@ void pass(Archive& archive, Geometry& geometry) {
 }
 
 template <class Archive>
-void pass(Archive& archive, DrawingOptions& options) {
+void pass(Archive& archive, GeometryOptions& options) {
     pass(archive, options.file);
     pass(archive, options.unit);
     pass(archive, options.parameters);
-    pass(archive, options.parameter_places);
+    pass(archive, options.parameter_locations);
     pass(archive, options.chord_error);
-    pass(archive, options.place);
+    pass(archive, options.location);
 }
 
 template <class Archive>
 void pass(Archive& archive, ErrorText& error) {
-    pass(archive, error.place);
+    pass(archive, error.location);
     pass(archive, error.problem);
     pass(archive, error.what_to_do);
 }
@@ -286,11 +286,11 @@ Geometry checked(Geometry geometry) {
 }  // namespace
 
 std::string bytes_of(const Geometry& geometry) { return written(geometry); }
-std::string bytes_of(const DrawingOptions& options) { return written(options); }
+std::string bytes_of(const GeometryOptions& options) { return written(options); }
 std::string bytes_of(const ErrorText& error) { return written(error); }
 
 Geometry geometry_of(std::string_view bytes) { return checked(read<Geometry>(bytes)); }
-DrawingOptions drawing_options_of(std::string_view bytes) { return read<DrawingOptions>(bytes); }
+GeometryOptions geometry_options_from_bytes(std::string_view bytes) { return read<GeometryOptions>(bytes); }
 ErrorText error_text_of(std::string_view bytes) { return read<ErrorText>(bytes); }
 
 }  // namespace dmp::geometry

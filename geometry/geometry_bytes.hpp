@@ -10,11 +10,11 @@ namespace dmp::geometry {
 
 /// Values as bytes, bit for bit, for another process of the same program on the same machine; no file format.
 [[nodiscard]] std::string bytes_of(const Geometry& geometry);
-[[nodiscard]] std::string bytes_of(const DrawingOptions& options);  ///< without its selections
+[[nodiscard]] std::string bytes_of(const GeometryOptions& options);  ///< without its selections
 
 /// What was told of an error.
 struct ErrorText {
-    Place place;
+    SourceLocation location;
     std::string problem, what_to_do;
 };
 [[nodiscard]] std::string bytes_of(const ErrorText& error);
@@ -23,7 +23,7 @@ struct ErrorText {
 /// all points are finite, and triangles' corners exist. Memory stays within a few times that of the bytes, whatever
 /// they say.
 [[nodiscard]] Geometry geometry_of(std::string_view bytes);
-[[nodiscard]] DrawingOptions drawing_options_of(std::string_view bytes);
+[[nodiscard]] GeometryOptions geometry_options_from_bytes(std::string_view bytes);
 [[nodiscard]] ErrorText error_text_of(std::string_view bytes);
 
 }  // namespace dmp::geometry

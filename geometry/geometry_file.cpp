@@ -77,11 +77,11 @@ std::string file_text(const std::string& file) {
     return text;
 }
 
-void check_drawing_file(const DrawingOptions& options) {
+void check_geometry_file(const GeometryOptions& options) {
     const std::string& file = options.file;
     const std::string drawing = "the drawing '" + file + "'";
     const auto refuse = [&](const std::string& what, const std::string& what_to_do) {
-        throw InputError(options.place, what, what_to_do);
+        throw InputError(options.location, what, what_to_do);
     };
     if (!(options.metres() > 0) || !std::isfinite(options.metres())) {
         refuse("the drawing's unit must be a positive length", "Give it as a length, like \"1 mm\".");
@@ -108,8 +108,8 @@ void check_drawing_file(const DrawingOptions& options) {
     }
     if (!is_script(file) && !options.parameters.empty()) {
         const auto& [name, value] = *options.parameters.begin();
-        const auto place = options.parameter_places.find(name);
-        throw InputError(place == options.parameter_places.end() ? options.place : place->second,
+        const auto location = options.parameter_locations.find(name);
+        throw InputError(location == options.parameter_locations.end() ? options.location : location->second,
                          "the drawing '" + file + "' offers no constant '" + name + "' for setting",
                          extension == ".msh" ? "A mesh has no parameters; give its .geo script."
                                              : "Only .geo scripts have parameters.");
@@ -117,15 +117,16 @@ void check_drawing_file(const DrawingOptions& options) {
     if (is_script(file)) check_script(file);
 }
 
-void check_place(const Vec& place, const std::string& file) {
+void check_coordinates(const Vec& position, const std::string& file) {
     constexpr double furthest = 1e12;
-    if (!place.allFinite())
+    if (!position.allFinite())
         throw InputError({.file = file}, "the drawing has a point without finite coordinates",
                          "Check the drawing, or the parameters it was given.");
-    if (place.cwiseAbs().maxCoeff() > furthest)
-        throw InputError({.file = file},
-                         "the drawing has a point at " + place_text(place) + ", further out than any drawing can mean",
-                         "Check the drawing and its unit (geometry.unit; on the command line --unit).");
+    if (position.cwiseAbs().maxCoeff() > furthest)
+        throw InputError(
+            {.file = file},
+            "the drawing has a point at " + position_text(position) + ", further out than any drawing can mean",
+            "Check the drawing and its unit (geometry.unit; on the command line --unit).");
 }
 
 }  // namespace dmp::geometry

@@ -29,10 +29,10 @@ namespace dmp::geometry {
 
 /// What can be said before gmsh sees the drawing. Throws InputError: no such file, a folder, unreadable, a format we do
 /// not read, options that make no sense, and mistakes in a script that gmsh would pass over in silence.
-void check_drawing_file(const DrawingOptions& options);
+void check_geometry_file(const GeometryOptions& options);
 
 /// Throws InputError where a place [m] of the drawing is not finite, or further out than any drawing can mean (10^12
 /// m): products of such lengths would overflow.
-void check_place(const Vec& place, const std::string& file);
+void check_coordinates(const Vec& position, const std::string& file);
 
 }  // namespace dmp::geometry

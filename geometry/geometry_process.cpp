@@ -143,8 +143,8 @@ std::optional<std::string> answer_within(int descriptor, double seconds, std::si
     }
 }
 
-InputError gone_wrong(const DrawingOptions& options, const std::string& what) {
-    return {Place{.file = options.file}, "the drawing cannot be read: " + what,
+InputError gone_wrong(const GeometryOptions& options, const std::string& what) {
+    return {SourceLocation{.file = options.file}, "the drawing cannot be read: " + what,
             "Open it in the program that made it, check it there, and save it again; 'gmsh " + options.file +
                 "' may tell more."};
 }
@@ -158,14 +158,14 @@ std::string end_of(int status) {
     return "its reader ended with code " + std::to_string(WEXITSTATUS(status)) + " and without a result";
 }
 
-Geometry result_of(const DrawingOptions& options, const std::string& answer, int status) {
+Geometry result_of(const GeometryOptions& options, const std::string& answer, int status) {
     const std::string_view content = std::string_view(answer).substr(std::min<std::size_t>(1, answer.size()));
     if (answer.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw gone_wrong(options, end_of(status));
     try {
         if (answer[0] == is_geometry) return geometry_of(content);
         const ErrorText error = error_text_of(content);
         if (answer[0] == is_resource_error) throw ResourceError(error.problem, error.what_to_do);
-        if (answer[0] == is_input_error) throw InputError(error.place, error.problem, error.what_to_do);
+        if (answer[0] == is_input_error) throw InputError(error.location, error.problem, error.what_to_do);
         throw std::runtime_error("an answer of no kind");
     } catch (const Error&) {
         throw;
@@ -195,16 +195,16 @@ std::string request_from(int descriptor) {
     }
 }
 
-std::string answer_to(const DrawingOptions& options) {
+std::string answer_to(const GeometryOptions& options) {
     try {
-        return is_geometry + bytes_of(read_drawing(options));
+        return is_geometry + bytes_of(read_geometry(options));
     } catch (const InputError& error) {
         return is_input_error + bytes_of(ErrorText{error.where(), error.problem(), error.what_to_do()});
     } catch (const Error& error) {
         return is_resource_error + bytes_of(ErrorText{error.where(), error.problem(), error.what_to_do()});
     } catch (const std::bad_alloc&) {
         ErrorText error;
-        error.place.file = options.file;
+        error.location.file = options.file;
         error.problem = "the drawing takes more memory than the machine has";
         error.what_to_do = "Check that it is whole, or raise particles.spacing.";
         return is_input_error + bytes_of(error);
@@ -213,9 +213,9 @@ std::string answer_to(const DrawingOptions& options) {
 
 }  // namespace
 
-Geometry read_drawing_apart(const DrawingOptions& options, const DrawingChild& child) {
-    check_drawing_file(options);
-    if (is_triangle_file(options.file)) return read_drawing(options);
+Geometry read_geometry_in_process(const GeometryOptions& options, const GeometryProcess& child) {
+    check_geometry_file(options);
+    if (is_triangle_file(options.file)) return read_geometry(options);
     const Descriptor request(file_with(bytes_of(options)));
     std::array<int, 2> pipe_ends{};
     if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) cannot_start("a pipe");
@@ -233,10 +233,10 @@ Geometry read_drawing_apart(const DrawingOptions& options, const DrawingChild& c
     return geometry;
 }
 
-int answer_drawing_request() {
+int answer_geometry_request() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit_memory();
-    const DrawingOptions options = drawing_options_of(request_from(STDIN_FILENO));
+    const GeometryOptions options = geometry_options_from_bytes(request_from(STDIN_FILENO));
     return write_all(answer_descriptor, answer_to(options)) ? 0 : 1;
 }
 

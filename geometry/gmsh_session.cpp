@@ -59,21 +59,21 @@ namespace {
 
 /// One error of gmsh; the place is unknown for those that do not start with "'drawing.geo', line 5: ".
 struct GmshError {
-    Place place;
+    SourceLocation location;
     std::string text;
 };
 
 GmshError parsed(const std::string& message) {
     constexpr std::string_view before_line = "', line ";
     const std::size_t name_end = message.find(before_line);
-    if (!message.starts_with('\'') || name_end == std::string::npos) return {.place = {}, .text = message};
+    if (!message.starts_with('\'') || name_end == std::string::npos) return {.location = {}, .text = message};
     const std::size_t line_begin = name_end + before_line.size();
     const std::size_t colon = message.find(':', line_begin);
     const std::size_t text_begin = colon == std::string::npos ? colon : message.find_first_not_of(' ', colon + 1);
-    if (text_begin == std::string::npos) return {.place = {}, .text = message};
-    Place place{.file = message.substr(1, name_end - 1)};
-    std::from_chars(message.data() + line_begin, message.data() + colon, place.line);
-    return {.place = place, .text = message.substr(text_begin)};
+    if (text_begin == std::string::npos) return {.location = {}, .text = message};
+    SourceLocation location{.file = message.substr(1, name_end - 1)};
+    std::from_chars(message.data() + line_begin, message.data() + colon, location.line);
+    return {.location = location, .text = message.substr(text_begin)};
 }
 
 /// Turns gmsh's errors into one of ours, at the first line they name.
@@ -84,8 +84,8 @@ void throw_logged_errors(const std::string& file) {
     for (const auto& message : GmshSession::logged("Error")) errors.push_back(parsed(message));
     if (errors.empty()) return;
 
-    const auto located = std::ranges::find_if(errors, [](const GmshError& error) { return error.place.line > 0; });
-    const Place place = located == errors.end() ? Place{.file = file} : located->place;
+    const auto located = std::ranges::find_if(errors, [](const GmshError& error) { return error.location.line > 0; });
+    const SourceLocation location = located == errors.end() ? SourceLocation{.file = file} : located->location;
     std::string problem;
     bool syntax = false;
     for (std::size_t i = 0; i < std::min(errors.size(), most_shown); ++i) {
@@ -96,15 +96,15 @@ void throw_logged_errors(const std::string& file) {
             text = word.empty() ? "syntax error at the end" : "syntax error near '" + word + "'";
         }
         if (i > 0) problem += "; ";
-        if (at.line > 0 && at.file != place.file) {
+        if (at.line > 0 && at.file != location.file) {
             problem += at.text() + ": ";
-        } else if (at.line > 0 && at.line != place.line) {
+        } else if (at.line > 0 && at.line != location.line) {
             problem += "line " + std::to_string(at.line) + ": ";
         }
         problem += text;
     }
     if (errors.size() > most_shown) problem += "; and " + std::to_string(errors.size() - most_shown) + " more";
-    throw InputError(place, "gmsh cannot read the drawing: " + problem,
+    throw InputError(location, "gmsh cannot read the drawing: " + problem,
                      syntax            ? "Look for a missing ';' or bracket on this line or the one before."
                      : is_script(file) ? "Correct the drawing; 'gmsh " + file + "' shows it."
                                        : "Save or export it again: it may be cut off, or of a version that gmsh does "
@@ -126,11 +126,11 @@ std::vector<std::string> offered_constants() {
 }
 
 [[noreturn]] void throw_unknown_parameter(const std::string& name, const std::vector<std::string>& offered,
-                                          const DrawingOptions& options, const Place& place) {
+                                          const GeometryOptions& options, const SourceLocation& location) {
     const std::string problem = "the drawing '" + options.file + "' offers no constant '" + name + "' for setting";
     const std::string form = "DefineConstant[ " + name + " = {value, Name \"" + name + "\"} ];";
     if (const int line = GeoText(file_text(options.file)).line_of_assignment(name); line > 0) {
-        throw InputError(place, problem,
+        throw InputError(location, problem,
                          "Line " + std::to_string(line) +
                              " of the drawing sets it, but not in the one form that can be " +
                              "set from outside: " + form);
@@ -138,19 +138,19 @@ std::vector<std::string> offered_constants() {
     std::string advice = "It offers " + quoted_list(offered) + ".";
     if (const auto near = nearest_name(name, offered); !near.empty()) advice = "Did you mean '" + near + "'? " + advice;
     if (offered.empty()) advice += " A constant is offered by " + form;
-    throw InputError(place, problem, advice);
+    throw InputError(location, problem, advice);
 }
 
-void check_parameters(const DrawingOptions& options, const std::map<std::string, double>& known,
+void check_parameters(const GeometryOptions& options, const std::map<std::string, double>& known,
                       const std::vector<std::string>& offered) {
     for (const auto& [name, value] : options.parameters) {
-        const auto found = options.parameter_places.find(name);
-        const Place& place = found != options.parameter_places.end() ? found->second : options.place;
-        if (!known.contains(name)) throw_unknown_parameter(name, offered, options, place);
+        const auto found = options.parameter_locations.find(name);
+        const SourceLocation& location = found != options.parameter_locations.end() ? found->second : options.location;
+        if (!known.contains(name)) throw_unknown_parameter(name, offered, options, location);
         std::vector<double> now;
         gmsh::onelab::getNumber(name, now);
         if (now.empty() || now.front() != value) {
-            throw InputError(place, "the drawing '" + options.file + "' sets '" + name + "' itself",
+            throw InputError(location, "the drawing '" + options.file + "' sets '" + name + "' itself",
                              "Remove ReadOnly or SetNumber for it from the drawing, or the parameter from the scene.");
         }
     }
@@ -172,7 +172,7 @@ void prepare_for_cad(const std::string& file) {
 
 // It takes as many goes as parameters bring others to light: setting one creates its name, so only a reading without it
 // shows whether the drawing knows it, and a parameter may make the drawing offer others.
-std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options) {
+std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options) {
     std::map<std::string, double> known;
     std::vector<std::string> offered;
     std::unique_ptr<GmshSession> session;

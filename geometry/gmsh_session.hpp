@@ -34,6 +34,6 @@ class GmshSession {
 
 /// Opens a drawing with its parameters set; gmsh holds it as long as the session lives, and throws on errors from now
 /// on. Throws InputError: what gmsh says of the drawing, and parameters that it does not offer.
-std::unique_ptr<GmshSession> open_drawing(const DrawingOptions& options);
+std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options);
 
 }  // namespace dmp::geometry

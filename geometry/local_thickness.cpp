@@ -68,13 +68,13 @@ LocalThickness local_thickness(const TriangleSurface& surface, double distance) 
             const Vec& normal = normals[static_cast<std::size_t>(other)];
             return normal.dot(inward) >= std::numbers::sqrt2 / 2 * normal.norm();
         };
-        for_each_middle(triangle, parts, [&](const Vec& place) {
-            const auto hit = tree.first_hit(place, inward, is_opposite);
+        for_each_middle(triangle, parts, [&](const Vec& position) {
+            const auto hit = tree.first_hit(position, inward, is_opposite);
             if (!hit) return;
             const Vec& facing = normals[static_cast<std::size_t>(hit->triangle)];
             const double slant = facing.cross(inward).norm() / facing.dot(inward);
-            samples.push_back(
-                {place, place + hit->distance * inward, hit->distance, 0.5 * twice_area / (parts * parts), slant});
+            samples.push_back({position, position + hit->distance * inward, hit->distance,
+                               0.5 * twice_area / (parts * parts), slant});
         });
     };
     const auto triangles = static_cast<std::ptrdiff_t>(normals.size());

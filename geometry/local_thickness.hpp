@@ -10,7 +10,7 @@ namespace dmp::geometry {
 
 /// How thick a body is behind a place of its surface.
 struct ThicknessSample {
-    Vec place = Vec::Zero();     ///< on the surface [m]
+    Vec position = Vec::Zero();  ///< on the surface [m]
     Vec opposite = Vec::Zero();  ///< where the line inward along the normal comes out again [m]
     double thickness = 0;        ///< [m]
     double area = 0;             ///< of the surface that it stands for [m^2]

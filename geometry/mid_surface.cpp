@@ -34,7 +34,7 @@ class Search {
     Search(const TriangleSurface& body, double largest) : body_(body), tree_(body), largest_(largest) {}
 
     SheetSearch result() {
-        look_across();
+        cast_across();
         const std::vector<std::vector<int>> faces = find_faces();
         double in_faces = 0, all = 0;
         for (std::size_t t = 0; t < area_.size(); ++t) {
@@ -65,7 +65,7 @@ class Search {
     }
 
   private:
-    void look_across() {
+    void cast_across() {
         for (const auto& [a, b, c] : body_.triangles) {
             const Vec across = (corner(b) - corner(a)).cross(corner(c) - corner(a));
             area_.push_back(0.5 * across.norm());
@@ -79,10 +79,11 @@ class Search {
     }
 
     /// What is opposite to a place of a triangle.
-    [[nodiscard]] Opposite across_from(const Vec& place, std::size_t triangle) const {
+    [[nodiscard]] Opposite across_from(const Vec& position, std::size_t triangle) const {
         const Vec inward = -normal_[triangle];
-        const auto hit = tree_.first_hit(
-            place, inward, [&](int other) { return normal_[static_cast<std::size_t>(other)].dot(inward) >= steepest; });
+        const auto hit = tree_.first_hit(position, inward, [&](int other) {
+            return normal_[static_cast<std::size_t>(other)].dot(inward) >= steepest;
+        });
         return hit && hit->distance <= largest_ ? Opposite{hit->triangle, hit->distance} : Opposite{};
     }
 
@@ -133,15 +134,15 @@ class Search {
         for (const int t : chosen) {
             const auto at = static_cast<std::size_t>(t);
             for (const int k : body_.triangles[at]) {  // next to the corners
-                const Vec place = 0.9 * corner(k) + 0.1 * middle_of(t);
-                const Opposite here = across_from(place, at);
+                const Vec position = 0.9 * corner(k) + 0.1 * middle_of(t);
+                const Opposite here = across_from(position, at);
                 const double thickness = here.triangle < 0 ? sheet.thickness : here.distance;  // cut at the rim
                 sheet.least = std::min(sheet.least, thickness);
                 sheet.most = std::max(sheet.most, thickness);
                 const double off = std::abs(thickness - sheet.thickness);
                 if (off <= evenness * sheet.thickness) even += area_[at] / 3;
                 if (off <= std::abs(uneven.thickness - sheet.thickness)) continue;
-                uneven.where = place;
+                uneven.where = position;
                 uneven.thickness = thickness;
             }
         }

@@ -47,8 +47,10 @@ std::uint32_t NearestTriangle::build(std::span<Triangle> triangles, std::uint32_
     Eigen::Index axis = 0;
     (node.high - node.low).maxCoeff(&axis);
     const std::size_t half = triangles.size() / 2;
-    const auto place = [axis](const Triangle& t) { return t.corner[0][axis] + t.corner[1][axis] + t.corner[2][axis]; };
-    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
+    const auto position = [axis](const Triangle& t) {
+        return t.corner[0][axis] + t.corner[1][axis] + t.corner[2][axis];
+    };
+    std::ranges::nth_element(triangles, triangles.begin() + static_cast<std::ptrdiff_t>(half), {}, position);
     build(triangles.first(half), begin);
     const std::uint32_t second = build(triangles.subspan(half), begin + static_cast<std::uint32_t>(half));
     nodes_[number].second = second;

@@ -26,20 +26,20 @@ void for_each_point(Geometry& geometry, Visit&& visit) {
 
 }  // namespace
 
-Region drawn_area(const std::string& name, const std::vector<int>& surfaces, DrawnCurves& curves,
-                  const std::string& file) {
+Region planar_area(const std::string& name, const std::vector<int>& surfaces, CadCurves& curves,
+                   const std::string& file) {
     const auto wrong = [&](const std::string& what, const std::string& what_to_do) {
         return InputError({.file = file}, "region '" + name + "' " + what, what_to_do);
     };
     auto search = closed_loops(curves.boundary(surfaces));
     if (search.loose_end) {
-        throw wrong("is not closed: its boundary ends at " + place_text(*search.loose_end, 2),
+        throw wrong("is not closed: its boundary ends at " + position_text(*search.loose_end, 2),
                     "Curves that meet must share the point, or have the same coordinates to the last digit.");
     }
     Region region{.name = name, .loops = std::move(search.loops)};
     if (region.loops.empty()) throw wrong("is empty", "Give its Physical Surface a surface with a boundary.");
     if (const auto crossing = self_crossing(region)) {
-        throw wrong("crosses itself near " + place_text(*crossing, 2),
+        throw wrong("crosses itself near " + position_text(*crossing, 2),
                     "Check the drawing, or the parameters it was given.");
     }
     double around = 0;

@@ -97,11 +97,11 @@ bool lies_in_the_plane() {
     return std::max(-box.low.z(), box.high.z()) <= flat * std::max(extent.x(), extent.y());
 }
 
-void read_areas(Geometry& geometry, const DrawingOptions& options) {
+void read_areas(Geometry& geometry, const GeometryOptions& options) {
     geometry.dimension = 2;
-    DrawnCurves curves(options);
+    CadCurves curves(options);
     const std::vector<Named> areas = all_named(2, tags_of(2), "area", options.file);
-    for (const Named& area : areas) geometry.regions.push_back(drawn_area(area.name, area.tags, curves, options.file));
+    for (const Named& area : areas) geometry.regions.push_back(planar_area(area.name, area.tags, curves, options.file));
     for (const Named& side : named_sides(1, areas)) geometry.curves.push_back(curves.set(side.name, side.tags));
     int number = 0;
     for (const int tag : loose_curves())
@@ -112,8 +112,8 @@ void read_areas(Geometry& geometry, const DrawingOptions& options) {
 
 }  // namespace
 
-Geometry read_open_cad(const DrawingOptions& asked) {
-    DrawingOptions options = asked;
+Geometry read_open_cad(const GeometryOptions& asked) {
+    GeometryOptions options = asked;
     const bool stated = states_its_unit(asked.file);
     if (tags_of(2).empty())
         throw InputError({.file = asked.file}, "the drawing has no bodies and no faces",
@@ -130,7 +130,7 @@ Geometry read_open_cad(const DrawingOptions& asked) {
         return geometry;
     }
     const std::vector<Named> bodies = all_named(3, tags_of(3), "solid", asked.file);
-    const DrawnSurfaces drawn(options);
+    const CadSurfaces drawn(options);
     for (const Named& body : bodies) {
         Solid solid{.name = body.name, .surface = drawn.boundary(body.tags)};
         const std::string problem = why_open(solid.name, solid.surface, asked.file);

@@ -11,6 +11,6 @@ namespace dmp::geometry {
 /// lie in z = 0 make a drawing in the plane: areas, named as bodies are (area_1, ...), and curves: edges with a name of
 /// their own, and those that bound no face (curve_1, ...). Throws InputError: a BREP file, and no unit in the options;
 /// a file without faces; bodies that are not closed; areas that are none.
-Geometry read_open_cad(const DrawingOptions& asked);
+Geometry read_open_cad(const GeometryOptions& asked);
 
 }  // namespace dmp::geometry

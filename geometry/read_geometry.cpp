@@ -50,7 +50,7 @@ std::vector<Group> groups_of(int dimension, const std::string& file) {
     return groups;
 }
 
-Solid solid_of(const Group& group, const DrawnSurfaces& drawn, const std::string& file) {
+Solid solid_of(const Group& group, const CadSurfaces& drawn, const std::string& file) {
     Solid solid{.name = group.name, .surface = drawn.boundary(group.tags)};
     const std::string problem = why_open(solid.name, solid.surface, file);
     if (!problem.empty())
@@ -59,7 +59,7 @@ Solid solid_of(const Group& group, const DrawnSurfaces& drawn, const std::string
     return solid;
 }
 
-Geometry read_in_space(const DrawingOptions& options) {
+Geometry read_in_space(const GeometryOptions& options) {
     Geometry geometry;
     geometry.file = options.file;
     geometry.dimension = 3;
@@ -69,7 +69,7 @@ Geometry read_in_space(const DrawingOptions& options) {
         throw InputError(
             {.file = options.file}, "the drawing has volumes, but none with a name",
             "Name its parts, as in Physical Volume(\"blood\") = {1}; and Physical Surface(\"wall\") = {2};.");
-    const DrawnSurfaces drawn(options);
+    const CadSurfaces drawn(options);
     for (const auto& group : volumes) geometry.solids.push_back(solid_of(group, drawn, options.file));
     for (const auto& group : surfaces)
         geometry.surfaces.push_back({.name = group.name, .surface = drawn.surfaces(group.tags)});
@@ -80,15 +80,15 @@ Geometry read_in_space(const DrawingOptions& options) {
     return geometry;
 }
 
-Geometry read_open_drawing(const DrawingOptions& options) {
+Geometry read_open_geometry(const GeometryOptions& options) {
     gmsh::vectorpair volumes;
     gmsh::model::getEntities(volumes, 3);
     if (!volumes.empty()) return read_in_space(options);
     Geometry geometry;
     geometry.file = options.file;
-    DrawnCurves curves(options);
+    CadCurves curves(options);
     for (const auto& group : groups_of(2, options.file)) {
-        geometry.regions.push_back(drawn_area(group.name, group.tags, curves, options.file));
+        geometry.regions.push_back(planar_area(group.name, group.tags, curves, options.file));
     }
     for (const auto& group : groups_of(1, options.file)) {
         geometry.curves.push_back(curves.set(group.name, group.tags));
@@ -106,11 +106,11 @@ Geometry read_open_drawing(const DrawingOptions& options) {
     return geometry;
 }
 
-Geometry read_with_gmsh(const DrawingOptions& options) {
-    const auto session = open_drawing(options);
+Geometry read_with_gmsh(const GeometryOptions& options) {
+    const auto session = open_geometry(options);
     try {
         if (is_cad_file(options.file)) return read_open_cad(options);
-        Geometry geometry = read_open_drawing(options);
+        Geometry geometry = read_open_geometry(options);
         geometry.unit = options.metres();
         geometry.unit_source = options.unit ? UnitSource::scene : UnitSource::assumed;
         return geometry;
@@ -122,9 +122,9 @@ Geometry read_with_gmsh(const DrawingOptions& options) {
 
 }  // namespace
 
-Geometry read_drawing(const DrawingOptions& options) {
-    check_drawing_file(options);
-    Geometry geometry = is_triangle_file(options.file) ? read_triangle_drawing(options) : read_with_gmsh(options);
+Geometry read_geometry(const GeometryOptions& options) {
+    check_geometry_file(options);
+    Geometry geometry = is_triangle_file(options.file) ? read_triangle_geometry(options) : read_with_gmsh(options);
     select_faces(geometry, options.selections);
     return geometry;
 }

@@ -20,7 +20,7 @@ class ObjReader {
     ObjReader(std::string_view text, const std::string& file) : lines_(text, '#', 1, true), file_(file) {}
 
     TriangleSoup read() {
-        while (lines_.next_with_words()) {
+        while (lines_.next_with_tokens()) {
             const std::string_view first = lines_.words()[0];
             if (first == "v")
                 read_corner();
@@ -37,22 +37,22 @@ class ObjReader {
 
   private:
     [[nodiscard]] InputError fault(const std::string& problem, const std::string& what_to_do) const {
-        return {Place{file_, lines_.number(), 1}, problem, what_to_do};
+        return {SourceLocation{file_, lines_.number(), 1}, problem, what_to_do};
     }
 
     void read_corner() {
-        Vec place = Vec::Zero();
+        Vec position = Vec::Zero();
         const auto& words = lines_.words();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto number = axis + 1 < words.size() ? number_in(words[axis + 1]) : std::nullopt;
             if (!number)
                 throw fault("expected three numbers after 'v', found " + quoted(lines_.line()),
                             "export the surface again");
-            place[static_cast<Eigen::Index>(axis)] = *number;
+            position[static_cast<Eigen::Index>(axis)] = *number;
         }
-        if (!place.allFinite())
+        if (!position.allFinite())
             throw fault("corner " + std::to_string(corners_.size() + 1) + " is not finite", "export the surface again");
-        corners_.push_back(builder_.corner(place));
+        corners_.push_back(builder_.corner(position));
     }
 
     /// Corners count from 1, or back from the last one, -1.
@@ -78,7 +78,7 @@ class ObjReader {
                         "export the surface as triangles");
     }
 
-    WordLines lines_;
+    TokenLines lines_;
     const std::string& file_;
     SoupBuilder builder_;
     std::vector<int> corners_;  ///< the builder's numbers by the file's

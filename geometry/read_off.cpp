@@ -17,25 +17,25 @@ class OffReader {
         read_header();
         for (long long k = 0; k < corner_count_; ++k) read_corner(k);
         for (long long k = 0; k < face_count_; ++k) read_face(k);
-        if (lines_.next_with_words())
+        if (lines_.next_with_tokens())
             throw fault("the file goes on after the " + std::to_string(face_count_) + " faces that it states");
         return builder_.finish();
     }
 
   private:
     [[nodiscard]] InputError fault(const std::string& problem) const {
-        return {Place{file_, lines_.number(), 1}, problem, "export the surface again, as OFF in text"};
+        return {SourceLocation{file_, lines_.number(), 1}, problem, "export the surface again, as OFF in text"};
     }
 
     void next_line(const char* what, long long number, long long count) {
-        if (lines_.next_with_words()) return;
+        if (lines_.next_with_tokens()) return;
         throw fault(std::string("the file ends before ") + what + " " + std::to_string(number + 1) + " of " +
                     std::to_string(count));
     }
 
     /// "OFF" and the numbers of corners, faces and edges, on one line or two; the word may be left out.
     void read_header() {
-        if (!lines_.next_with_words()) throw fault("'" + file_ + "' is no OFF file: it has no lines");
+        if (!lines_.next_with_tokens()) throw fault("'" + file_ + "' is no OFF file: it has no lines");
         auto words = lines_.words();
         if (!whole_number_in(words[0])) {
             const std::string_view word = words[0];
@@ -66,14 +66,14 @@ class OffReader {
 
     void read_corner(long long k) {
         next_line("corner", k, corner_count_);
-        Vec place = Vec::Zero();
+        Vec position = Vec::Zero();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto number = axis < lines_.words().size() ? number_in(lines_.words()[axis]) : std::nullopt;
             if (!number) throw fault("expected a corner's three numbers, found " + quoted(lines_.line()));
-            place[static_cast<Eigen::Index>(axis)] = *number;
+            position[static_cast<Eigen::Index>(axis)] = *number;
         }
-        if (!place.allFinite()) throw fault("corner " + std::to_string(k) + " is not finite");
-        corners_.push_back(builder_.corner(place));
+        if (!position.allFinite()) throw fault("corner " + std::to_string(k) + " is not finite");
+        corners_.push_back(builder_.corner(position));
     }
 
     void read_face(long long k) {
@@ -95,7 +95,7 @@ class OffReader {
             throw fault("a face has " + std::to_string(face_.size()) + " corners, too many to split it");
     }
 
-    WordLines lines_;
+    TokenLines lines_;
     const std::string& file_;
     std::size_t size_;
     SoupBuilder builder_;

@@ -82,7 +82,7 @@ class Numbers {
     }
     /// Whether anything but blanks, line ends and zeros follows.
     [[nodiscard]] bool more_follows() {
-        if (encoding_ == Encoding::text) return word_ < lines_.words().size() || lines_.next_with_words();
+        if (encoding_ == Encoding::text) return word_ < lines_.words().size() || lines_.next_with_tokens();
         const std::string_view rest = body_.substr(at_);
         return rest.find_first_not_of(std::string_view(" \t\r\n\0", 5)) != std::string_view::npos;
     }
@@ -91,7 +91,7 @@ class Numbers {
   private:
     std::string_view body_;
     Encoding encoding_;
-    WordLines lines_;
+    TokenLines lines_;
     std::size_t word_ = 0, at_ = 0;
 };
 
@@ -112,15 +112,15 @@ class PlyReader {
 
   private:
     [[nodiscard]] InputError fault(int line, const std::string& problem) const {
-        return {Place{file_, line, line > 0 ? 1 : 0}, problem, "export the surface again, as PLY"};
+        return {SourceLocation{file_, line, line > 0 ? 1 : 0}, problem, "export the surface again, as PLY"};
     }
 
     void read_header() {
-        WordLines lines(text_.substr(0, end_of_header()));
+        TokenLines lines(text_.substr(0, end_of_header()));
         if (!lines.next() || lines.words() != std::vector<std::string_view>{"ply"})
             throw fault(0, "'" + file_ + "' is no PLY file: it does not begin with 'ply'");
         bool has_format = false;
-        while (lines.next_with_words()) {
+        while (lines.next_with_tokens()) {
             const auto& words = lines.words();
             const auto wrong = [&] { return fault(lines.number(), "cannot read " + quoted(lines.line())); };
             if (words[0] == "format") {
@@ -192,7 +192,7 @@ class PlyReader {
         if (is_face && (face_list < 0 || !element.properties[static_cast<std::size_t>(face_list)].length))
             throw fault(0, "element 'face' has no list vertex_indices");
         for (long long k = 0; k < element.count; ++k) {
-            Vec place = Vec::Zero();
+            Vec position = Vec::Zero();
             const auto next = [&](const NumberType& type) {
                 const auto number = numbers.next(type);
                 if (number) return *number;
@@ -208,11 +208,11 @@ class PlyReader {
                 }
                 const double number = next(property.type);
                 for (std::size_t axis = 0; is_vertex && axis < 3; ++axis)
-                    if (axes.at(axis) == static_cast<int>(p)) place[static_cast<Eigen::Index>(axis)] = number;
+                    if (axes.at(axis) == static_cast<int>(p)) position[static_cast<Eigen::Index>(axis)] = number;
             }
             if (!is_vertex) continue;
-            if (!place.allFinite()) throw fault(numbers.line(), "vertex " + std::to_string(k) + " is not finite");
-            corners_.push_back(builder_.corner(place));
+            if (!position.allFinite()) throw fault(numbers.line(), "vertex " + std::to_string(k) + " is not finite");
+            corners_.push_back(builder_.corner(position));
         }
     }
 

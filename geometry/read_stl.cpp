@@ -46,17 +46,17 @@ TriangleSoup read_binary(std::string_view contents, const std::string& file) {
     for (std::size_t at = header_bytes + 4; at < contents.size(); at += bytes_per_triangle) {
         std::array<int, 3> corners{};
         for (std::size_t c = 0; c < 3; ++c) {
-            Vec place = Vec::Zero();
+            Vec position = Vec::Zero();
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const std::uint32_t bits = whole_number(contents.data() + at + 12 * (c + 1) + 4 * axis);
-                place[static_cast<Eigen::Index>(axis)] = static_cast<double>(std::bit_cast<float>(bits));
+                position[static_cast<Eigen::Index>(axis)] = static_cast<double>(std::bit_cast<float>(bits));
             }
-            if (!place.allFinite())
-                throw InputError(Place{file, 0, 0},
+            if (!position.allFinite())
+                throw InputError(SourceLocation{file, 0, 0},
                                  "triangle " + std::to_string((at - header_bytes) / bytes_per_triangle) +
                                      " has a corner that is not finite",
                                  "export the surface again");
-            corners.at(c) = builder.corner(place);
+            corners.at(c) = builder.corner(position);
         }
         builder.add_triangle(corners[0], corners[1], corners[2]);
     }
@@ -64,7 +64,7 @@ TriangleSoup read_binary(std::string_view contents, const std::string& file) {
 }
 
 /// What stands after the first word of a line.
-std::string rest_of(const WordLines& lines) {
+std::string rest_of(const TokenLines& lines) {
     if (lines.words().size() < 2) return "";
     const char* begin = lines.words()[1].data();
     const char* end = lines.words().back().data() + lines.words().back().size();
@@ -73,23 +73,24 @@ std::string rest_of(const WordLines& lines) {
 
 TriangleSoup read_text(std::string_view contents, const std::string& file) {
     SoupBuilder builder;
-    WordLines lines(contents);
+    TokenLines lines(contents);
     std::array<int, 3> corners{};
     std::size_t corner = 0;
     bool ended = false;
     const auto fault = [&](const std::string& problem) {
-        return InputError(Place{file, lines.number(), 1}, problem, export_again);
+        return InputError(SourceLocation{file, lines.number(), 1}, problem, export_again);
     };
-    while (lines.next_with_words()) {
+    while (lines.next_with_tokens()) {
         const auto& words = lines.words();
         const std::string first = lower_case(words[0]);
         if (first == "vertex") {
-            Vec place = Vec::Constant(NAN);
+            Vec position = Vec::Constant(NAN);
             for (std::size_t axis = 0; axis < 3 && axis + 1 < words.size(); ++axis)
-                place[static_cast<Eigen::Index>(axis)] = number_in(words[axis + 1]).value_or(NAN);
-            if (!place.allFinite()) throw fault("expected three numbers after 'vertex', found " + quoted(lines.line()));
+                position[static_cast<Eigen::Index>(axis)] = number_in(words[axis + 1]).value_or(NAN);
+            if (!position.allFinite())
+                throw fault("expected three numbers after 'vertex', found " + quoted(lines.line()));
             if (corner == 3) throw fault("a triangle has more than three corners, or no 'endfacet'");
-            corners.at(corner++) = builder.corner(place);
+            corners.at(corner++) = builder.corner(position);
             ended = false;
         } else if (first == "endfacet") {
             if (corner != 3) throw fault("a triangle has " + std::to_string(corner) + " corners");
@@ -120,7 +121,7 @@ TriangleSoup read_stl_text(std::string_view text, const std::string& file) {
         problem += ": for its " + std::to_string((length - header_bytes - 4) / bytes_per_triangle) +
                    " triangles it needs " + std::to_string(length) + " bytes, and it has " +
                    std::to_string(text.size());
-    throw InputError(Place{file, 0, 0}, problem, export_again);
+    throw InputError(SourceLocation{file, 0, 0}, problem, export_again);
 }
 
 }  // namespace dmp::geometry

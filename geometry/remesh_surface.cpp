@@ -58,15 +58,15 @@ TriangleSurface mesh_of_gmsh(double edge) {
     std::vector<std::size_t> tags, triangles, corners;
     std::vector<double> coordinates, parametric;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric);
-    std::map<std::size_t, Vec> place;
+    std::map<std::size_t, Vec> position;
     for (std::size_t i = 0; i < tags.size(); ++i)
-        place[tags[i]] = edge * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+        position[tags[i]] = edge * Vec(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
     gmsh::model::mesh::getElementsByType(triangle_type, triangles, corners);
     TriangleSurface surface;
     std::map<std::size_t, int> number;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const auto [found, is_new] = number.try_emplace(corners[k], static_cast<int>(surface.corners.size()));
-        if (is_new) surface.corners.push_back(place.at(corners[k]));
+        if (is_new) surface.corners.push_back(position.at(corners[k]));
         if (k % 3 == 0) surface.triangles.emplace_back();
         surface.triangles.back().at(k % 3) = found->second;
     }

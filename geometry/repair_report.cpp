@@ -53,15 +53,15 @@ std::vector<std::string> RepairReport::lines() const {
         said.push_back(count_of(separated_edges, "edge", "edges") + " in which pieces touched given to one piece each");
     if (turned > 0) said.push_back(count_of(turned, "triangle", "triangles") + " turned to face outward");
     said_of_many(said, thrown, &ThrownPiece::area, "pieces thrown away", [&](const ThrownPiece& piece) {
-        return "a piece of " + count_of(piece.triangles, "triangle", "triangles") + " at " + place_text(piece.place) +
-               " thrown away: " +
+        return "a piece of " + count_of(piece.triangles, "triangle", "triangles") + " at " +
+               position_text(piece.position) + " thrown away: " +
                (piece.is_small ? "it is " + in_spacings(piece.diagonal) + " large"
                                : "it has no volume, its area is " + number_text(piece.area) + " m^2");
     });
     std::vector<SurfaceHole> filled, left;
     for (const SurfaceHole& hole : holes) (hole.triangles > 0 ? filled : left).push_back(hole);
     const auto hole_text = [&](const SurfaceHole& hole) {
-        return "a hole of " + count_of(hole.edges, "edge", "edges") + " around " + place_text(hole.place) + ", " +
+        return "a hole of " + count_of(hole.edges, "edge", "edges") + " around " + position_text(hole.position) + ", " +
                in_spacings(hole.perimeter) + " around, ";
     };
     said_of_many(said, filled, &SurfaceHole::perimeter, "holes filled", [&](const SurfaceHole& hole) {
@@ -78,7 +78,7 @@ std::vector<std::string> RepairReport::lines() const {
                        " outside of it and across what is narrower than " + in_spacings(wrap_alpha));
     if (self_intersections > 0)
         said.push_back("it meets itself in " + count_of(self_intersections, "pair", "pairs") +
-                       " of triangles, the first at " + place_text(*first_self_intersection) +
+                       " of triangles, the first at " + position_text(*first_self_intersection) +
                        ": what lies inside any part of it counts as inside");
     return said;
 }

@@ -13,10 +13,10 @@ namespace dmp::geometry {
 /// A piece of a surface that was thrown away.
 struct ThrownPiece {
     std::size_t triangles = 0;
-    Vec place = Vec::Zero();  ///< the middle of its box [m]
-    double diagonal = 0;      ///< of its box [m]
-    double area = 0;          ///< [m^2]
-    bool is_small = false;    ///< smaller than the limit; else it is closed without any volume
+    Vec position = Vec::Zero();  ///< the middle of its box [m]
+    double diagonal = 0;         ///< of its box [m]
+    double area = 0;             ///< [m^2]
+    bool is_small = false;       ///< smaller than the limit; else it is closed without any volume
 };
 
 /// By which rung of the ladder a surface got an inside.

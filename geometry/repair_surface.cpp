@@ -33,8 +33,8 @@ constexpr double largest_crumbs = 0.01;
 
 class Ladder {
   public:
-    Ladder(TriangleSurface surface, const RepairLimits& limits, const std::string& name, const Place& place)
-        : surface_(std::move(surface)), limits_(limits), name_(name), place_(place) {
+    Ladder(TriangleSurface surface, const RepairLimits& limits, const std::string& name, const SourceLocation& location)
+        : surface_(std::move(surface)), limits_(limits), name_(name), location_(location) {
         report_.spacing = limits.spacing;
         report_.triangles_before = surface_.triangles.size() + surface_.left_out;
         report_.without_area = surface_.left_out;
@@ -44,12 +44,12 @@ class Ladder {
         check_numbers();
         weld();
         report_.separated_edges = separate_closed_pieces(surface_);
-        drawn_ = surface_.triangles;
+        initial_ = surface_.triangles;
         orient_outward(surface_);
         throw_pieces();
         fill();
         if (count_edges(surface_).closed()) {
-            look_for_crossings();
+            find_crossings();
             count_turned();
             report_.by = report_.changed() || report_.separated_edges > 0 ? RepairedBy::closing : RepairedBy::nothing;
         } else {
@@ -64,7 +64,7 @@ class Ladder {
   private:
     [[noreturn]] void refuse(const std::string& problem, const std::string& what_to_do,
                              const std::vector<int>& triangles) const {
-        throw UnusableSurface(place_, name_ + " " + problem, what_to_do, part_of(surface_, triangles));
+        throw UnusableSurface(location_, name_ + " " + problem, what_to_do, part_of(surface_, triangles));
     }
     [[noreturn]] void refuse_flat(const std::string& at) const {
         refuse("has no volume: its triangles lie back to back" + at, "give it a thickness, or name it as a surface",
@@ -93,7 +93,7 @@ class Ladder {
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
             for (const int corner : surface_.triangles[t]) {
                 if (corner < 0 || corner >= corners)
-                    throw UnusableSurface(place_,
+                    throw UnusableSurface(location_,
                                           name_ + " has a triangle, number " + std::to_string(t) + ", with corner " +
                                               std::to_string(corner) + " of " + std::to_string(corners),
                                           "export the surface again", {});
@@ -116,7 +116,7 @@ class Ladder {
         const std::optional<Vec> somewhere =
             surface_.triangles.empty() ? std::nullopt : std::optional<Vec>(middle_of(0));
         drop();
-        if (surface_.triangles.empty() && report_.inner_walls > 0) refuse_flat(" at " + place_text(*somewhere));
+        if (surface_.triangles.empty() && report_.inner_walls > 0) refuse_flat(" at " + position_text(*somewhere));
         if (surface_.triangles.empty()) refuse("has no triangle with an area", "export the surface again", {});
         if (const EdgeCounts edges = count_edges(surface_); edges.open == 0 && edges.many_fold == 0) return;
         if (limits_.highest < RepairRung::weld) return;
@@ -142,7 +142,7 @@ class Ladder {
         }
         if (box.extent().norm() < least)
             refuse("is smaller than a particle: it is " + length_text(box.extent().norm()) + " across, at " +
-                       place_text(0.5 * (box.low + box.high)) + ", and the spacing " + length_text(limits_.spacing),
+                       position_text(0.5 * (box.low + box.high)) + ", and the spacing " + length_text(limits_.spacing),
                    "check its unit, or choose a smaller spacing", all_triangles());
         std::vector<char> kept(surface_.triangles.size(), 1);
         for (const SurfacePiece& piece : pieces.all()) {
@@ -155,7 +155,7 @@ class Ladder {
         }
         if (report_.thrown.empty()) return;
         if (report_.thrown.size() == pieces.all().size()) {
-            const std::string at = " at " + place_text(report_.thrown.front().place);
+            const std::string at = " at " + position_text(report_.thrown.front().position);
             if (std::ranges::all_of(report_.thrown, &ThrownPiece::is_small))
                 refuse("falls into " + std::to_string(report_.thrown.size()) +
                            " bodies smaller than a particle, the first" + at,
@@ -167,7 +167,7 @@ class Ladder {
             std::erase_if(triangles, [&](const auto&) { return kept[t++] == 0; });
         };
         erase(surface_.triangles);
-        erase(drawn_);
+        erase(initial_);
         orient_outward(surface_);
     }
 
@@ -178,7 +178,7 @@ class Ladder {
             orient_outward(surface_);
     }
 
-    void look_for_crossings() {
+    void find_crossings() {
         if (!limits_.meets_itself && SurfacePieces(surface_).all().size() == 1) return;
         const auto pairs = turn_crossing_pieces(surface_);
         report_.self_intersections = pairs.size();
@@ -186,20 +186,21 @@ class Ladder {
     }
 
     void count_turned() {
-        for (std::size_t t = 0; t < drawn_.size(); ++t) report_.turned += drawn_[t] != surface_.triangles[t] ? 1 : 0;
+        for (std::size_t t = 0; t < initial_.size(); ++t)
+            report_.turned += initial_[t] != surface_.triangles[t] ? 1 : 0;
     }
 
     /// Sheets have no side that they must face: they are taken as they were drawn if that is clearer.
     WindingVote turn_sheets(const std::vector<int>& sheets) {
         const WindingVote vote = vote_on(surface_);
         if (sheets.empty()) return vote;
-        TriangleSurface as_drawn = surface_;
+        TriangleSurface in_cad_model = surface_;
         for (const int t : sheets)
-            if (static_cast<std::size_t>(t) < drawn_.size())
-                as_drawn.triangles[static_cast<std::size_t>(t)] = drawn_[static_cast<std::size_t>(t)];
-        const WindingVote other = vote_on(as_drawn);
+            if (static_cast<std::size_t>(t) < initial_.size())
+                in_cad_model.triangles[static_cast<std::size_t>(t)] = initial_[static_cast<std::size_t>(t)];
+        const WindingVote other = vote_on(in_cad_model);
         if (other.volume <= vote.volume) return vote;
-        surface_ = std::move(as_drawn);
+        surface_ = std::move(in_cad_model);
         return other;
     }
 
@@ -236,8 +237,8 @@ class Ladder {
             if (sides.size() == 2 && sides[0].forward != sides[1].forward) return;
             for (const SurfaceEdge& side : sides) bad.push_back(side.triangle);
             if (first.empty())
-                first = place_text(surface_.corners[static_cast<std::size_t>(sides[0].low)]) + " to " +
-                        place_text(surface_.corners[static_cast<std::size_t>(sides[0].high)]);
+                first = position_text(surface_.corners[static_cast<std::size_t>(sides[0].low)]) + " to " +
+                        position_text(surface_.corners[static_cast<std::size_t>(sides[0].high)]);
         });
         std::ranges::sort(bad);
         bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
@@ -253,7 +254,7 @@ class Ladder {
         const auto largest = std::ranges::max_element(report_.holes, {}, &SurfaceHole::perimeter);
         if (largest != report_.holes.end())
             problem += "; the largest hole is " + number_text(largest->perimeter / limits_.spacing) +
-                       " spacings around, at " + place_text(largest->place);
+                       " spacings around, at " + position_text(largest->position);
         refuse(problem,
                tried_all ? "close it in the program that drew it; holes that are filled have at most " +
                                number_text(limits_.largest_hole) + " spacings around (geometry.largest_hole)"
@@ -265,18 +266,18 @@ class Ladder {
     TriangleSurface surface_;
     const RepairLimits& limits_;
     const std::string& name_;
-    const Place& place_;
+    const SourceLocation& location_;
     RepairReport report_;
-    std::vector<std::array<int, 3>> drawn_;  ///< triangles before they were turned; those that fill holes come behind
+    std::vector<std::array<int, 3>> initial_;  ///< triangles before they were turned; those that fill holes come behind
 };
 
 }  // namespace
 
 RepairedSurface repair_surface(TriangleSurface surface, const RepairLimits& limits, const std::string& name,
-                               const Place& place) {
+                               const SourceLocation& location) {
     for (const double limit : {limits.spacing, limits.weld_distance, limits.wrap_alpha, limits.wrap_offset})
         if (!(limit > 0)) throw std::invalid_argument("repair_surface: limits must be positive");
-    return Ladder(std::move(surface), limits, name, place).climb();
+    return Ladder(std::move(surface), limits, name, location).climb();
 }
 
 }  // namespace dmp::geometry

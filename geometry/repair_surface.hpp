@@ -42,7 +42,7 @@ struct RepairedSurface {
 /// A surface that could not be repaired.
 class UnusableSurface : public InputError {
   public:
-    UnusableSurface(Place where, std::string what, std::string what_to_do, TriangleSurface bad)
+    UnusableSurface(SourceLocation where, std::string what, std::string what_to_do, TriangleSurface bad)
         : InputError(std::move(where), std::move(what), std::move(what_to_do)),
           bad_(std::make_shared<const TriangleSurface>(std::move(bad))) {}
 
@@ -72,6 +72,6 @@ class UnusableSurface : public InputError {
 /// without volume; sheets; a surface that no rung closes. Throws std::invalid_argument for limits that are not
 /// positive.
 RepairedSurface repair_surface(TriangleSurface surface, const RepairLimits& limits, const std::string& name,
-                               const Place& place);
+                               const SourceLocation& location);
 
 }  // namespace dmp::geometry

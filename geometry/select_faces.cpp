@@ -73,13 +73,14 @@ bool fits(const FaceSelection& asked, const Corners<N>& corners, double toleranc
     const auto names = geometry.names();
     const std::string near = nearest_name(asked.of, names);
     throw InputError(
-        asked.place,
+        asked.location,
         "selection '" + asked.name + "': the drawing has no " + what + " '" + asked.of + "' (" + geometry.file + ")",
         "it names " + quoted_list(names) + (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
 [[noreturn]] void refuse_exception(const FaceSelection& asked, const std::string& name, const std::string& what) {
-    throw InputError(asked.place, "selection '" + asked.name + "': there is no " + what + " '" + name + "' to except",
+    throw InputError(asked.location,
+                     "selection '" + asked.name + "': there is no " + what + " '" + name + "' to except",
                      "select '" + name + "' before it, or name it in the drawing");
 }
 
@@ -90,7 +91,7 @@ bool fits(const FaceSelection& asked, const Corners<N>& corners, double toleranc
     for (int axis = 0; axis < geometry.dimension; ++axis)
         span += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " from " + number_text(box.low[axis] / unit.metres) +
                 " " + unit.name + " to " + number_text(box.high[axis] / unit.metres) + " " + unit.name;
-    throw InputError(asked.place,
+    throw InputError(asked.location,
                      "selection '" + asked.name + "': no " + (geometry.dimension == 3 ? "face" : "curve") + " of '" +
                          asked.of + "' is like that",
                      "'" + asked.of + "' has " + span + "; 'dmp inspect " + geometry.file + "' tells more");
@@ -175,7 +176,7 @@ void select_faces(Geometry& geometry, const std::vector<FaceSelection>& selectio
     for (const FaceSelection& asked : selections) {
         const auto names = geometry.names();
         if (std::ranges::find(names, asked.name) != names.end())
-            throw InputError(asked.place, "the drawing has a '" + asked.name + "' already (" + geometry.file + ")",
+            throw InputError(asked.location, "the drawing has a '" + asked.name + "' already (" + geometry.file + ")",
                              "give the selection another name");
         if (geometry.dimension == 3)
             geometry.surfaces.push_back(selected_faces(geometry, asked));

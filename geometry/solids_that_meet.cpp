@@ -27,7 +27,7 @@ Box box_of_triangle(const TriangleSurface& surface, int number) {
 }  // namespace
 
 std::string SolidMeeting::text(double metres, const std::string& unit) const {
-    const Vec at = place / metres;
+    const Vec at = position / metres;
     const std::string around =
         "(" + number_text(at.x()) + ", " + number_text(at.y()) + ", " + number_text(at.z()) + ") " + unit;
     if (other.empty())
@@ -49,7 +49,7 @@ std::vector<SolidMeeting> solids_that_meet_themselves(const Geometry& geometry, 
         found.push_back({.one = solid->name,
                          .other = {},
                          .crossings = pairs.size(),
-                         .place = 0.5 * (first.low.cwiseMax(second.low) + first.high.cwiseMin(second.high))});
+                         .position = 0.5 * (first.low.cwiseMax(second.low) + first.high.cwiseMin(second.high))});
     }
     return found;
 }
@@ -66,7 +66,7 @@ std::vector<SolidMeeting> solids_that_overlap(const Geometry& geometry, const st
                              .other = solids[other]->name,
                              .crossings = overlap.crossings,
                              .volume = overlap.volume,
-                             .place = *overlap.first});
+                             .position = *overlap.first});
         }
     return found;
 }

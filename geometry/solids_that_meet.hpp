@@ -12,10 +12,10 @@ namespace dmp::geometry {
 /// Two solids that share room, or one whose surface goes through itself.
 struct SolidMeeting {
     std::string one;
-    std::string other;          ///< empty: `one` meets itself
-    std::size_t crossings = 0;  ///< pairs of triangles of one surface; edges of one that go through the other
-    double volume = 0;          ///< that both solids hold, estimated from 8000 places [m^3]
-    Vec place = Vec::Zero();    ///< the first [m]
+    std::string other;           ///< empty: `one` meets itself
+    std::size_t crossings = 0;   ///< pairs of triangles of one surface; edges of one that go through the other
+    double volume = 0;           ///< that both solids hold, estimated from 8000 places [m^3]
+    Vec position = Vec::Zero();  ///< the first [m]
 
     /// In words, with lengths in a unit of so many metres: "'a' and 'b' share 2.5 mm^3, around (1, 2, 3) mm".
     [[nodiscard]] std::string text(double metres, const std::string& unit) const;

@@ -45,15 +45,15 @@ std::vector<Junction> junctions(const TriangleSurface& surface, const std::vecto
     std::vector<Junction> found;
     const Vec margin = Vec::Constant(distance);
     for (const int corner : ends) {
-        const Vec& place = surface.corners[static_cast<std::size_t>(corner)];
-        tree.visit_box(place - margin, place + margin, [&](int edge) {
+        const Vec& position = surface.corners[static_cast<std::size_t>(corner)];
+        tree.visit_box(position - margin, position + margin, [&](int edge) {
             const auto& [from, to, same] = edges.triangles[static_cast<std::size_t>(edge)];
             if (corner == from || corner == to) return;
             const Vec& a = surface.corners[static_cast<std::size_t>(from)];
             const Vec side = surface.corners[static_cast<std::size_t>(to)] - a;
-            const double length = side.norm(), along = (place - a).dot(side) / length;
+            const double length = side.norm(), along = (position - a).dot(side) / length;
             if (along <= distance || along >= length - distance) return;
-            if ((place - a - along / length * side).norm() <= distance)
+            if ((position - a - along / length * side).norm() <= distance)
                 found.push_back({static_cast<std::size_t>(edge), along, corner});
         });
     }

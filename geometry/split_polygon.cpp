@@ -12,7 +12,7 @@ namespace {
 class EarCutter {
   public:
     explicit EarCutter(std::span<const Vec> corners)
-        : corners_(corners), left_(corners.size()), looks_left_(looks_per_pair * corners.size() * corners.size()) {
+        : corners_(corners), left_(corners.size()), searches_left_(tests_per_pair * corners.size() * corners.size()) {
         std::iota(left_.begin(), left_.end(), std::size_t{0});
         normal_ = Vec::Zero();
         for (std::size_t k = 0; k < corners.size(); ++k)
@@ -32,7 +32,7 @@ class EarCutter {
 
   private:
     /// How often corners are looked at, for each pair of them. A polygon that covers itself may have no ears at all.
-    static constexpr std::size_t looks_per_pair = 8;
+    static constexpr std::size_t tests_per_pair = 8;
 
     /// The remaining corner `at` with the ones before and after it.
     [[nodiscard]] std::array<std::size_t, 3> around(std::size_t at) const {
@@ -48,7 +48,7 @@ class EarCutter {
     [[nodiscard]] bool holds_another(const std::array<std::size_t, 3>& triangle) {
         const auto& [a, b, c] = triangle;
         for (const std::size_t other : left_) {
-            --looks_left_;
+            --searches_left_;
             if (other == a || other == b || other == c) continue;
             if (turn(a, b, other) >= 0 && turn(b, c, other) >= 0 && turn(c, a, other) >= 0) return true;
         }
@@ -67,14 +67,14 @@ class EarCutter {
                 most_turned = turned;
                 most = k;
             }
-            if (turned > 0 && looks_left_ > left_.size() && !holds_another(triangle)) return k;
+            if (turned > 0 && searches_left_ > left_.size() && !holds_another(triangle)) return k;
         }
         return most;
     }
 
     std::span<const Vec> corners_;
     std::vector<std::size_t> left_;
-    std::size_t looks_left_;
+    std::size_t searches_left_;
     Vec normal_;
 };
 

@@ -23,7 +23,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 
-Point point_of(const Vec& place) { return {place.x(), place.y(), place.z()}; }
+Point point_of(const Vec& position) { return {position.x(), position.y(), position.z()}; }
 const Vec& corner_of(const TriangleSurface& surface, int number) {
     return surface.corners[static_cast<std::size_t>(number)];
 }
@@ -72,13 +72,13 @@ void count_crossings(const TriangleSurface& surface, const TriangleSurface& thro
             const Vec normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
             const double start = normal.dot(from - corner[0]), end = normal.dot(to - corner[0]);
             if (!(std::min(start, end) < -tolerance && std::max(start, end) > tolerance)) return;
-            const Vec place = from + start / (start - end) * (to - from);
+            const Vec position = from + start / (start - end) * (to - from);
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vec side = (corner.at((k + 1) % 3) - corner.at(k)).normalized();
-                if (normal.cross(side).dot(place - corner.at(k)) <= tolerance) return;
+                if (normal.cross(side).dot(position - corner.at(k)) <= tolerance) return;
             }
             ++found.crossings;
-            if (!found.first) found.first = place;
+            if (!found.first) found.first = position;
         });
     });
 }
@@ -88,9 +88,9 @@ void count_crossings(const TriangleSurface& surface, const TriangleSurface& thro
 std::vector<std::pair<int, int>> self_intersections(const TriangleSurface& surface) {
     std::vector<std::pair<int, int>> found;
     const TriangleTree tree(surface);
-    for (std::size_t place = 0; place < tree.order().size(); ++place) {
-        const int triangle = tree.order()[place];
-        const auto& [a, b, c] = tree.at(place);
+    for (std::size_t position = 0; position < tree.order().size(); ++position) {
+        const int triangle = tree.order()[position];
+        const auto& [a, b, c] = tree.at(position);
         tree.visit_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), [&](int other) {
             if (triangle < other && meet(surface, triangle, other)) found.emplace_back(triangle, other);
         });
@@ -110,21 +110,21 @@ SolidOverlap overlap_of(const TriangleSurface& one, const TriangleSurface& other
     const WindingNumber in_one(one), in_other(other);
     // Bodies that touch along round surfaces share slivers, as their triangles differ: one place has to be deeper.
     const NearestTriangle skin(one, tolerance), other_skin(other, tolerance);
-    constexpr int places = 20;
+    constexpr int positions = 20;
     int both = 0;
     bool deep = found.crossings > 0;
-    for (int i = 0; i < places; ++i)
-        for (int j = 0; j < places; ++j)
-            for (int k = 0; k < places; ++k) {
-                const Vec part = (Vec(i, j, k) + Vec::Constant(0.5)) / places;
-                const Vec place = common.low + part.cwiseProduct(common.extent());
-                if (!in_one.inside(place) || !in_other.inside(place)) continue;
+    for (int i = 0; i < positions; ++i)
+        for (int j = 0; j < positions; ++j)
+            for (int k = 0; k < positions; ++k) {
+                const Vec part = (Vec(i, j, k) + Vec::Constant(0.5)) / positions;
+                const Vec position = common.low + part.cwiseProduct(common.extent());
+                if (!in_one.inside(position) || !in_other.inside(position)) continue;
                 ++both;
-                if (deep || skin.nearest(place) || other_skin.nearest(place)) continue;
+                if (deep || skin.nearest(position) || other_skin.nearest(position)) continue;
                 deep = true;
-                found.first = place;
+                found.first = position;
             }
-    if (deep) found.volume = common.extent().prod() * both / (places * places * places);
+    if (deep) found.volume = common.extent().prod() * both / (positions * positions * positions);
     return found;
 }
 

@@ -73,15 +73,15 @@ std::size_t separate_closed_pieces(TriangleSurface& surface) {
     int number = 0;
     for (const SurfacePiece& piece : pieces.all()) {
         if (!piece.closed) continue;
-        std::map<int, int> copies;
+        std::map<int, int> ghosts;
         each_corner(piece, [&](int& corner) {
             int& known = owner[static_cast<std::size_t>(corner)];
             if (known == nobody) known = number;
             if (known == number) return;
-            const auto [copy, is_new] = copies.try_emplace(corner, static_cast<int>(surface.corners.size()));
+            const auto [copy, is_new] = ghosts.try_emplace(corner, static_cast<int>(surface.corners.size()));
             if (is_new) {
-                const Vec place = surface.corners[static_cast<std::size_t>(corner)];
-                surface.corners.push_back(place);
+                const Vec position = surface.corners[static_cast<std::size_t>(corner)];
+                surface.corners.push_back(position);
                 owner.push_back(number);
             }
             corner = copy->second;

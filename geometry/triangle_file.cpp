@@ -27,17 +27,17 @@ Reader reader_of(const std::string& file) {
     return found == readers.end() ? nullptr : found->second;
 }
 
-std::string contents_of(const std::string& file, const Place& place) {
+std::string contents_of(const std::string& file, const SourceLocation& location) {
     std::error_code error;
     const bool regular = std::filesystem::is_regular_file(file, error);
     const std::uintmax_t size = regular ? std::filesystem::file_size(file, error) : 0;
     if (size > largest_file)
-        throw InputError(place, "'" + file + "' is larger than 16 GiB", "export the surface with fewer triangles");
+        throw InputError(location, "'" + file + "' is larger than 16 GiB", "export the surface with fewer triangles");
     std::string contents(size, '\0');
     std::ifstream stream(file, std::ios::binary);
     stream.read(contents.data(), static_cast<std::streamsize>(size));
     if (!regular || error || !stream)
-        throw InputError(place, "'" + file + "' cannot be read", "check the file's name and permissions");
+        throw InputError(location, "'" + file + "' cannot be read", "check the file's name and permissions");
     return contents;
 }
 
@@ -45,21 +45,21 @@ std::string contents_of(const std::string& file, const Place& place) {
 
 bool is_triangle_file(const std::string& file) { return reader_of(file) != nullptr; }
 
-TriangleSoup read_triangle_file(const std::string& file, const Place& place) {
+TriangleSoup read_triangle_file(const std::string& file, const SourceLocation& location) {
     const Reader reader = reader_of(file);
-    const std::string contents = contents_of(file, place);
-    if (contents.empty()) throw InputError(place, "'" + file + "' is empty", "export the surface again");
+    const std::string contents = contents_of(file, location);
+    if (contents.empty()) throw InputError(location, "'" + file + "' is empty", "export the surface again");
     TriangleSoup soup = (reader == nullptr ? read_stl_text : reader)(contents, file);
     if (soup.surface.triangles.empty())
-        throw InputError(place, "'" + file + "' has no triangle with an area", "export the surface again");
+        throw InputError(location, "'" + file + "' has no triangle with an area", "export the surface again");
     return soup;
 }
 
-TriangleSurface read_stl(const std::string& file, double unit, const Place& place) {
-    const std::string contents = contents_of(file, place);
+TriangleSurface read_stl(const std::string& file, double unit, const SourceLocation& location) {
+    const std::string contents = contents_of(file, location);
     TriangleSurface surface = read_stl_text(contents, file).surface;
     if (surface.triangles.empty())
-        throw InputError(place, "'" + file + "' has no triangle with an area", "export the surface again");
+        throw InputError(location, "'" + file + "' has no triangle with an area", "export the surface again");
     for (Vec& corner : surface.corners) corner *= unit;
     return surface;
 }

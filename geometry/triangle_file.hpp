@@ -14,7 +14,7 @@ namespace dmp::geometry {
 /// Reads a file of triangles or polygons, whatever its size; coordinates are as written. Throws InputError, with the
 /// line of a text: a file that cannot be read, is not what its ending says, ends early, states counts that it does not
 /// hold, names corners it has not, or has a number that is not finite; no triangle at all.
-TriangleSoup read_triangle_file(const std::string& file, const Place& place);
+TriangleSoup read_triangle_file(const std::string& file, const SourceLocation& location);
 
 // Each reads the whole text of one file, whose name is for errors.
 

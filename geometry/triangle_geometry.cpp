@@ -112,15 +112,15 @@ std::string why_open(const std::string& name, TriangleSurface& surface, const st
     if (surface.triangles.empty()) return "it has no triangles";
     if (found.open_edges > 0)
         return std::to_string(found.open_edges) + " edges of its surface have one side only, the first from " +
-               place_text((*found.first_open)[0]) + " to " + place_text((*found.first_open)[1]);
+               position_text((*found.first_open)[0]) + " to " + position_text((*found.first_open)[1]);
     if (!found.closed())
         return std::to_string(found.many_fold + found.contradicted) +
                " edges of its surface have more than two sides, or two that cannot both face outward, the first near " +
-               place_text(*found.first_unclear);
+               position_text(*found.first_unclear);
     if (!(std::abs(surface.enclosed_volume()) > 1e-12 * std::pow(surface.area(), 1.5)))
         throw InputError(
             {.file = file},
-            "solid '" + name + "' is closed, but encloses no volume, near " + place_text(surface.corners.front()),
+            "solid '" + name + "' is closed, but encloses no volume, near " + position_text(surface.corners.front()),
             "Give it a thickness, or take it out of the drawing.");
     return {};
 }
@@ -174,18 +174,18 @@ void add_soup(Geometry& geometry, TriangleSoup soup) {
     if (closed) geometry.solids.push_back({name, std::move(together)});
 }
 
-InputError missing_unit(const DrawingOptions& options, const Box& box) {
+InputError missing_unit(const GeometryOptions& options, const Box& box) {
     const Vec size = box.extent();
     const auto in = [&](const std::string& unit) {
         return number_text(size[0]) + " x " + number_text(size[1]) + " x " + number_text(size[2]) + " " + unit;
     };
-    return {options.place,
+    return {options.location,
             "the drawing '" + options.file + "' does not say its unit, and the scene gives none: is it " + in("m") +
                 ", " + in("mm") + " or " + in("um") + "?",
             "Give geometry.unit in the scene, \"1 m\", \"1 mm\" or \"1 um\"; on the command line --unit."};
 }
 
-Geometry triangle_drawing(TriangleSoup soup, const DrawingOptions& options) {
+Geometry triangle_geometry(TriangleSoup soup, const GeometryOptions& options) {
     Geometry geometry;
     geometry.file = options.file;
     geometry.dimension = 3;
@@ -201,15 +201,15 @@ Geometry triangle_drawing(TriangleSoup soup, const DrawingOptions& options) {
     }
     for (Vec& corner : soup.surface.corners) {
         corner *= *options.unit;
-        check_place(corner, options.file);
+        check_coordinates(corner, options.file);
     }
     add_soup(geometry, std::move(soup));
     geometry.box = box_in_space(geometry);
     return geometry;
 }
 
-Geometry read_triangle_drawing(const DrawingOptions& options) {
-    return triangle_drawing(read_triangle_file(options.file, options.place), options);
+Geometry read_triangle_geometry(const GeometryOptions& options) {
+    return triangle_geometry(read_triangle_file(options.file, options.location), options);
 }
 
 }  // namespace dmp::geometry

@@ -10,11 +10,11 @@
 namespace dmp::geometry {
 
 /// Reads a drawing that is a file of triangles (triangle_file.hpp).
-Geometry read_triangle_drawing(const DrawingOptions& options);
+Geometry read_triangle_geometry(const GeometryOptions& options);
 
 /// The drawing that such a file's triangles make up. They must be some. Throws InputError: no unit, corners further out
 /// than any drawing can mean, solids that enclose nothing.
-Geometry triangle_drawing(TriangleSoup soup, const DrawingOptions& options);
+Geometry triangle_geometry(TriangleSoup soup, const GeometryOptions& options);
 
 /// The one way on which triangles of a file become parts of a geometry. Each closed group becomes a solid, turned so
 /// that it faces outward; the others become surface sets, and where they close a volume together, that is a solid with
@@ -22,7 +22,7 @@ Geometry triangle_drawing(TriangleSoup soup, const DrawingOptions& options);
 void add_soup(Geometry& geometry, TriangleSoup soup);
 
 /// The error for a drawing without a unit: shows its box, in its own units, as what it may be.
-InputError missing_unit(const DrawingOptions& options, const Box& box);
+InputError missing_unit(const GeometryOptions& options, const Box& box);
 
 /// A name as scenes have it, of letters, digits and '_': "Body 1 (left)" is "Body_1_left". Empty where nothing is left,
 /// or where programs have written a remark in its place ("Created by Gmsh").

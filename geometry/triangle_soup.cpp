@@ -11,16 +11,16 @@
 
 namespace dmp::geometry {
 
-std::size_t SoupBuilder::Hash::operator()(const std::array<double, 3>& place) const {
+std::size_t SoupBuilder::Hash::operator()(const std::array<double, 3>& position) const {
     std::uint64_t hash = 0;
-    for (const double x : place) hash = mixed_bits(hash ^ std::bit_cast<std::uint64_t>(x));
+    for (const double x : position) hash = mixed_bits(hash ^ std::bit_cast<std::uint64_t>(x));
     return hash;
 }
 
 SoupBuilder::SoupBuilder() { begin_group(""); }
 
-int SoupBuilder::corner(const Vec& place) {
-    const std::array<double, 3> key{place[0] + 0.0, place[1] + 0.0, place[2] + 0.0};  // -0 is 0
+int SoupBuilder::corner(const Vec& position) {
+    const std::array<double, 3> key{position[0] + 0.0, position[1] + 0.0, position[2] + 0.0};  // -0 is 0
     const auto [found, is_new] = corners_.try_emplace(key, static_cast<int>(soup_.surface.corners.size()));
     if (is_new) soup_.surface.corners.emplace_back(key[0], key[1], key[2]);
     return found->second;
@@ -48,10 +48,10 @@ bool SoupBuilder::add_polygon(std::span<const int> corners) {
         return true;
     }
     if (corners.size() > most_polygon_corners) return false;
-    std::vector<Vec> places;
-    places.reserve(corners.size());
-    for (const int k : corners) places.push_back(soup_.surface.corners[static_cast<std::size_t>(k)]);
-    for (const auto& [a, b, c] : split_polygon(places)) add_triangle(corners[a], corners[b], corners[c]);
+    std::vector<Vec> positions;
+    positions.reserve(corners.size());
+    for (const int k : corners) positions.push_back(soup_.surface.corners[static_cast<std::size_t>(k)]);
+    for (const auto& [a, b, c] : split_polygon(positions)) add_triangle(corners[a], corners[b], corners[c]);
     return true;
 }
 

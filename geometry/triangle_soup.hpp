@@ -26,7 +26,7 @@ class SoupBuilder {
     SoupBuilder();
 
     /// The number of the corner at this place, for add_triangle and add_polygon. It must be finite.
-    int corner(const Vec& place);
+    int corner(const Vec& position);
     /// Triangles that follow belong to this group.
     void begin_group(const std::string& name);
     void add_triangle(int a, int b, int c);
@@ -37,7 +37,7 @@ class SoupBuilder {
 
   private:
     struct Hash {
-        std::size_t operator()(const std::array<double, 3>& place) const;
+        std::size_t operator()(const std::array<double, 3>& position) const;
     };
 
     TriangleSoup soup_;

@@ -26,6 +26,6 @@ struct TriangleSurface {
 /// Reads an STL file, text or binary, whatever its ending; `unit` is the length of one unit of the file [m], `place`
 /// where the scene names the file. Corners with equal coordinates are one. Throws InputError, with the line of a text
 /// file: a file that cannot be read, is no STL, ends early or holds a number that is not finite; no triangle at all.
-TriangleSurface read_stl(const std::string& file, double unit, const Place& place);
+TriangleSurface read_stl(const std::string& file, double unit, const SourceLocation& location);
 
 }  // namespace dmp::geometry

@@ -36,7 +36,7 @@ class TriangleTree {
     /// Numbers of triangles as the nodes have them.
     [[nodiscard]] const std::vector<int>& order() const { return order_; }
     /// The corners of the triangle at a place of order().
-    [[nodiscard]] const std::array<Vec, 3>& at(std::size_t place) const { return triangles_[place]; }
+    [[nodiscard]] const std::array<Vec, 3>& at(std::size_t position) const { return triangles_[position]; }
 
     /// Calls visit(triangle) for each triangle whose own box meets a box.
     template <class Visit>

@@ -29,10 +29,10 @@ std::vector<int> representatives(const std::vector<Vec>& corners, double distanc
         const int here = order[k].second;
         if (becomes[static_cast<std::size_t>(here)] >= 0) continue;
         becomes[static_cast<std::size_t>(here)] = here;
-        const Vec& place = corners[static_cast<std::size_t>(here)];
+        const Vec& position = corners[static_cast<std::size_t>(here)];
         for (std::size_t n = k + 1; n < order.size() && order[n].first - order[k].first <= reach; ++n) {
             int& other = becomes[static_cast<std::size_t>(order[n].second)];
-            if (other < 0 && (corners[static_cast<std::size_t>(order[n].second)] - place).norm() <= distance)
+            if (other < 0 && (corners[static_cast<std::size_t>(order[n].second)] - position).norm() <= distance)
                 other = here;
         }
     }

@@ -31,14 +31,14 @@ WindingNumber::WindingNumber(const TriangleSurface& surface, double farness)
     for (std::size_t number = dipoles_.size(); number-- > 0;) {
         const TriangleTree::Node& node = tree_.nodes()[number];
         Dipole& dipole = dipoles_[number];
-        const auto add = [&](const Vec& moment, const Vec& place, double area) {
+        const auto add = [&](const Vec& moment, const Vec& position, double area) {
             dipole.moment += moment;
-            dipole.place += area * place;
+            dipole.position += area * position;
             areas[number] += area;
         };
         if (node.second != 0) {
             for (const std::size_t child : {number + 1, static_cast<std::size_t>(node.second)})
-                add(dipoles_[child].moment, dipoles_[child].place, areas[child]);
+                add(dipoles_[child].moment, dipoles_[child].position, areas[child]);
         } else {
             for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
                 const auto& [a, b, c] = tree_.at(static_cast<std::size_t>(k));
@@ -47,10 +47,10 @@ WindingNumber::WindingNumber(const TriangleSurface& surface, double farness)
             }
         }
         if (areas[number] > 0)
-            dipole.place /= areas[number];
+            dipole.position /= areas[number];
         else
-            dipole.place = 0.5 * (node.box.low + node.box.high);
-        const Vec farthest = (dipole.place - node.box.low).cwiseMax(node.box.high - dipole.place);
+            dipole.position = 0.5 * (node.box.low + node.box.high);
+        const Vec farthest = (dipole.position - node.box.low).cwiseMax(node.box.high - dipole.position);
         dipole.reach = farness * farness * farthest.squaredNorm();
     }
 }
@@ -63,7 +63,7 @@ double WindingNumber::at(const Vec& point) const {
     while (count > 0) {
         const std::int32_t number = waiting[--count];
         const Dipole& dipole = dipoles_[static_cast<std::size_t>(number)];
-        const Vec separation = dipole.place - point;
+        const Vec separation = dipole.position - point;
         const double square = separation.squaredNorm();
         if (square > dipole.reach) {
             sum += dipole.moment.dot(separation) / (square * std::sqrt(square));

@@ -32,9 +32,9 @@ class WindingNumber {
 
   private:
     struct Dipole {
-        Vec moment = Vec::Zero();  ///< sum of areas times normals [m^2]
-        Vec place = Vec::Zero();   ///< mean weighted with the areas
-        double reach = 0;          ///< square of the distance from which on the point sees the dipole [m^2]
+        Vec moment = Vec::Zero();    ///< sum of areas times normals [m^2]
+        Vec position = Vec::Zero();  ///< mean weighted with the areas
+        double reach = 0;            ///< square of the distance from which on the point sees the dipole [m^2]
     };
     TriangleTree tree_;
     std::vector<Dipole> dipoles_;  ///< by node

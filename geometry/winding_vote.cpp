@@ -24,7 +24,7 @@ double halton(int k, int base) {
 }
 
 struct Middle {
-    Vec place;
+    Vec position;
     Vec normal;  ///< times twice the area
 };
 
@@ -43,11 +43,11 @@ double mean_on(const TriangleSurface& piece) {
     const std::size_t stride = std::max<std::size_t>(1, piece.triangles.size() / 256);
     double sum = 0, weight = 0;
     for (std::size_t t = 0; t < piece.triangles.size(); t += stride) {
-        const auto [place, normal] = middle_of(piece, static_cast<int>(t));
+        const auto [position, normal] = middle_of(piece, static_cast<int>(t));
         const double twice_area = normal.norm();
         if (!(twice_area > 0)) continue;
         const Vec off = 1e-6 / std::sqrt(twice_area) * normal;
-        sum += twice_area * 0.5 * (winding.at(place + off) + winding.at(place - off));
+        sum += twice_area * 0.5 * (winding.at(position + off) + winding.at(position - off));
         weight += twice_area;
     }
     return weight > 0 ? sum / weight : 0;
@@ -67,16 +67,16 @@ WindingVote vote_on(const TriangleSurface& surface) {
     const WindingNumber winding(surface);
     if (surface.triangles.empty()) return vote;
     const Box box = TriangleTree(surface).nodes().front().box;
-    constexpr int places = 20000;
+    constexpr int positions = 20000;
     int inside = 0, unclear = 0, somewhat = 0;
-    for (int k = 1; k <= places; ++k) {
+    for (int k = 1; k <= positions; ++k) {
         const Vec part(halton(k, 2), halton(k, 3), halton(k, 5));
         const double here = winding.at(box.low + part.cwiseProduct(box.extent()));
         inside += here > 0.5 ? 1 : 0;
         somewhat += here > 0.25 ? 1 : 0;
         unclear += here > 0.25 && here < 0.75 ? 1 : 0;
     }
-    vote.volume = box.extent().prod() * inside / places;
+    vote.volume = box.extent().prod() * inside / positions;
     if (somewhat > 0) vote.doubt = static_cast<double>(unclear) / somewhat;
     return vote;
 }
@@ -99,8 +99,8 @@ std::vector<int> turn_open_pieces(TriangleSurface& surface) {
         const WindingNumber all(surface);
         std::vector<const SurfacePiece*> within;
         for (const SurfacePiece* piece : open) {
-            const auto [place, normal] = middle_of(surface, piece->triangles.front());
-            const Vec outside = place + 1e-6 / std::sqrt(normal.norm()) * normal;
+            const auto [position, normal] = middle_of(surface, piece->triangles.front());
+            const Vec outside = position + 1e-6 / std::sqrt(normal.norm()) * normal;
             if (all.at(outside) - WindingNumber(part_of(surface, piece->triangles)).at(outside) > 0.5)
                 within.push_back(piece);
         }

@@ -15,7 +15,7 @@ std::string_view without_plus(std::string_view word) {
 
 }  // namespace
 
-bool WordLines::next() {
+bool TokenLines::next() {
     words_.clear();
     if (rest_.empty()) return false;
     for (bool more = true; more && !rest_.empty();) {
@@ -37,7 +37,7 @@ bool WordLines::next() {
     return true;
 }
 
-bool WordLines::next_with_words() {
+bool TokenLines::next_with_tokens() {
     while (next())
         if (!words_.empty()) return true;
     return false;

@@ -9,17 +9,17 @@
 namespace dmp::geometry {
 
 /// The lines of a text one after another, each cut into words at blanks. The text must outlive it.
-class WordLines {
+class TokenLines {
   public:
     /// What follows `comment` on a line is none of it; '\0': there are no comments. `first_line` counts from 1.
     /// `goes_on`: a line that ends with '\' goes on in the next one.
-    explicit WordLines(std::string_view text, char comment = '\0', int first_line = 1, bool goes_on = false)
+    explicit TokenLines(std::string_view text, char comment = '\0', int first_line = 1, bool goes_on = false)
         : rest_(text), comment_(comment), goes_on_(goes_on), number_(first_line - 1) {}
 
     /// Goes to the next line; false where there is none.
     bool next();
     /// Goes to the next line that has words.
-    bool next_with_words();
+    bool next_with_tokens();
 
     [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
     [[nodiscard]] std::string_view line() const { return line_; }  ///< without its end

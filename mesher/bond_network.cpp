@@ -51,14 +51,14 @@ FourthPowers even_directions(int dimension) {
 
 }  // namespace
 
-NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>& place, double youngs_modulus,
+NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>& position, double youngs_modulus,
                                double volume, int dimension) {
     NetworkConstants constants;
     if (bonds.empty()) return constants;
     constants.youngs_modulus = youngs_modulus;
     const auto powers_of = [&](const Bond& bond) {
         return fourth_powers(
-            (place[static_cast<std::size_t>(bond.a)] - place[static_cast<std::size_t>(bond.b)]).normalized());
+            (position[static_cast<std::size_t>(bond.a)] - position[static_cast<std::size_t>(bond.b)]).normalized());
     };
     Eigen::Matrix<double, 15, 15> products = Eigen::Matrix<double, 15, 15>::Zero();
     FourthPowers moment = FourthPowers::Zero();

@@ -25,7 +25,7 @@ struct NetworkConstants {
 /// area [m^2]. k_ij = k_0 (1 + T :: n n n n) with the least tensor T that makes M isotropic: 0 on a hexagonal lattice;
 /// on a square one with edges and diagonals it makes the diagonals half as stiff. A factor stays above 0.1, also where
 /// that leaves M with an anisotropy, as do directions that no bond has.
-NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>& place, double youngs_modulus,
+NetworkConstants set_stiffness(std::vector<Bond>& bonds, const std::vector<Vec>& position, double youngs_modulus,
                                double volume, int dimension);
 
 }  // namespace dmp::mesher

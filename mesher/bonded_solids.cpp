@@ -24,10 +24,10 @@ namespace dmp::mesher {
 namespace {
 
 /// A part's drawn area or volume.
-class DrawnSolid {
+class CadSolid {
   public:
     /// @param reach the longest bond that is asked for [m]
-    DrawnSolid(const Geometry& geometry, const Part& part, double reach) {
+    CadSolid(const Geometry& geometry, const Part& part, double reach) {
         const Region* region = geometry.region(part.name);
         if (region == nullptr) {
             surface_.emplace(geometry.solid(part.name)->surface);
@@ -67,7 +67,7 @@ std::vector<std::size_t> members_of(const ParticleSet& set, int part) {
 
 /// All bonds that may be, without stiffness.
 std::vector<Bond> bonds_among(const ParticleSet& set, const std::vector<std::size_t>& members, double reach,
-                              const DrawnSolid& solid) {
+                              const CadSolid& solid) {
     Coordinates points;
     for (int axis = 0; axis < 3; ++axis)
         for (const std::size_t i : members) points[axis].push_back(set.position[i][axis]);
@@ -96,9 +96,9 @@ void need_bonds_of_all(const ParticleSet& set, const std::vector<std::size_t>& m
     const auto alone = std::ranges::find_if(members, [&](std::size_t i) { return bonded[i] == 0; });
     if (alone == members.end()) return;
     std::ostringstream problem;
-    problem << "a particle of '" << *part.name << "' at " << place_text(set.position[*alone], set.dimension)
+    problem << "a particle of '" << *part.name << "' at " << position_text(set.position[*alone], set.dimension)
             << " has no other within " << length_text(*part.bonds_within) << ", bonds_within";
-    throw InputError(part.bonds_within.place, problem.str(), "write 1.2 to 2 spacings, or refine particles.spacing");
+    throw InputError(part.bonds_within.location, problem.str(), "write 1.2 to 2 spacings, or refine particles.spacing");
 }
 
 }  // namespace
@@ -106,12 +106,12 @@ void need_bonds_of_all(const ParticleSet& set, const std::vector<std::size_t>& m
 void bond_solids(MeshResult& result, const Geometry& geometry, const Scene& scene) {
     ParticleSet& set = result.particles;
     bool any = false;
-    for (const Part* part : scene.parts_of(PartKind::springs)) {
+    for (const Part* part : scene.parts_of(PartKind::elastic)) {
         if (!part->bonds_within.given()) continue;
         any = true;
         const std::vector<std::size_t> members = members_of(set, set.part_named(part->name));
         std::vector<Bond> bonds =
-            bonds_among(set, members, part->bonds_within, DrawnSolid(geometry, *part, part->bonds_within));
+            bonds_among(set, members, part->bonds_within, CadSolid(geometry, *part, part->bonds_within));
         need_bonds_of_all(set, members, bonds, *part);
         double volume = 0;
         for (const std::size_t i : members) volume += set.volume[i];
@@ -135,7 +135,7 @@ void number_bodies(ParticleSet& set) {
     std::vector<int> body_of(set.size(), -1);  // by the lowest particle, of a wall or not
     int bodies = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::springs) continue;
+        if (set.kind(i) != PartKind::elastic) continue;
         int& body = body_of[together.find(i)];
         if (body < 0) body = bodies++;
         set.body[i] = body;

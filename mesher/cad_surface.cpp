@@ -20,7 +20,7 @@ constexpr double samples_apart = 0.5;  // [spacings]
 constexpr double most_samples = 2e6;
 constexpr double beside_surface = 0.01;  // how far to both sides of the surface one looks what is there [spacings]
 
-using Sample = DrawnSurface::Sample;
+using Sample = CadSurface::Sample;
 
 /// Drops the samples that lie, seen a little to one side (+1: along the normal), in the solid or outside it.
 void drop(std::vector<Sample>& samples, std::vector<int>& triangle, const TriangleSurface& solid, double step,
@@ -65,15 +65,15 @@ void sample_triangle(const Vec& a, const Vec& b, const Vec& c, double area, std:
 }  // namespace
 
 std::vector<const Part*> fitted_parts(const Scene& scene) {
-    std::vector<const Part*> parts = scene.parts_of(PartKind::springs);
+    std::vector<const Part*> parts = scene.parts_of(PartKind::elastic);
     std::erase_if(parts, [](const Part* part) { return !part->bonds_within.given(); });
     const auto fluids = scene.parts_of(PartKind::fluid);
     parts.insert(parts.end(), fluids.begin(), fluids.end());
     return parts;
 }
 
-DrawnSurface::DrawnSurface(const Geometry& geometry, const Scene& scene, const ParticleSpace& space, const Part& fluid,
-                           double reach)
+CadSurface::CadSurface(const Geometry& geometry, const Scene& scene, const ParticleSpace& space, const Part& fluid,
+                       double reach)
     : space_(space), reach_(reach) {
     if (space.dimension == 3)
         sample_solids(geometry, scene, fluid);
@@ -85,7 +85,7 @@ DrawnSurface::DrawnSurface(const Geometry& geometry, const Scene& scene, const P
     grid_ = CellGrid(points, samples_.size(), space.dimension, space.spacing);
 }
 
-std::optional<Vec> DrawnSurface::way_out(const Vec& point) const {
+std::optional<Vec> CadSurface::way_out(const Vec& point) const {
     const Vec here = back_in_box(point);
     double best = square(space_.spacing);
     const Sample* nearest = nullptr;
@@ -99,7 +99,7 @@ std::optional<Vec> DrawnSurface::way_out(const Vec& point) const {
     return nearest == nullptr ? std::nullopt : std::optional(nearest->normal);
 }
 
-bool DrawnSurface::is_on_a_side(const Vec& point) const {
+bool CadSurface::is_on_a_side(const Vec& point) const {
     const double tolerance = 1e-3 * space_.spacing;
     for (int axis = 0; axis < space_.dimension; ++axis)
         for (const bool high : {false, true}) {
@@ -110,7 +110,7 @@ bool DrawnSurface::is_on_a_side(const Vec& point) const {
     return false;
 }
 
-Vec DrawnSurface::back_in_box(Vec point) const {
+Vec CadSurface::back_in_box(Vec point) const {
     for (int axis = 0; axis < space_.dimension; ++axis) {
         point[axis] = space_.mirrored_back(point[axis], axis);
         if (space_.periodic.at(static_cast<std::size_t>(axis)))
@@ -121,7 +121,7 @@ Vec DrawnSurface::back_in_box(Vec point) const {
 
 /// In the plane both sides of each piece are asked: the fluid is on one of them only. A point that several fluids hold
 /// is the first one's.
-void DrawnSurface::sample_curves(const Geometry& geometry, const Part& fluid, const std::vector<const Part*>& fluids) {
+void CadSurface::sample_curves(const Geometry& geometry, const Part& fluid, const std::vector<const Part*>& fluids) {
     const double step = samples_apart * space_.spacing, beside = beside_surface * space_.spacing;
     std::vector<InsideTest> regions;
     std::vector<const Region*> drawn;
@@ -162,7 +162,7 @@ void DrawnSurface::sample_curves(const Geometry& geometry, const Part& fluid, co
 
 /// In space the side is known: triangles of closed surfaces face outward. Only solids that have the room before this
 /// fluid are asked, which are walls' bodies and the fluids named earlier.
-void DrawnSurface::sample_solids(const Geometry& geometry, const Scene& scene, const Part& fluid) {
+void CadSurface::sample_solids(const Geometry& geometry, const Scene& scene, const Part& fluid) {
     const double step = samples_apart * space_.spacing, beside = beside_surface * space_.spacing;
     std::vector<const TriangleSurface*> before;
     for (const Part* part : scene.parts_of(PartKind::rigid))
@@ -219,14 +219,14 @@ void DrawnSurface::sample_solids(const Geometry& geometry, const Scene& scene, c
     if (!real.triangles.empty()) triangles_.emplace(real, reach_);
 }
 
-std::optional<Projection> DrawnSurface::nearest_here(const Vec& point) const {
+std::optional<Projection> CadSurface::nearest_here(const Vec& point) const {
     if (curves_) return curves_->nearest(point);
     if (!triangles_) return std::nullopt;
     const auto found = triangles_->nearest(point);
     return found ? std::optional(Projection{found->point, found->distance}) : std::nullopt;
 }
 
-std::optional<Projection> DrawnSurface::nearest(const Vec& point) const {
+std::optional<Projection> CadSurface::nearest(const Vec& point) const {
     std::optional<Projection> nearest = nearest_here(point);
     for (int axis = 0; axis < space_.dimension; ++axis) {
         if (!space_.periodic.at(static_cast<std::size_t>(axis))) continue;

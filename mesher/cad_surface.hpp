@@ -21,7 +21,7 @@ namespace dmp::mesher {
 /// The surface that the drawing gives one fluid, or a solid with bonds_within: where the fluid ends at a wall or at
 /// another fluid. Sides of the box that are periodic or planes of symmetry are none, nor is what lies in a body or a
 /// fluid that has the room before it.
-class DrawnSurface {
+class CadSurface {
   public:
     /// A place on the surface that stands for a piece of it.
     struct Sample {
@@ -32,8 +32,8 @@ class DrawnSurface {
 
     /// @param space the box, its periods and planes of symmetry
     /// @param reach how far nearest() looks [m]
-    DrawnSurface(const Geometry& geometry, const Scene& scene, const ParticleSpace& space, const Part& fluid,
-                 double reach);
+    CadSurface(const Geometry& geometry, const Scene& scene, const ParticleSpace& space, const Part& fluid,
+               double reach);
 
     /// Evenly over the surface, about half a spacing apart; further where there would be more than two million.
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }

@@ -17,25 +17,25 @@ namespace dmp::mesher {
 
 namespace {
 
-using GridPlace = std::array<long, 3>;
+using GridIndex = std::array<long, 3>;
 
 /// Point numbers by their place on the grid.
-std::map<GridPlace, int> on_grid(const std::vector<Vec>& points, const Vec& step, int dimension) {
-    std::map<GridPlace, int> number;
+std::map<GridIndex, int> on_grid(const std::vector<Vec>& points, const Vec& step, int dimension) {
+    std::map<GridIndex, int> number;
     for (std::size_t n = 0; n < points.size(); ++n) {
-        GridPlace place{};
+        GridIndex position{};
         double off = 0;
         for (int axis = 0; axis < dimension; ++axis) {
             const double steps = (points[n][axis] - points[0][axis]) / step[axis];
-            place[axis] = std::lround(steps);
-            off = std::max(off, std::abs(steps - static_cast<double>(place[axis])));
+            position[axis] = std::lround(steps);
+            off = std::max(off, std::abs(steps - static_cast<double>(position[axis])));
         }
         std::ostringstream what;
         what << "point " << n << " at (" << points[n].transpose() << ") m";
         if (!(off < 1e-6))
             throw InputError(what.str() + " is not on the grid that point 0 begins",
                              "give points whose distances along each axis are whole numbers of spacings");
-        const auto [there, is_new] = number.emplace(place, static_cast<int>(n));
+        const auto [there, is_new] = number.emplace(position, static_cast<int>(n));
         if (!is_new)
             throw InputError(what.str() + " is point " + std::to_string(there->second) + " again", "give it once");
     }
@@ -44,9 +44,9 @@ std::map<GridPlace, int> on_grid(const std::vector<Vec>& points, const Vec& step
 
 /// The corners of the cell whose lowest is at `place`, eight or, in the plane, four; corner k is moved along axis i
 /// where bit i of k is 1.
-bool corners_of(const std::map<GridPlace, int>& number, const GridPlace& place, std::span<int> corners) {
+bool corners_of(const std::map<GridIndex, int>& number, const GridIndex& position, std::span<int> corners) {
     for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
-        const auto found = number.find({place[0] + (k & 1), place[1] + (k >> 1 & 1), place[2] + (k >> 2 & 1)});
+        const auto found = number.find({position[0] + (k & 1), position[1] + (k >> 1 & 1), position[2] + (k >> 2 & 1)});
         if (found == number.end()) return false;
         corners[k] = found->second;
     }
@@ -74,11 +74,11 @@ CellConstants cell_constants(double youngs_modulus, double poisson_ratio, double
 }
 
 std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step, int dimension) {
-    const std::map<GridPlace, int> number = on_grid(points, step, dimension);
+    const std::map<GridIndex, int> number = on_grid(points, step, dimension);
     std::vector<bool> whole(points.size(), false);
     std::vector<int> corners(1U << dimension);
-    for (const auto& [place, lowest] : number) {
-        if (!corners_of(number, place, corners)) continue;
+    for (const auto& [position, lowest] : number) {
+        if (!corners_of(number, position, corners)) continue;
         for (const int corner : corners) whole[static_cast<std::size_t>(corner)] = true;
     }
     return whole;
@@ -86,7 +86,7 @@ std::vector<bool> in_whole_cells(const std::vector<Vec>& points, const Vec& step
 
 SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants, const Vec& step) {
     const int dimension = constants.dimension;
-    const std::map<GridPlace, int> number = on_grid(points, step, dimension);
+    const std::map<GridIndex, int> number = on_grid(points, step, dimension);
     const int count = 1 << dimension;  // corners of a cell
     const double cell = step.head(dimension).prod();
     std::map<std::pair<int, int>, double> bonds;  // stiffness by ends, the smaller number first
@@ -95,8 +95,8 @@ SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& 
     lattice.nodes = points;
     lattice.share.assign(points.size(), 0);
     std::vector<int> corners(static_cast<std::size_t>(count));
-    for (const auto& [place, lowest] : number) {
-        if (!corners_of(number, place, corners)) continue;
+    for (const auto& [position, lowest] : number) {
+        if (!corners_of(number, position, corners)) continue;
         for (const int corner : corners) lattice.share[corner] += cell / count;
         for (int k = 0; k < count; ++k)
             for (int m = k + 1; m < count; ++m) {

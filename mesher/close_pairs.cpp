@@ -38,7 +38,7 @@ void ClosePairs::find(const ParticleSet& set, const std::vector<std::uint8_t>& l
         points_[axis].clear();
         if (axis >= static_cast<std::size_t>(set.dimension)) continue;
         points_[axis].reserve(owned_);
-        for (const Vec& place : set.position) points_[axis].push_back(place[static_cast<Eigen::Index>(axis)]);
+        for (const Vec& position : set.position) points_[axis].push_back(position[static_cast<Eigen::Index>(axis)]);
     }
     for (int axis = 0; axis < set.dimension; ++axis) add_images(set, axis, reach);
     const CellGrid grid(points_, points_[0].size(), set.dimension, reach);

@@ -23,7 +23,7 @@ void disturb(ParticleSet& set, const Disorder& disorder,
              const std::function<bool(std::size_t, const Vec&)>& may_stand) {
     if (disorder.amplitude == 0) return;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         Vec moved = set.position[i];
         for (int axis = 0; axis < set.dimension; ++axis) {
             moved[axis] += set.spacing * disorder.displacement(i, axis);

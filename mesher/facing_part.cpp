@@ -19,19 +19,20 @@ class Cutter {
         : distance_(distance), counts_(counts), out_(out) {}
 
     /// Adds what counts of a triangle, or a piece of one; returns whether all of it does.
-    bool add(const Corners& corners, const Vec& normal, bool is_drawn = true) {
+    bool add(const Corners& corners, const Vec& normal, bool has_geometry = true) {
         std::size_t longest = 0;
         for (const std::size_t k : {1U, 2U})
             if (length(corners, k) > length(corners, longest)) longest = k;
-        if (is_drawn && length(corners, longest) <= finest * distance_) {  // there is nothing to cut
+        if (has_geometry && length(corners, longest) <= finest * distance_) {  // there is nothing to cut
             const bool counted = counts_((corners[0] + corners[1] + corners[2]) / 3, normal);
             if (counted) put(corners);
             return counted;
         }
         if (length(corners, longest) <= distance_) {
-            const int here = places_that_count(corners, normal);
-            if (here == places) put(corners);
-            if (here == places || here == 0 || length(corners, longest) <= finest * distance_) return here == places;
+            const int here = relevant_positions(corners, normal);
+            if (here == positions) put(corners);
+            if (here == positions || here == 0 || length(corners, longest) <= finest * distance_)
+                return here == positions;
         }
         const std::size_t before = out_.triangles.size();
         const Vec middle = 0.5 * (corners.at(longest) + corners.at((longest + 1) % 3));
@@ -47,11 +48,11 @@ class Cutter {
     }
 
   private:
-    static constexpr int places = 4;
+    static constexpr int positions = 4;
     static constexpr double finest = 0.25;
 
     /// Of its middle and places next to its corners.
-    [[nodiscard]] int places_that_count(const Corners& corners, const Vec& normal) const {
+    [[nodiscard]] int relevant_positions(const Corners& corners, const Vec& normal) const {
         const Vec middle = (corners[0] + corners[1] + corners[2]) / 3;
         int count = counts_(middle, normal) ? 1 : 0;
         for (const Vec& corner : corners) count += counts_(0.9 * corner + 0.1 * middle, normal) ? 1 : 0;
@@ -74,7 +75,7 @@ class Cutter {
 }  // namespace
 
 TriangleSurface facing_part(const TriangleSurface& surface, double distance,
-                            const std::function<bool(const Vec& place, const Vec& normal)>& counts) {
+                            const std::function<bool(const Vec& position, const Vec& normal)>& counts) {
     const auto triangles = static_cast<std::ptrdiff_t>(surface.triangles.size());
     constexpr std::ptrdiff_t together = 256;
     const std::ptrdiff_t shares = (triangles + together - 1) / together;

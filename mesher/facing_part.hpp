@@ -12,6 +12,6 @@ namespace dmp::mesher {
 /// pieces of them. It is looked at in places about `distance` [m] apart, and cut to within a quarter of that; no piece
 /// reaches further. Triangles share no corners in it. `counts` is asked by several threads at once.
 [[nodiscard]] TriangleSurface facing_part(const TriangleSurface& surface, double distance,
-                                          const std::function<bool(const Vec& place, const Vec& normal)>& counts);
+                                          const std::function<bool(const Vec& position, const Vec& normal)>& counts);
 
 }  // namespace dmp::mesher

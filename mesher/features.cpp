@@ -61,10 +61,10 @@ std::optional<Wedge> wedge_at(const Vec& point, const Vec& first, const Vec& sec
     return Wedge{sign * offset, sign * first, sign * second};
 }
 
-void add_both(std::vector<FeaturePlace>& places, const Vec& point, const Vec& offset, double spacing) {
+void add_both(std::vector<FeaturePosition>& positions, const Vec& point, const Vec& offset, double spacing) {
     const Vec half = spacing / 2 * offset;
-    places.push_back({point + half, point + deeper * half, true});
-    places.push_back({point - half, point - deeper * half, false});
+    positions.push_back({point + half, point + deeper * half, true});
+    positions.push_back({point - half, point - deeper * half, false});
 }
 
 /// Lines of edges of a surface.
@@ -79,21 +79,21 @@ class Edges {
         used_.assign(edges_.size(), false);
     }
 
-    std::vector<FeaturePlace> places() {
+    std::vector<FeaturePosition> positions() {
         std::vector<std::vector<int>> lines;
         for (std::size_t point = 0; point < by_point_.size(); ++point)
             if (is_end(static_cast<int>(point)))
                 for (const std::size_t edge : by_point_[point]) follow(static_cast<int>(point), edge, lines);
         for (std::size_t edge = 0; edge < edges_.size(); ++edge)  // what is left goes around
             follow(edges_[edge].ends[0], edge, lines);
-        std::vector<FeaturePlace> places;
+        std::vector<FeaturePosition> positions;
         std::set<int> ends;
         for (const auto& line : lines)
             for (const int end : {line.front(), line.back()})
                 if (edges_at(end).size() > 1 && is_end(end) && ends.insert(end).second)
-                    add_both(places, at(end), offset_at(end), spacing_);
-        for (const auto& line : lines) add_line(line, places);
-        return places;
+                    add_both(positions, at(end), offset_at(end), spacing_);
+        for (const auto& line : lines) add_line(line, positions);
+        return positions;
     }
 
   private:
@@ -186,7 +186,7 @@ class Edges {
     }
 
     /// The places on a line, both ends' own left out.
-    void add_line(const std::vector<int>& points, std::vector<FeaturePlace>& places) const {
+    void add_line(const std::vector<int>& points, std::vector<FeaturePosition>& positions) const {
         const bool closed = points.back() == points.front() && !is_end(points.front());
         for (const double side : {0.5, -0.5}) {
             Polyline line, deep;
@@ -205,7 +205,7 @@ class Edges {
             const long skipped_first = !closed && first == 0 ? 1 : 0, skipped_last = last == 0 ? 1 : 0;
             for (long k = skipped_first; k <= steps - skipped_last; ++k) {
                 const double part = std::min(1.0, (static_cast<double>(k) + first) * step);
-                places.push_back({line.at(part * length).first, deep.at(part * deep_length).first, side > 0});
+                positions.push_back({line.at(part * length).first, deep.at(part * deep_length).first, side > 0});
             }
         }
     }
@@ -219,8 +219,8 @@ class Edges {
 
 }  // namespace
 
-std::vector<FeaturePlace> corner_places(const std::vector<const CurveSet*>& curves, const IsFluid& is_fluid,
-                                        double spacing) {
+std::vector<FeaturePosition> corner_positions(const std::vector<const CurveSet*>& curves, const IsFluid& is_fluid,
+                                              double spacing) {
     PointNumbers numbers;
     std::vector<std::vector<int>> joined;  // by point
     for (const CurveSet* set : curves)
@@ -232,7 +232,7 @@ std::vector<FeaturePlace> corner_places(const std::vector<const CurveSet*>& curv
                 joined[static_cast<std::size_t>(from)].push_back(to);
                 joined[static_cast<std::size_t>(to)].push_back(from);
             });
-    std::vector<FeaturePlace> places;
+    std::vector<FeaturePosition> positions;
     for (std::size_t point = 0; point < joined.size(); ++point) {
         if (joined[point].size() != 2) continue;
         const Vec& here = numbers.points()[point];
@@ -242,14 +242,14 @@ std::vector<FeaturePlace> corner_places(const std::vector<const CurveSet*>& curv
         };
         if (const auto wedge =
                 wedge_at(here, normal(here - neighbour(0)), normal(neighbour(1) - here), is_fluid, spacing))
-            add_both(places, here, wedge->offset, spacing);
+            add_both(positions, here, wedge->offset, spacing);
     }
-    return places;
+    return positions;
 }
 
-std::vector<FeaturePlace> edge_places(const std::vector<const TriangleSurface*>& surfaces, const IsFluid& is_fluid,
-                                      double spacing) {
-    return Edges(surfaces, is_fluid, spacing).places();
+std::vector<FeaturePosition> edge_positions(const std::vector<const TriangleSurface*>& surfaces,
+                                            const IsFluid& is_fluid, double spacing) {
+    return Edges(surfaces, is_fluid, spacing).positions();
 }
 
 }  // namespace dmp::mesher

@@ -10,7 +10,7 @@
 namespace dmp::mesher {
 
 /// Where the surfaces half a spacing before and behind a corner or an edge have theirs: a particle's place.
-struct FeaturePlace {
+struct FeaturePosition {
     Vec point = Vec::Zero();
     Vec deep = Vec::Zero();  ///< four times as far from the corner or edge, about: what is thick has room there
     bool in_fluid = false;   ///< else in the wall
@@ -23,8 +23,8 @@ using IsFluid = std::function<bool(const Vec& point)>;
 /// normals m and n of the two segments and a spacing dx, dx/2 (m + n) / (1 + m.n) from the corner, which is dx/2 from
 /// both lines, and as far on the other side.
 /// @param spacing dx [m]
-std::vector<FeaturePlace> corner_places(const std::vector<const CurveSet*>& curves, const IsFluid& is_fluid,
-                                        double spacing);
+std::vector<FeaturePosition> corner_positions(const std::vector<const CurveSet*>& curves, const IsFluid& is_fluid,
+                                              double spacing);
 
 /// The places at the edges of surfaces, whose triangles may meet across surfaces where they share corners. Edges are
 /// where the normals of two triangles differ by more than 40 degrees with fluid on one side; they join to lines, which
@@ -32,7 +32,7 @@ std::vector<FeaturePlace> corner_places(const std::vector<const CurveSet*>& curv
 /// there, by least squares. Then the lines between them, in equal steps of about dx, that run dx/2 from both faces; a
 /// line that ends at the rim of a surface, as at a periodic side, begins with half a step. Lines shorter than four
 /// spacings are left out.
-std::vector<FeaturePlace> edge_places(const std::vector<const TriangleSurface*>& surfaces, const IsFluid& is_fluid,
-                                      double spacing);
+std::vector<FeaturePosition> edge_positions(const std::vector<const TriangleSurface*>& surfaces,
+                                            const IsFluid& is_fluid, double spacing);
 
 }  // namespace dmp::mesher

@@ -51,33 +51,33 @@ class Surfaces {
                     borders_[part].emplace(geometry, scene, set, *each, reach * set.spacing);
     }
 
-    [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& place) const {
-        const auto found = bounds_.nearest_wall(place);
+    [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& position) const {
+        const auto found = bounds_.nearest_wall(position);
         const bool at_wall = found.wall >= 0 && found.distance <= reach * set_.spacing;
         // Where a fluid ends at another one, which counts where no wall is nearer.
         const auto& border = borders_[static_cast<std::size_t>(set_.part[i])];
-        const auto other = border ? border->nearest(place) : std::nullopt;
+        const auto other = border ? border->nearest(position) : std::nullopt;
         if (other && (!at_wall || other->distance < found.distance)) {
             if (other->distance <= on_surface * set_.spacing) return into_part(*border, other->point);
-            return SurfaceHold{other->point, (place - other->point).normalized()};
+            return SurfaceHold{other->point, (position - other->point).normalized()};
         }
         if (!at_wall) return std::nullopt;
         if (found.distance > on_surface * set_.spacing)
-            return SurfaceHold{found.point, (place - found.point).normalized()};
-        if (set_.kind(i) == ParticleKind::springs) return border ? into_part(*border, found.point) : std::nullopt;
-        const Vec into_fluid = bounds_.into_fluid(place, found);
-        return SurfaceHold{found.point, set_.kind(i) == ParticleKind::fluid ? into_fluid : Vec(-into_fluid)};
+            return SurfaceHold{found.point, (position - found.point).normalized()};
+        if (set_.kind(i) == PartKind::elastic) return border ? into_part(*border, found.point) : std::nullopt;
+        const Vec into_fluid = bounds_.into_fluid(position, found);
+        return SurfaceHold{found.point, set_.kind(i) == PartKind::fluid ? into_fluid : Vec(-into_fluid)};
     }
 
   private:
-    static std::optional<SurfaceHold> into_part(const DrawnSurface& border, const Vec& point) {
+    static std::optional<SurfaceHold> into_part(const CadSurface& border, const Vec& point) {
         const auto out = border.way_out(point);
         return out ? std::optional(SurfaceHold{point, -*out}) : std::nullopt;
     }
 
     const ParticleSet& set_;
     const FitBounds& bounds_;
-    std::vector<std::optional<DrawnSurface>> borders_;  ///< by part; of what is fitted, where there is more than one
+    std::vector<std::optional<CadSurface>> borders_;  ///< by part; of what is fitted, where there is more than one
 };
 
 /// By particle: 1 stays where it is. What stands still behind the layers asked for fills the kernels of the last one.
@@ -92,9 +92,9 @@ std::vector<std::uint8_t> held_particles(const ParticleSet& set, const Scene& sc
         if (const int part = set.part_named(wall.part->name); part >= 0)
             held_behind[static_cast<std::size_t>(part)] = (wall.part->layers + 0.5) * set.spacing;
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::springs)
+        if (set.kind(i) == PartKind::elastic)
             held[i] = is_fitted[static_cast<std::size_t>(set.part[i])] == 0 ? 1 : 0;
-        else if (set.kind(i) == ParticleKind::rigid)
+        else if (set.kind(i) == PartKind::rigid)
             held[i] = set.wall_distance[i] > held_behind[static_cast<std::size_t>(set.part[i])] ? 1 : 0;
     return held;
 }
@@ -105,17 +105,17 @@ std::size_t pin_features(ParticleSet& set, const FitBounds& bounds, std::vector<
     if (bounds.features.empty()) return pinned;
     const SearchableParticles search(set, (fetched_from + pins_apart) * set.spacing, set.spacing);
     std::vector<Vec> moved(set.size(), Vec::Constant(HUGE_VAL));  // of what is pinned
-    for (const FeaturePlace& feature : bounds.features) {
-        Vec place = feature.point;
+    for (const FeaturePosition& feature : bounds.features) {
+        Vec position = feature.point;
         bool in_box = true;
         for (int axis = 0; axis < set.dimension; ++axis) {
             for (const double aside : {-1.0, 1.0}) {
-                const double x = place[axis] + aside * clear_of_planes * set.spacing;
+                const double x = position[axis] + aside * clear_of_planes * set.spacing;
                 in_box = in_box && set.mirrored_back(x, axis) == x;
             }
-            if (set.periodic[axis]) place[axis] = wrapped(place[axis], set.box.low[axis], set.box.high[axis]);
+            if (set.periodic[axis]) position[axis] = wrapped(position[axis], set.box.low[axis], set.box.high[axis]);
         }
-        const double depth = bounds.nearest_wall(place).distance / set.spacing;
+        const double depth = bounds.nearest_wall(position).distance / set.spacing;
         if (!in_box || depth < shallowest_pin || depth > (feature.in_fluid ? deepest_fluid_pin : deepest_pin)) continue;
         const auto beyond = bounds.nearest_wall(feature.deep);
         if (beyond.wall >= 0 && beyond.distance < room * set.spacing) continue;
@@ -123,22 +123,22 @@ std::size_t pin_features(ParticleSet& set, const FitBounds& bounds, std::vector<
         std::size_t nearest = set.size();
         Vec from;
         bool taken = false;
-        search.for_each_near(place, (fetched_from + pins_apart) * set.spacing,
+        search.for_each_near(position, (fetched_from + pins_apart) * set.spacing,
                              [&](std::size_t j, double square_of_distance, const Vec& at) {
                                  if (moved[j].x() < HUGE_VAL) {
-                                     taken = taken || (at + moved[j] - place).norm() < pins_apart * set.spacing;
+                                     taken = taken || (at + moved[j] - position).norm() < pins_apart * set.spacing;
                                      return;
                                  }
-                                 if (held[j] != 0 || set.kind(j) == ParticleKind::springs || square_of_distance >= best)
+                                 if (held[j] != 0 || set.kind(j) == PartKind::elastic || square_of_distance >= best)
                                      return;
-                                 if ((set.kind(j) == ParticleKind::fluid) != feature.in_fluid) return;
+                                 if ((set.kind(j) == PartKind::fluid) != feature.in_fluid) return;
                                  best = square_of_distance;
                                  nearest = j;
                                  from = at;
                              });
         if (taken || nearest == set.size()) continue;
-        moved[nearest] = place - from;
-        set.position[nearest] = place;
+        moved[nearest] = position - from;
+        set.position[nearest] = position;
         held[nearest] = 1;
         ++pinned;
     }
@@ -149,7 +149,7 @@ std::size_t pin_features(ParticleSet& set, const FitBounds& bounds, std::vector<
 void trim_walls(ParticleSet& set, const FitBounds& bounds) {
     std::vector<std::uint8_t> keep(set.size(), 1);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::rigid) continue;
+        if (set.kind(i) != PartKind::rigid) continue;
         const auto found = bounds.nearest_wall(set.position[i]);
         const FitBounds::Wall& wall = bounds.walls[static_cast<std::size_t>(std::max(0, found.wall))];
         keep[i] = found.wall >= 0 && found.distance < wall.part->layers * set.spacing ? 1 : 0;
@@ -164,7 +164,7 @@ void trim_walls(ParticleSet& set, const FitBounds& bounds) {
 void update_lines(MeshResult& result, const FitBounds& bounds) {
     ParticleSet& set = result.particles;
     const bool no_bodies =
-        std::ranges::none_of(bounds.walls, &FitBounds::Wall::is_body) && set.count(ParticleKind::springs) == 0;
+        std::ranges::none_of(bounds.walls, &FitBounds::Wall::is_body) && set.count(PartKind::elastic) == 0;
     for (MeshReport::PartLine& line : result.report.parts) {
         const int part = set.part_named(line.name);
         line.particles = static_cast<std::size_t>(std::ranges::count(set.part, part));
@@ -186,8 +186,8 @@ void fit_particles(MeshResult& result, const Geometry& geometry, const Scene& sc
     std::vector<std::uint8_t> held = held_particles(set, scene, bounds);
     const std::size_t pinned = pin_features(set, bounds, held);
     const Fit fit = fit_to_surfaces(
-        set, scene.accuracy.support * set.spacing, held,
-        [&](std::size_t i, const Vec& place) { return surfaces.hold_of(i, place); }, omp_get_max_threads());
+        set, scene.numerics.support * set.spacing, held,
+        [&](std::size_t i, const Vec& position) { return surfaces.hold_of(i, position); }, omp_get_max_threads());
     trim_walls(set, bounds);
     update_lines(result, bounds);
     std::ostringstream note;

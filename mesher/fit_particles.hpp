@@ -29,16 +29,16 @@ struct FitBounds {
     };
     std::vector<Wall> walls;
     /// No further than the walls were built thick, across periodic sides too.
-    std::function<NearestWall(const Vec& place)> nearest_wall;
+    std::function<NearestWall(const Vec& position)> nearest_wall;
     /// The unit vector from a place on a surface into the fluid.
-    std::function<Vec(const Vec& place, const NearestWall& there)> into_fluid;
-    std::vector<FeaturePlace> features;  ///< at corners and edges of the walls
-    double cell_volume = 0;              ///< what a lattice point stands for [m^2 x 1 m or m^3]
+    std::function<Vec(const Vec& position, const NearestWall& there)> into_fluid;
+    std::vector<FeaturePosition> features;  ///< at corners and edges of the walls
+    double cell_volume = 0;                 ///< what a lattice point stands for [m^2 x 1 m or m^3]
 };
 
 /// Layers that walls are given beyond those asked for until they are fitted: what stands still behind what moves.
 [[nodiscard]] inline int spare_layers(const Scene& scene) {
-    return *scene.particles.fill != FillKind::lattice ? static_cast<int>(std::ceil(scene.accuracy.support)) : 0;
+    return *scene.particles.fill != FillKind::lattice ? static_cast<int>(std::ceil(scene.numerics.support)) : 0;
 }
 
 /// particles.fill = "relaxed" or "sampled": takes the nearest particles to the places at corners and edges, where they

@@ -60,12 +60,12 @@ class Holds {
 
     /// Where particle i may go from a place when it is to move: in the layer at a surface along that, and towards half
     /// a spacing from it, no further than `longest` [m]. What pushes it across the surface never holds that up.
-    [[nodiscard]] Vec allowed(std::size_t i, const Vec& place, const Vec& move, double longest) const {
-        if (!holds_[i]) return place + move;
+    [[nodiscard]] Vec allowed(std::size_t i, const Vec& position, const Vec& move, double longest) const {
+        if (!holds_[i]) return position + move;
         const Vec& normal = holds_[i]->to_particle;
-        const double short_of = spacing_ / 2 - distance(i, place), along_normal = move.dot(normal);
-        if (in_layer_[i] == 0 && along_normal > short_of) return place + move;
-        return place + move + (std::clamp(short_of, -longest, longest) - along_normal) * normal;
+        const double short_of = spacing_ / 2 - distance(i, position), along_normal = move.dot(normal);
+        if (in_layer_[i] == 0 && along_normal > short_of) return position + move;
+        return position + move + (std::clamp(short_of, -longest, longest) - along_normal) * normal;
     }
 
     /// Of the surface as it is asked for now.
@@ -84,13 +84,13 @@ class Holds {
     }
 
   private:
-    [[nodiscard]] double distance(std::size_t i, const Vec& place) const {
-        return (place - holds_[i]->point).dot(holds_[i]->to_particle);
+    [[nodiscard]] double distance(std::size_t i, const Vec& position) const {
+        return (position - holds_[i]->point).dot(holds_[i]->to_particle);
     }
 
     /// From where particle i is to where it would be in the layer.
-    [[nodiscard]] Vec to_layer(std::size_t i, const Vec& place) const {
-        return (spacing_ / 2 - distance(i, place)) * holds_[i]->to_particle;
+    [[nodiscard]] Vec to_layer(std::size_t i, const Vec& position) const {
+        return (spacing_ / 2 - distance(i, position)) * holds_[i]->to_particle;
     }
 
     /// Lets go of what would stand on top of another in the layer: of two rows of a lattice that are both within a
@@ -152,7 +152,7 @@ Evening evening_of(const ParticleSet& set, const ClosePairs& pairs, const Wendla
 double fluid_spread(const ParticleSet& set, const std::vector<double>& kernel_sum) {
     double count = 0, sum = 0, squares = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         ++count;
         sum += kernel_sum[i];
         squares += square(kernel_sum[i]);
@@ -162,9 +162,9 @@ double fluid_spread(const ParticleSet& set, const std::vector<double>& kernel_su
 
 /// Into the period, and back over planes of symmetry.
 void wrap(ParticleSet& set) {
-    for (Vec& place : set.position)
+    for (Vec& position : set.position)
         for (int axis = 0; axis < set.dimension; ++axis) {
-            double& x = place[axis];
+            double& x = position[axis];
             x = set.periodic[axis] ? wrapped(x, set.box.low[axis], set.box.high[axis]) : set.mirrored_back(x, axis);
         }
 }

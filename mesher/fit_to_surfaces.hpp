@@ -17,7 +17,7 @@ struct SurfaceHold {
     Vec to_particle = Vec::UnitX();
 };
 /// Of particle i at a place; nothing where no surface is nearer than two spacings.
-using HoldOf = std::function<std::optional<SurfaceHold>(std::size_t i, const Vec& place)>;
+using HoldOf = std::function<std::optional<SurfaceHold>(std::size_t i, const Vec& position)>;
 
 /// How a fit ended.
 struct Fit {

@@ -11,7 +11,8 @@ namespace {
 constexpr double chord_error_in_plane = 1e-3, chord_error_in_space = 5e-3;  // [spacings]
 
 FaceSelection selection_of(const Selection& asked) {
-    FaceSelection selection{.name = asked.name, .of = asked.of, .except = asked.except, .place = asked.name.place};
+    FaceSelection selection{
+        .name = asked.name, .of = asked.of, .except = asked.except, .location = asked.name.location};
     const std::array<const Value<double>*, 3> planes{&asked.x, &asked.y, &asked.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (planes.at(axis)->given()) selection.in_plane.at(axis) = **planes.at(axis);
@@ -23,17 +24,17 @@ FaceSelection selection_of(const Selection& asked) {
 
 }  // namespace
 
-DrawingOptions drawing_of(const Scene& scene) {
+GeometryOptions geometry_options_of(const Scene& scene) {
     const std::filesystem::path file = *scene.geometry.file;
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = file.is_absolute() ? file.string() : (std::filesystem::path(scene.directory) / file).string();
     if (scene.geometry.unit.given()) options.unit = *scene.geometry.unit;
     options.chord_error =
         (scene.dimension == 3 ? chord_error_in_space : chord_error_in_plane) * scene.particles.spacing;
-    options.place = scene.geometry.file.place;
+    options.location = scene.geometry.file.location;
     for (const auto& [name, value] : scene.geometry.parameters) {
         options.parameters[name] = value;
-        options.parameter_places[name] = value.place;
+        options.parameter_locations[name] = value.location;
     }
     for (const Selection& selection : scene.selections) options.selections.push_back(selection_of(selection));
     return options;

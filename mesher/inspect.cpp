@@ -15,21 +15,21 @@ MeshDetail inspect(MeshResult& result, const Geometry& geometry, const Scene& sc
     const ParticleSet& set = result.particles;
     MeshReport& report = result.report;
     MeshDetail detail;
-    Stopwatch watch(report.cost);
+    Stopwatch monitor(report.cost);
     detail.kernel_sum = result.kernel_sum;
     detail.surface_error.assign(set.size(), std::numeric_limits<float>::quiet_NaN());
     const SearchableParticles search(set, surface_search * set.spacing, set.spacing);
     LayerCount layers(set, scene, search);
     for (const Part* fluid : scene.parts_of(PartKind::fluid)) {
         const int number = set.part_named(fluid->name);
-        const DrawnSurface surface(geometry, scene, set, *fluid, 1.01 * set.spacing);
+        const CadSurface surface(geometry, scene, set, *fluid, 1.01 * set.spacing);
         report.surfaces.push_back(surface_error(set, search, surface, number, detail.surface_error));
         layers.add(surface, number);
     }
     report.layers = layers.lines();
-    watch.lap("surfaces");
+    monitor.lap("surfaces");
     report.leaks = find_leaks(set);
-    watch.lap("leak test");
+    monitor.lap("leak test");
     return detail;
 }
 

@@ -21,20 +21,20 @@ constexpr double is_between = 0.8;
 constexpr double usual_reach = 1.5;
 
 /// All particles of a set, by where they are.
-class Places {
+class Positions {
   public:
-    Places(const ParticleSet& set, double reach) : set_(set) {
+    Positions(const ParticleSet& set, double reach) : set_(set) {
         Coordinates points;
         for (int axis = 0; axis < 3; ++axis)
-            for (const Vec& place : set.position) points[axis].push_back(place[axis]);
+            for (const Vec& position : set.position) points[axis].push_back(position[axis]);
         grid_ = CellGrid(points, set.size(), set.dimension, reach);
     }
 
     /// Calls visit(j, distance) for the particles within a distance of a place.
     template <class Visit>
-    void for_each_near(const Vec& place, double distance, const Visit& visit) const {
-        grid_.for_each_near({place.x(), place.y(), place.z()}, distance, [&](int j) {
-            const double apart = (set_.position[static_cast<std::size_t>(j)] - place).norm();
+    void for_each_near(const Vec& position, double distance, const Visit& visit) const {
+        grid_.for_each_near({position.x(), position.y(), position.z()}, distance, [&](int j) {
+            const double apart = (set_.position[static_cast<std::size_t>(j)] - position).norm();
             if (apart < distance) visit(static_cast<std::size_t>(j), apart);
         });
     }
@@ -71,7 +71,7 @@ class Joining {
           number_(number),
           reach_(reach),
           part_{set.part_named((*join.parts)[0]), set.part_named((*join.parts)[1])},
-          places_(set, reach) {
+          positions_(set, reach) {
         for (const Bond& bond : set.bonds) bonded_.insert(in_order(bond.a, bond.b));
     }
 
@@ -105,7 +105,7 @@ class Joining {
     /// What a particle is to be bonded to, by number, with their distances.
     [[nodiscard]] std::vector<std::pair<std::size_t, double>> partners(std::size_t i) const {
         std::vector<std::pair<std::size_t, double>> found;
-        places_.for_each_near(set_.position[i], (1 + 1e-9) * reach_, [&](std::size_t j, double distance) {
+        positions_.for_each_near(set_.position[i], (1 + 1e-9) * reach_, [&](std::size_t j, double distance) {
             if (set_.part[j] != part_[1] || (part_[0] == part_[1] && j <= i)) return;
             if ((is_held(i) && is_held(j)) || bonded_.contains(in_order(i, j))) return;
             found.emplace_back(j, distance);
@@ -118,7 +118,7 @@ class Joining {
     [[nodiscard]] bool crosses_a_gap(std::size_t i, std::size_t j, double length) const {
         bool found = false;
         const Vec middle = 0.5 * (set_.position[i] + set_.position[j]);
-        places_.for_each_near(middle, is_between * 0.5 * length, [&](std::size_t k, double) {
+        positions_.for_each_near(middle, is_between * 0.5 * length, [&](std::size_t k, double) {
             found = found || (set_.part[k] != part_[0] && set_.part[k] != part_[1]);
         });
         return found;
@@ -130,7 +130,7 @@ class Joining {
         std::ostringstream problem;
         problem << "join '" << line.name << "' makes no bond: ";
         if (line.across_gaps > 0)
-            throw InputError(join_.parts.place,
+            throw InputError(join_.parts.location,
                              problem.str() + "all " + std::to_string(line.across_gaps) + " pairs of " + parts +
                                  " within reach have a particle of another part between them",
                              "draw the two so that they touch");
@@ -139,21 +139,21 @@ class Joining {
         for (double reach = 2 * reach_; reach < 4 * farthest && !(nearest < reach); reach *= 2) nearest = gap(reach);
         if (!(nearest < std::numeric_limits<double>::infinity()))
             throw InputError(
-                join_.parts.place,
+                join_.parts.location,
                 problem.str() + "there are no two particles of " + parts + " that are not held or bonded already",
                 "leave the join out");
         problem << "no two particles of " << parts << " that are free or not bonded yet are within "
                 << length_text(reach_) << " of each other; the nearest are " << length_text(nearest) << " apart";
-        throw InputError(join_.within.given() ? join_.within.place : join_.parts.place, problem.str(),
+        throw InputError(join_.within.given() ? join_.within.location : join_.parts.location, problem.str(),
                          "draw the two so that they touch, or write a larger within");
     }
     /// The smallest distance of two that could be bonded, if it is less than `reach` [m].
     [[nodiscard]] double gap(double reach) const {
-        const Places places(set_, reach);
+        const Positions positions(set_, reach);
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < set_.size(); ++i) {
             if (set_.part[i] != part_[0]) continue;
-            places.for_each_near(set_.position[i], std::min(reach, nearest), [&](std::size_t j, double distance) {
+            positions.for_each_near(set_.position[i], std::min(reach, nearest), [&](std::size_t j, double distance) {
                 if (set_.part[j] != part_[1] || j == i || (is_held(i) && is_held(j))) return;
                 if (!bonded_.contains(in_order(i, j))) nearest = std::min(nearest, distance);
             });
@@ -166,7 +166,7 @@ class Joining {
     int number_;
     double reach_;
     std::array<int, 2> part_;
-    Places places_;
+    Positions positions_;
     std::set<std::pair<int, int>> bonded_;
 };
 

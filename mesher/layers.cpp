@@ -12,7 +12,7 @@ constexpr double stride = 0.25;  // of the walker [spacings]
 /// Where it starts: a surface that cuts a lattice has particles of both sides within less than this.
 constexpr double start = 1;
 constexpr double search_radius = 3;
-constexpr std::size_t most_places = 100'000;
+constexpr std::size_t most_positions = 100'000;
 constexpr int none = -1;
 
 }  // namespace
@@ -32,7 +32,7 @@ int LayerCount::nearest_part(const Vec& point, double radius, const Counts& coun
 
 double LayerCount::asked_of(int part) const {
     const auto& info = set_.parts[static_cast<std::size_t>(part)];
-    if (info.kind != ParticleKind::rigid) return layers_of_fluid;
+    if (info.kind != PartKind::rigid) return layers_of_fluid;
     return scene_.part_of_particles(info.name).layers;
 }
 
@@ -45,7 +45,7 @@ int LayerCount::behind(const Vec& point, int fluid) const {
 
 bool LayerCount::is_near_a_body(const Vec& point) const {
     const auto is_body = [&](int part) {
-        return set_.parts[static_cast<std::size_t>(part)].kind == ParticleKind::springs;
+        return set_.parts[static_cast<std::size_t>(part)].kind == PartKind::elastic;
     };
     return nearest_part(point, 2, is_body) != none;
 }
@@ -73,15 +73,15 @@ void LayerCount::walk(const Vec& from, const Vec& direction, int part) {
     ++walks.count;
 }
 
-void LayerCount::add(const DrawnSurface& surface, int fluid) {
+void LayerCount::add(const CadSurface& surface, int fluid) {
     const auto& samples = surface.samples();
-    const std::size_t step = samples.size() / most_places + 1;
+    const std::size_t step = samples.size() / most_positions + 1;
     for (std::size_t k = 0; k < samples.size(); k += step) {
-        const DrawnSurface::Sample& sample = samples[k];
+        const CadSurface::Sample& sample = samples[k];
         if (is_near_a_body(sample.point)) continue;
         walk(sample.point, -sample.normal, fluid);
         const int part = behind(sample.point + start * set_.spacing * sample.normal, fluid);
-        if (part != none && set_.parts[static_cast<std::size_t>(part)].kind == ParticleKind::rigid)
+        if (part != none && set_.parts[static_cast<std::size_t>(part)].kind == PartKind::rigid)
             walk(sample.point, sample.normal, part);
     }
 }

@@ -25,7 +25,7 @@ class LayerCount {
         : set_(set), scene_(scene), search_(search) {}
 
     /// From the surface of the fluid with this part number.
-    void add(const DrawnSurface& surface, int fluid);
+    void add(const CadSurface& surface, int fluid);
     /// One for each part that was met, by number.
     [[nodiscard]] std::vector<MeshReport::LayerLine> lines() const;
 

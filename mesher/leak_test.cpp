@@ -37,8 +37,8 @@ class Flood {
         stride_ = {1, count_[0], count_[0] * count_[1]};
         cell_.assign(cells, 0);
         for (std::size_t i = 0; i < set.size(); ++i) {
-            const ParticleKind kind = set.kind(i);
-            const std::uint8_t mark = kind == ParticleKind::rigid ? wall : kind == ParticleKind::fluid ? fluid : body;
+            const PartKind kind = set.kind(i);
+            const std::uint8_t mark = kind == PartKind::rigid ? wall : kind == PartKind::fluid ? fluid : body;
             for_each_cell(i, [&](std::uint8_t& cell) { cell |= mark; });
         }
     }
@@ -56,7 +56,7 @@ class Flood {
             }
         }
         for (std::size_t i = 0; i < set_.size(); ++i) {
-            if (set_.kind(i) != ParticleKind::fluid) continue;
+            if (set_.kind(i) != PartKind::fluid) continue;
             bool reached = false;
             for_each_cell(i, [&](std::uint8_t cell) { reached = reached || (cell & flooded) != 0; });
             if (!reached) continue;
@@ -70,7 +70,7 @@ class Flood {
     /// The cells whose centres lie in a particle's cube, around a periodic side too.
     template <class Visit>
     void for_each_cell(std::size_t i, const Visit& visit) {
-        const double reach = (set_.kind(i) == ParticleKind::rigid ? reach_of_walls : reach_of_others) * set_.spacing;
+        const double reach = (set_.kind(i) == PartKind::rigid ? reach_of_walls : reach_of_others) * set_.spacing;
         std::array<long, 3> first{}, last{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (static_cast<int>(axis) >= set_.dimension) continue;
@@ -115,8 +115,8 @@ class Flood {
                     if (line[static_cast<std::size_t>(k)] == 0) continue;
                     for (long near = k - room_cells; near <= k + room_cells; ++near) {
                         if (!wraps && (near < 0 || near >= count)) continue;
-                        const auto place = static_cast<std::size_t>((near + room_cells * count) % count);
-                        cell_[first + place * stride] |= occupied;
+                        const auto position = static_cast<std::size_t>((near + room_cells * count) % count);
+                        cell_[first + position * stride] |= occupied;
                     }
                 }
             });

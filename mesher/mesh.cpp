@@ -24,14 +24,14 @@ namespace dmp::mesher {
 namespace {
 
 void check_periods(const Scene& scene, const Box& box) {
-    const double needed = (scene.accuracy.support + 1) * scene.particles.spacing;
+    const double needed = (scene.numerics.support + 1) * scene.particles.spacing;
     for (int axis = 0; axis < scene.dimension; ++axis) {
         if (!scene.flow.periodic[axis] || box.extent()[axis] >= needed) continue;
         std::ostringstream problem;
         problem << "the period along "
                 << "xyz"[axis] << " is " << length_text(box.extent()[axis])
                 << ", shorter than the kernel's support plus a spacing, " << length_text(needed);
-        throw InputError(scene.flow.periodic[axis].place, problem.str(),
+        throw InputError(scene.flow.periodic[axis].location, problem.str(),
                          "draw a longer period or refine particles.spacing");
     }
 }
@@ -39,7 +39,7 @@ void check_periods(const Scene& scene, const Box& box) {
 void check_dimension(const Geometry& geometry, const Scene& scene) {
     if (geometry.dimension == scene.dimension) return;
     const bool in_space = geometry.dimension == 3;
-    throw InputError(scene.dimension.given() ? scene.dimension.place : scene.geometry.file.place,
+    throw InputError(scene.dimension.given() ? scene.dimension.location : scene.geometry.file.location,
                      std::string("the drawing ") + (in_space ? "has volumes" : "lies in the plane") +
                          ", and the scene has " + std::to_string(*scene.dimension) + " dimensions (" + geometry.file +
                          ")",
@@ -48,24 +48,24 @@ void check_dimension(const Geometry& geometry, const Scene& scene) {
 
 MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     if (*scene.particles.disorder > 0)
-        throw InputError(scene.particles.disorder.place,
+        throw InputError(scene.particles.disorder.location,
                          "particles.disorder: lattices in space cannot be disturbed yet", "leave it out");
     check_periods(scene, fluid_box_in_space(geometry, scene));
     MeshReport::Cost cost;
-    Stopwatch watch(cost);
+    Stopwatch monitor(cost);
     SpaceBuilder builder(geometry, scene);
-    watch.lap("lattice");
+    monitor.lap("lattice");
     builder.sort_triangles();
-    watch.lap("nearest triangles");
+    monitor.lap("nearest triangles");
     builder.check_boundary();
     builder.leave_out_hidden_faces();
-    watch.lap("boundary");
-    for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
-    watch.lap("springs");
+    monitor.lap("boundary");
+    for (const Part* part : scene.parts_of(PartKind::elastic)) builder.add_elastic(*part);
+    monitor.lap("elastic");
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
-    watch.lap("fluids");
+    monitor.lap("fluids");
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
-    watch.lap("walls");
+    monitor.lap("walls");
     cost.candidates = builder.candidates();
     mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);
     if (*scene.particles.fill == FillKind::sampled) builder.sample();
@@ -73,17 +73,17 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
         builder.fit();
         mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);  // walls and solids moved
     } else
-        relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
+        relax_around_bodies(builder.particles(), scene.numerics.support * scene.particles.spacing,
                             [&](std::size_t, const Vec& point) { return builder.may_stand(point); });
-    watch.lap("fit");
+    monitor.lap("fit");
     MeshResult result = builder.finish();
     measure_quality(result, scene);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);
-    watch.lap("quality");
-    std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
-    watch.lap("thin places");
+    monitor.lap("quality");
+    std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.notes));
+    monitor.lap("thin places");
     result.report.cost = cost;
     return result;
 }
@@ -99,14 +99,14 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     check_boundary(geometry, scene, box);
 
     MeshReport::Cost cost;
-    Stopwatch watch(cost);
+    Stopwatch monitor(cost);
     ParticleBuilder builder(geometry, scene);
-    for (const Part* part : scene.parts_of(PartKind::springs)) builder.add_springs(*part);
-    watch.lap("springs");
+    for (const Part* part : scene.parts_of(PartKind::elastic)) builder.add_elastic(*part);
+    monitor.lap("elastic");
     for (const Part* part : scene.parts_of(PartKind::fluid)) builder.add_fluid(*part);
-    watch.lap("fluids");
+    monitor.lap("fluids");
     for (const Part* part : scene.parts_of(PartKind::rigid)) builder.add_walls(*part);
-    watch.lap("walls");
+    monitor.lap("walls");
     const Disorder disorder{scene.particles.disorder, static_cast<std::uint64_t>(scene.particles.seed.value)};
     disturb(builder.particles(), disorder,
             [&](std::size_t i, const Vec& point) { return builder.holds(i, point) && builder.clear_of_bodies(point); });
@@ -116,19 +116,19 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
         builder.fit();
         mark_seated(builder.particles(), scene.contact.range * scene.particles.spacing);  // walls and solids moved
     } else
-        relax_around_bodies(builder.particles(), scene.accuracy.support * scene.particles.spacing,
+        relax_around_bodies(builder.particles(), scene.numerics.support * scene.particles.spacing,
                             [&](std::size_t i, const Vec& point) { return builder.holds(i, point); });
     cost.candidates = builder.candidates();
     MeshResult result = builder.finish();
     if (disorder.amplitude > 0) result.report.notes.push_back(disorder.text());
-    watch.lap("moves");
+    monitor.lap("moves");
     measure_quality(result, scene);
     bond_solids(result, geometry, scene);
     join_parts(result, scene);
     count_bonds(result);
-    watch.lap("quality");
-    std::ranges::move(thin_places(geometry, scene), std::back_inserter(result.report.notes));
-    watch.lap("thin places");
+    monitor.lap("quality");
+    std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.notes));
+    monitor.lap("thin places");
     result.report.cost = cost;
     return result;
 }

@@ -95,14 +95,14 @@ struct MeshReport {
     };
     /// How far one surface is from another, over many places of it [spacings].
     struct Deviation {
-        std::size_t places = 0;
+        std::size_t positions = 0;
         double mean = 0, rms = 0, largest = 0;  ///< the last: of magnitudes
         Vec where = Vec::Zero();                ///< of the largest [m]
     };
     /// How well a fluid's particles follow its drawn surface (mesher/surface_error.hpp).
     struct SurfaceLine {
         std::string part;
-        Deviation from_drawing, from_particles;
+        Deviation from_geometry, from_particles;
         double farthest = 0;  ///< any place of the drawn surface from its nearest fluid particle [spacings]
     };
     /// How many layers of particles stand one behind the other (mesher/layers.hpp).

@@ -33,11 +33,11 @@ class Checker {
             if (!touch(name_of(set_.part[a]), name_of(set_.part[b]))) continue;
             const double smaller = std::min(set_.radius[a], set_.radius[b]);
             if (a == b)
-                throw InputError(scene_.part_of_particles(name_of(set_.part[a])).name.place,
+                throw InputError(scene_.part_of_particles(name_of(set_.part[a])).name.location,
                                  text(a) + " reaches around a period and touches itself", "give [box] a longer period");
             if (pair.overlap > deepest_overlap * smaller)
                 throw InputError(
-                    scene_.part_of_particles(name_of(set_.part[b])).name.place,
+                    scene_.part_of_particles(name_of(set_.part[b])).name.location,
                     fmt::format("{} and {} lie {:.3g} m in each other at the start", text(a), text(b), pair.overlap),
                     fmt::format("move them apart: at most {} of the smaller radius, {:.3g} m, may overlap",
                                 deepest_overlap, deepest_overlap * smaller));
@@ -88,7 +88,7 @@ class Checker {
     }
     void need_clear(std::size_t i, double distance, int wall, const char* where) const {
         if (distance >= (1 - deepest_overlap) * set_.radius[i]) return;
-        throw InputError(scene_.part_of_particles(name_of(set_.part[i])).name.place,
+        throw InputError(scene_.part_of_particles(name_of(set_.part[i])).name.location,
                          fmt::format("{} lies {} the wall '{}' at the start: its centre is {:.3g} m from it", text(i),
                                      where, name_of(wall), distance),
                          "move it away by its radius or more");

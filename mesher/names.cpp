@@ -18,7 +18,7 @@ namespace dmp::mesher {
 namespace {
 
 /// What the drawing has under this name, in words; empty when nothing.
-std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
+std::string kind_in_geometry(const Geometry& geometry, const std::string& name) {
     if (geometry.solid(name) != nullptr) return "a volume";
     if (geometry.region(name) != nullptr || geometry.surface_set(name) != nullptr) return "a surface";
     if (geometry.curve_set(name) != nullptr) return "a curve";
@@ -26,7 +26,7 @@ std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
 }
 
 [[noreturn]] void missing(const Geometry& geometry, const Value<std::string>& name, const std::string& wanted) {
-    const std::string found = kind_in_drawing(geometry, name);
+    const std::string found = kind_in_geometry(geometry, name);
     const auto names = geometry.names();
     const std::string near = nearest_name(name.value, names);
     const SurfaceSet* set = geometry.surface_set(name);
@@ -34,7 +34,7 @@ std::string kind_in_drawing(const Geometry& geometry, const std::string& name) {
     const std::string problem =
         found.empty() ? "the drawing has nothing named '" + name.value + "'"
                       : "'" + name.value + "' is " + found + " in the drawing, but " + wanted + " is needed here" + why;
-    throw InputError(name.place, problem + " (" + geometry.file + ")",
+    throw InputError(name.location, problem + " (" + geometry.file + ")",
                      "it names " + quoted_list(names) +
                          (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
 }
@@ -55,8 +55,8 @@ void check_sides_match(const Region& region, const Part& part, int axis, const B
     const InsideTest inside(region);
     const int other = 1 - axis;
     const double step = 0.25 * spacing;
-    const auto places = static_cast<long>(std::ceil(box.extent()[other] / step));
-    for (long k = 0; k < places; ++k) {
+    const auto positions = static_cast<long>(std::ceil(box.extent()[other] / step));
+    for (long k = 0; k < positions; ++k) {
         const double along = box.low[other] + (static_cast<double>(k) + 0.5) * step;
         Vec low = Vec::Zero(), high = Vec::Zero();
         low[axis] = box.low[axis] + 1e-3 * spacing;
@@ -64,27 +64,27 @@ void check_sides_match(const Region& region, const Part& part, int axis, const B
         low[other] = high[other] = along;
         if ((inside.side_of(low) == Side::inside) == (inside.side_of(high) == Side::inside)) continue;
         const bool low_is_in = inside.side_of(low) == Side::inside;
-        throw InputError(part.name.place,
+        throw InputError(part.name.location,
                          "the periodic sides of '" + part.name.value +
-                             "' do not match: " + place_text(low_is_in ? low : high, 2) + " is fluid, " +
-                             place_text(low_is_in ? high : low, 2) + " is not",
+                             "' do not match: " + position_text(low_is_in ? low : high, 2) + " is fluid, " +
+                             position_text(low_is_in ? high : low, 2) + " is not",
                          "draw both ends of the period alike, or take the axis out of flow.periodic");
     }
 }
 
 /// An area of springs is of a material, a curve of them a strip.
-void need_springs_in_plane(const Geometry& geometry, const Part& part) {
+void check_elastic_2d(const Geometry& geometry, const Part& part) {
     const bool is_area = geometry.region(part.name) != nullptr, is_curve = geometry.curve_set(part.name) != nullptr;
     if (!is_area && !is_curve) missing(geometry, part.name, "a curve or a surface");
     if (is_area && !part.density.given())
-        throw InputError(part.mass_per_length.place,
+        throw InputError(part.mass_per_length.location,
                          "part '" + part.name.value +
                              "' is a surface in the drawing, a solid of springs, which has no "
                              "mass_per_length",
                          "give its density, youngs_modulus and poisson_ratio, or draw its middle line as a curve");
     if (!is_area && part.density.given())
         throw InputError(
-            part.density.place,
+            part.density.location,
             "part '" + part.name.value + "' is a curve in the drawing, a strip of springs, which has no density",
             "give its mass_per_length: density times thickness times 1 m");
 }
@@ -92,8 +92,8 @@ void need_springs_in_plane(const Geometry& geometry, const Part& part) {
 void need_in_plane(const Geometry& geometry, const Part& part) {
     if (part.kind.value == PartKind::fluid) {
         if (geometry.region(part.name) == nullptr) missing(geometry, part.name, "a surface for a fluid");
-    } else if (part.kind.value == PartKind::springs) {
-        need_springs_in_plane(geometry, part);
+    } else if (part.kind.value == PartKind::elastic) {
+        check_elastic_2d(geometry, part);
     } else if (geometry.curve_set(part.name) == nullptr) {
         missing(geometry, part.name, "a curve");
     }
@@ -106,16 +106,16 @@ void need_in_space(const Geometry& geometry, const Part& part) {
     }
     if (geometry.solid(part.name) == nullptr && geometry.surface_set(part.name) == nullptr)
         missing(geometry, part.name, "a surface or a volume");
-    if (part.kind.value != PartKind::springs) return;
+    if (part.kind.value != PartKind::elastic) return;
     const bool is_shell = geometry.solid(part.name) == nullptr;
     if (is_shell && !part.thickness.given())
-        throw InputError(part.name.place,
+        throw InputError(part.name.location,
                          "part '" + part.name.value +
                              "' is a surface in the drawing, a shell of springs: its thickness "
                              "is missing",
                          "add thickness, such as thickness = \"0.3 mm\"");
     if (!is_shell && part.thickness.given())
-        throw InputError(part.thickness.place,
+        throw InputError(part.thickness.location,
                          "part '" + part.name.value + "' is a volume in the drawing: it is as thick as it is drawn",
                          "take `thickness` out, or draw a surface to make it a shell");
 }
@@ -146,8 +146,8 @@ void check_names(const Geometry& geometry, const Scene& scene) {
         const std::vector<std::string> parts(used.begin(), used.end());
         const std::string near = nearest_name(name, parts);
         throw InputError(
-            scene.geometry.file.place,
-            "the drawing names " + kind_in_drawing(geometry, name) + " '" + name +
+            scene.geometry.file.location,
+            "the drawing names " + kind_in_geometry(geometry, name) + " '" + name +
                 "' that no part of the scene uses (" + geometry.file + ")",
             "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the drawing" +
                 (near.empty() ? "" : "; the scene has '" + near + "'"));
@@ -161,7 +161,7 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
     for (const Part* part : scene.parts_of(PartKind::rigid))
         walls.emplace_back(*geometry.curve_set(part->name), 2 * tolerance);
     std::vector<const Region*> regions;
-    for (const PartKind kind : {PartKind::fluid, PartKind::springs})
+    for (const PartKind kind : {PartKind::fluid, PartKind::elastic})
         for (const Part* part : scene.parts_of(kind))
             if (const Region* region = geometry.region(part->name)) regions.push_back(region);
 
@@ -185,17 +185,17 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                 const Vec& a = loop.points[k];
                 const Vec& b = loop.points[(k + 1) % loop.points.size()];
                 // A solid that is drawn over the fluid need not end where this side does.
-                const int places = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing)));
+                const int positions = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing)));
                 bool closed = on_side_that_goes_on(a, b, scene, box, tolerance);
-                for (int n = 0; n < places && !closed; ++n) {
-                    const Vec place = a + (n + 0.5) / places * (b - a);
-                    if (!at_wall(place) && !at_another_area(place, b - a, &region)) break;
-                    closed = n + 1 == places;
+                for (int n = 0; n < positions && !closed; ++n) {
+                    const Vec position = a + (n + 0.5) / positions * (b - a);
+                    if (!at_wall(position) && !at_another_area(position, b - a, &region)) break;
+                    closed = n + 1 == positions;
                 }
                 if (closed) continue;
-                throw InputError(part->name.place,
-                                 "the boundary of '" + part->name.value + "' is open between " + place_text(a, 2) +
-                                     " and " + place_text(b, 2) + ": no rigid part and no periodic side closes it",
+                throw InputError(part->name.location,
+                                 "the boundary of '" + part->name.value + "' is open between " + position_text(a, 2) +
+                                     " and " + position_text(b, 2) + ": no rigid part and no periodic side closes it",
                                  "name this curve in the drawing as part of a rigid part, or make the axis periodic "
                                  "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");
             }

@@ -38,7 +38,7 @@ Box fluid_box(const Geometry& geometry, const Scene& scene) {
                 box.low = box.low.cwiseMin(point);
                 box.high = box.high.cwiseMax(point);
             }
-    for (const Part* part : scene.parts_of(PartKind::springs))
+    for (const Part* part : scene.parts_of(PartKind::elastic))
         if (const Region* region = geometry.region(part->name))
             for (const Polyline& loop : region->loops)
                 for (const Vec& point : loop.points) widen_for_body(box, point, scene);
@@ -87,7 +87,7 @@ ParticleBuilder::ParticleBuilder(const Geometry& geometry, const Scene& scene)
     }
 }
 
-int ParticleBuilder::add_part(const Part& part, ParticleKind kind) {
+int ParticleBuilder::add_part(const Part& part, PartKind kind) {
     result_.particles.parts.push_back({part.name, kind});
     return static_cast<int>(result_.particles.parts.size()) - 1;
 }
@@ -123,7 +123,7 @@ const Part* ParticleBuilder::fluid_at(const Vec& point) const {
 }
 
 /// A wall that ends at a plane of symmetry goes on as its own image.
-void ParticleBuilder::look_from_images(const Vec& point, WallPoint& best) const {
+void ParticleBuilder::nearest_from_images(const Vec& point, WallPoint& best) const {
     const ParticleSet& set = result_.particles;
     for (int axis = 0; axis < set.dimension; ++axis)
         for (const int side : {0, 1}) {
@@ -143,7 +143,7 @@ void ParticleBuilder::look_from_images(const Vec& point, WallPoint& best) const 
 
 ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
     WallPoint best;
-    const auto look_from = [&](const Vec& shift) {
+    const auto nearest_from = [&](const Vec& shift) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             const auto found = walls_[w].curve.nearest(point + shift);
             if (!found || found->distance >= walls_[w].thickness) continue;
@@ -151,15 +151,15 @@ ParticleBuilder::WallPoint ParticleBuilder::wall_at(const Vec& point) const {
             best = {static_cast<int>(w), {found->point - shift, found->distance}};
         }
     };
-    look_from(Vec::Zero());
-    look_from_images(point, best);
+    nearest_from(Vec::Zero());
+    nearest_from_images(point, best);
     const ParticleSet& set = result_.particles;
     for (int axis = 0; axis < set.dimension; ++axis) {
         if (!set.periodic[axis]) continue;
         Vec shift = Vec::Zero();
         for (const double period : {set.box.extent()[axis], -set.box.extent()[axis]}) {
             shift[axis] = period;
-            look_from(shift);
+            nearest_from(shift);
         }
     }
     return best;
@@ -177,7 +177,7 @@ Vec ParticleBuilder::normal_on_surface(const Vec& point) const {
 
 void ParticleBuilder::add_fluid(const Part& part) {
     const Region& region = *geometry_.region(part.name);
-    const int number = add_part(part, ParticleKind::fluid);
+    const int number = add_part(part, PartKind::fluid);
     const double volume = lattice_.cell_area();
     std::size_t count = 0, left_out = 0;
     for (const Vec& point : lattice_.points(0)) {
@@ -191,12 +191,12 @@ void ParticleBuilder::add_fluid(const Part& part) {
         ++count;
     }
     if (count == 0)
-        throw InputError(scene_.particles.spacing.place,
+        throw InputError(scene_.particles.spacing.location,
                          "no particle of '" + part.name.value + "' fits into its region at this spacing",
                          "refine particles.spacing, or check geometry.unit");
     MeshReport::PartLine line;
     line.name = part.name;
-    line.kind = word(PartKind::fluid);
+    line.kind = to_string(PartKind::fluid);
     line.particles = count;
     line.target = region.area() - static_cast<double>(left_out) * volume;
     line.reached = static_cast<double>(count) * volume;
@@ -209,7 +209,7 @@ void ParticleBuilder::add_fluid(const Part& part) {
 
 void ParticleBuilder::add_walls(const Part& part) {
     const CurveSet& curve = *geometry_.curve_set(part.name);
-    const int number = add_part(part, ParticleKind::rigid);
+    const int number = add_part(part, PartKind::rigid);
     const double volume = lattice_.cell_area();
     double density = 0;  // a wall never moves: its mass only has to be there
     for (const Fluid& fluid : fluids_) density = std::max(density, fluid.part->density.value);
@@ -227,12 +227,12 @@ void ParticleBuilder::add_walls(const Part& part) {
     }
     if (count == 0)
         throw InputError(
-            part.name.place,
+            part.name.location,
             "no particle of the wall '" + part.name.value + "' fits behind its curve: there is fluid on both sides",
             "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
     MeshReport::PartLine line;
     line.name = part.name;
-    line.kind = word(PartKind::rigid);
+    line.kind = to_string(PartKind::rigid);
     line.particles = count;
     line.target = curve.length();
     line.reached = static_cast<double>(count) / part.layers * spacing_;
@@ -241,9 +241,9 @@ void ParticleBuilder::add_walls(const Part& part) {
 }
 
 void ParticleBuilder::sample() {
-    const auto part_at = [&](const Vec& place) {
-        const Part* fluid = fluid_at(place);
-        if (fluid == nullptr || !clear_of_bodies(place)) return -1;
+    const auto part_at = [&](const Vec& position) {
+        const Part* fluid = fluid_at(position);
+        if (fluid == nullptr || !clear_of_bodies(position)) return -1;
         return result_.particles.part_named(fluid->name);
     };
     result_.report.notes.push_back(sample_fluids(result_.particles, lattice_.cell_area(),
@@ -254,15 +254,15 @@ void ParticleBuilder::sample() {
 void ParticleBuilder::fit() {
     FitBounds bounds;
     for (const Wall& wall : walls_) bounds.walls.push_back({wall.part, false});
-    bounds.nearest_wall = [this](const Vec& place) {
-        const auto [wall, surface] = wall_at(place);
+    bounds.nearest_wall = [this](const Vec& position) {
+        const auto [wall, surface] = wall_at(position);
         return NearestWall{wall, surface.point, surface.distance};
     };
-    bounds.into_fluid = [this](const Vec& place, const NearestWall&) { return normal_on_surface(place); };
+    bounds.into_fluid = [this](const Vec& position, const NearestWall&) { return normal_on_surface(position); };
     bounds.cell_volume = lattice_.cell_area();
     std::vector<const CurveSet*> curves;
     for (const Wall& wall : walls_) curves.push_back(geometry_.curve_set(wall.part->name));
-    bounds.features = corner_places(
+    bounds.features = corner_positions(
         curves, [this](const Vec& point) { return fluid_at(point) != nullptr; }, spacing_);
     fit_particles(result_, geometry_, scene_, bounds);
 }

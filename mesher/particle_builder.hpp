@@ -31,7 +31,7 @@ class ParticleBuilder {
 
     /// Two rows of nodes along each curve, with bonds along and across and four hinges or two diagonals a cell; of a
     /// region the lattice points in it, with the springs of each cell. Clamped at the anchors.
-    void add_springs(const Part& part);
+    void add_elastic(const Part& part);
     /// Lattice points inside the region, outside the bodies: a body takes up one spacing on both sides of its curve.
     /// Points on the border of two fluids belong to the first of them.
     void add_fluid(const Part& part);
@@ -85,7 +85,7 @@ class ParticleBuilder {
         std::vector<Vec> points;  ///< of the lattice that belong to whole cells
     };
 
-    int add_part(const Part& part, ParticleKind kind);
+    int add_part(const Part& part, PartKind kind);
     int add_particle(int part, const NewParticle& particle);
     /// Within the drawn area of a solid of springs, also where no whole cell of it is.
     [[nodiscard]] bool is_in_a_solid(const Vec& point) const;
@@ -104,7 +104,7 @@ class ParticleBuilder {
     [[nodiscard]] const Part* fluid_at(const Vec& point) const;
     /// The wall the point belongs to, and its surface, looked for across periodic sides as well.
     [[nodiscard]] WallPoint wall_at(const Vec& point) const;
-    void look_from_images(const Vec& point, WallPoint& best) const;
+    void nearest_from_images(const Vec& point, WallPoint& best) const;
     /// From a point on the surface into the fluid: the mean direction in which fluid lies.
     [[nodiscard]] Vec normal_on_surface(const Vec& point) const;
 

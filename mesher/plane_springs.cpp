@@ -23,13 +23,13 @@ double angle_between(const Vec& a, const Vec& b) { return std::atan2(a[0] * b[1]
 
 /// Gives solids the lattice points in them that belong to whole cells, before fluids get theirs.
 void ParticleBuilder::claim_solids() {
-    for (const Part* part : scene_.parts_of(PartKind::springs)) {
+    for (const Part* part : scene_.parts_of(PartKind::elastic)) {
         const Region* region = geometry_.region(part->name);
         if (region == nullptr) continue;
         const bool on_cells = !part->bonds_within.given();
         if (on_cells && *scene_.particles.arrangement != Arrangement::square)
             throw InputError(
-                scene_.particles.arrangement.place,
+                scene_.particles.arrangement.location,
                 "'" + part->name.value + "' is a solid of springs, whose cells are built on the square lattice only",
                 "write particles.arrangement = \"square\", or give the part bonds_within");
         SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}});
@@ -50,7 +50,7 @@ void ParticleBuilder::claim_solids() {
         }
         if (solid.points.empty())
             throw InputError(
-                part->name.place,
+                part->name.location,
                 "'" + part->name.value + "' is too thin for a solid of springs: no " + (on_cells ? "cell" : "point") +
                     " of the lattice fits in it",
                 "refine particles.spacing to a third of its thickness, or draw its middle line as a curve, with "
@@ -77,7 +77,7 @@ void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshR
         add_particle(part_number, {solid.points[node], body.volume[node], body.mass[node], piece[node], clamped[node],
                                    Vec::Zero(), 0});
     line.bodies = bodies_ - bodies_before;
-    add_springs_of(body.lattice, first, result_.particles, line);
+    add_elastic_of(body.lattice, first, result_.particles, line);
 }
 
 /// Nodes that bond_solids() is to bond once they are where they stay.
@@ -111,14 +111,14 @@ std::vector<bool> ParticleBuilder::anchored_nodes(const Part& part, const std::v
         for (std::size_t k = 0; k < nodes.size(); ++k) anchored[k] = held_by.nearest(nodes[k]).has_value();
     }
     if (std::ranges::find(anchored, true) == anchored.end())
-        throw InputError(part.anchor.place,
+        throw InputError(part.anchor.location,
                          "no node of '" + part.name.value + "' is next to '" + part.anchor.value + "'",
                          "draw the part so that it touches what it is anchored to");
     return anchored;
 }
 
-void ParticleBuilder::add_springs(const Part& part) {
-    const int number = add_part(part, ParticleKind::springs);
+void ParticleBuilder::add_elastic(const Part& part) {
+    const int number = add_part(part, PartKind::elastic);
     MeshReport::SpringLine line;
     line.part = part.name;
     const auto solid = std::ranges::find(solids_, &part, &SpringSolid::part);
@@ -133,7 +133,7 @@ void ParticleBuilder::add_springs(const Part& part) {
     for (const Polyline& piece : geometry_.curve_set(part.name)->pieces) add_ladder(part, number, piece, line);
     if (!part.anchor->empty() && line.anchored == 0) {
         const bool to_points = geometry_.points.contains(part.anchor);
-        throw InputError(part.anchor.place,
+        throw InputError(part.anchor.location,
                          to_points ? "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'"
                                    : "no end of '" + part.name.value + "' lies on '" + part.anchor.value + "'",
                          to_points ? "put the anchor points on the curve in the drawing"
@@ -157,7 +157,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
                                  MeshReport::SpringLine& line) {
     constexpr int fewest_columns = 5;
     if (curve.closed)
-        throw InputError(part.name.place,
+        throw InputError(part.name.location,
                          "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
                          "leave a gap in the curve in the drawing");
     const Ladder ladder = ladder_along(curve, spacing_);
@@ -165,7 +165,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
         std::ostringstream problem;
         problem << "a curve of '" << part.name.value << "' is " << curve.length() << " m long, " << ladder.columns()
                 << " columns of particles; at least " << fewest_columns << " are needed to bend";
-        throw InputError(part.name.place, problem.str(), "refine particles.spacing or draw a longer curve");
+        throw InputError(part.name.location, problem.str(), "refine particles.spacing or draw a longer curve");
     }
     const LadderConstants constants = ladder_constants(part, ladder.along, spacing_);
     const int body = bodies_++;

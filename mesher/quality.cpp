@@ -32,8 +32,8 @@ double smallest_distance(const ParticleSet& set, std::size_t i, std::size_t j) {
     const std::string& name = set.parts[set.part[i]].name;
     std::ostringstream problem;
     problem << "particles of '" << name << "' and '" << set.parts[set.part[j]].name
-            << "' stand on top of each other at " << place_text(set.position[i], set.dimension);
-    throw InputError(scene.part_of_particles(name).name.place, problem.str(),
+            << "' stand on top of each other at " << position_text(set.position[i], set.dimension);
+    throw InputError(scene.part_of_particles(name).name.location, problem.str(),
                      "refine particles.spacing, or draw them further apart: a springs part's rows stand half a spacing "
                      "beside what is drawn, so that two of them want " +
                          length_text((1 + bodies_too_near) * set.spacing) + " from one to the other");
@@ -53,7 +53,7 @@ Surroundings surroundings(const ParticleSet& set, const Scene& scene, const Kern
                        std::vector<std::uint8_t>(set.size())};
     // What most neighbours are asked is one array; those that nothing can be wrong with are asked no more.
     std::vector<std::uint8_t> is_solid(set.size());
-    for (std::size_t i = 0; i < set.size(); ++i) is_solid[i] = set.kind(i) != ParticleKind::fluid ? 1 : 0;
+    for (std::size_t i = 0; i < set.size(); ++i) is_solid[i] = set.kind(i) != PartKind::fluid ? 1 : 0;
     const double always_far_enough = std::max(too_near, bodies_too_near) * set.spacing;
     const auto count = static_cast<std::int64_t>(set.size());
     std::int64_t first_overlap = count;
@@ -83,7 +83,7 @@ Surroundings surroundings(const ParticleSet& set, const Scene& scene, const Kern
 
 template <int D>
 Surroundings surroundings(const ParticleSet& set, const Scene& scene, double support) {
-    switch (*scene.accuracy.kernel) {
+    switch (*scene.numerics.kernel) {
         case KernelKind::wendland_c4:
             return surroundings(set, scene, WendlandC4<D>(support), support);
         case KernelKind::lucy:
@@ -98,7 +98,7 @@ Surroundings surroundings(const ParticleSet& set, const Scene& scene, double sup
 }
 
 Surroundings surroundings(const ParticleSet& set, const Scene& scene) {
-    const double support = scene.accuracy.support * scene.particles.spacing;
+    const double support = scene.numerics.support * scene.particles.spacing;
     return set.dimension == 3 ? surroundings<3>(set, scene, support) : surroundings<2>(set, scene, support);
 }
 
@@ -156,7 +156,7 @@ void measure_quality(MeshResult& result, const Scene& scene) {
     for (const MeshReport::SpringLine& springs : result.report.springs) {
         MeshReport::PartLine line;
         line.name = springs.part;
-        line.kind = word(PartKind::springs);
+        line.kind = to_string(PartKind::elastic);
         line.unit = "m";
         result.report.parts.push_back(line);
     }
@@ -166,7 +166,7 @@ void measure_quality(MeshResult& result, const Scene& scene) {
         line->nearest = sums[p].nearest / set.spacing;
         line->particles = sums[p].count;
         line->nearest_counts = sums[p].nearest_counts;
-        if (set.parts[p].kind != ParticleKind::fluid) continue;
+        if (set.parts[p].kind != PartKind::fluid) continue;
         const MeshReport::KernelSums all = sums[p].all.line();
         line->kernel_sum_mean = all.mean;
         line->kernel_sum_spread = all.spread;

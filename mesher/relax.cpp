@@ -22,10 +22,10 @@ std::vector<std::size_t> fluid_near_bodies(const ParticleSet& set, double distan
     const SearchableParticles search(set, distance);
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         bool found = false;
         search.for_each_neighbour(
-            i, [&](std::size_t j, const Vec&) { found = found || set.kind(j) == ParticleKind::springs; });
+            i, [&](std::size_t j, const Vec&) { found = found || set.kind(j) == PartKind::elastic; });
         if (found) near.push_back(i);
     }
     return near;
@@ -44,7 +44,7 @@ void relax(ParticleSet& set, double support, const std::function<bool(std::size_
             double nearest_node = support;
             search.for_each_neighbour(moving[k], [&](std::size_t j, const Vec& separation) {
                 const double r = separation.norm();
-                if (D == 3 && r < nearest_node && set.kind(j) == ParticleKind::springs) {
+                if (D == 3 && r < nearest_node && set.kind(j) == PartKind::elastic) {
                     nearest_node = r;
                     from_node = separation / r;
                 }
@@ -70,17 +70,17 @@ void relax(ParticleSet& set, double support, const std::function<bool(std::size_
 
 void relax_around_bodies(ParticleSet& set, double support,
                          const std::function<bool(std::size_t, const Vec&)>& may_stand) {
-    if (set.count(ParticleKind::springs) == 0) return;
+    if (set.count(PartKind::elastic) == 0) return;
     set.dimension == 3 ? relax<3>(set, support, may_stand) : relax<2>(set, support, may_stand);
 }
 
 void mark_seated(ParticleSet& set, double contact_range) {
-    if (set.count(ParticleKind::springs) == 0 || contact_range <= 0) return;
+    if (set.count(PartKind::elastic) == 0 || contact_range <= 0) return;
     const SearchableParticles search(set, contact_range);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::springs) continue;
+        if (set.kind(i) != PartKind::elastic) continue;
         search.for_each_neighbour(i, [&](std::size_t j, const Vec&) {
-            if (set.kind(j) == ParticleKind::rigid) set.seated[i] = 1;
+            if (set.kind(j) == PartKind::rigid) set.seated[i] = 1;
         });
     }
 }

@@ -49,7 +49,7 @@ std::string nearest_text(const MeshReport::PartLine& part) {
 
 std::string deviation_text(const MeshReport::Deviation& deviation, int dimension) {
     return fmt::format("mean {:+.3f}, RMS {:.3f}, largest {:.3f} at {}", deviation.mean, deviation.rms,
-                       deviation.largest, place_text(deviation.where, dimension));
+                       deviation.largest, position_text(deviation.where, dimension));
 }
 
 std::string cost_text(const MeshReport& report) {
@@ -87,16 +87,16 @@ std::string inspection_text(const MeshReport& report) {
             "surface of {} [spacings]\n"
             "  from its particles: {}\n  from the drawing:   {}; at most {:.3f} from a particle\n",
             line.part, deviation_text(line.from_particles, report.dimension),
-            deviation_text(line.from_drawing, report.dimension), line.farthest);
+            deviation_text(line.from_geometry, report.dimension), line.farthest);
     for (const MeshReport::LayerLine& line : report.layers)
         text += fmt::format("layers of {}: {:.2f} on average, at least {:.2f} of {} (at {})\n", line.part, line.mean,
-                            line.fewest, line.asked, place_text(line.where, report.dimension));
+                            line.fewest, line.asked, position_text(line.where, report.dimension));
     if (!report.leaks) return text;
     if (report.leaks->cells == 0) return text + "leak test: there is nothing outside the fluid\n";
     if (report.leaks->particles == 0)
         return text + fmt::format("leak test: tight ({} cells flooded from outside)\n", report.leaks->cells);
     return text + fmt::format("leak test: LEAKS; a flood from outside reaches {} fluid particles, the first at {}\n",
-                              report.leaks->particles, place_text(report.leaks->where, report.dimension));
+                              report.leaks->particles, position_text(report.leaks->where, report.dimension));
 }
 
 /// What the springs of a part are, and what they give as a solid.

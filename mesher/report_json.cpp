@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json place(const Vec& point) { return {point[0], point[1], point[2]}; }
+Json position(const Vec& point) { return {point[0], point[1], point[2]}; }
 
 Json json_of(const MeshReport::KernelSums& sums) {
     return {{"particles", sums.particles}, {"mean", sums.mean}, {"spread", sums.spread}};
@@ -39,17 +39,17 @@ Json json_of(const MeshReport::PartLine& line) {
 }
 
 Json json_of(const MeshReport::Deviation& deviation) {
-    return {{"places", deviation.places},
+    return {{"places", deviation.positions},
             {"mean", deviation.mean},
             {"rms", deviation.rms},
             {"largest", deviation.largest},
-            {"where_m", place(deviation.where)}};
+            {"where_m", position(deviation.where)}};
 }
 
 Json json_of(const MeshReport::SurfaceLine& line) {
     return {{"part", line.part},
             {"unit", "spacings"},
-            {"from_drawing", json_of(line.from_drawing)},
+            {"from_drawing", json_of(line.from_geometry)},
             {"from_particles", json_of(line.from_particles)},
             {"farthest", line.farthest}};
 }
@@ -59,7 +59,7 @@ Json json_of(const MeshReport::LayerLine& line) {
             {"asked", line.asked},
             {"fewest", line.fewest},
             {"mean", line.mean},
-            {"where_m", place(line.where)}};
+            {"where_m", position(line.where)}};
 }
 
 Json json_of(const MeshReport::SpringLine& line) {
@@ -148,14 +148,14 @@ std::string MeshReport::json() const {
         json["leak_test"] = {{"tight", leaks->particles == 0},
                              {"flooded_cells", leaks->cells},
                              {"fluid_particles_reached", leaks->particles},
-                             {"where_m", place(leaks->where)}};
+                             {"where_m", position(leaks->where)}};
     if (at_rest)
         json["at_rest"] = {{"holds", at_rest->holds()},
                            {"steps", at_rest->steps},
                            {"lost", at_rest->lost},
                            {"largest_move_in_spacings", at_rest->largest_move},
                            {"fault", at_rest->fault}};
-    if (!springs.empty()) json["springs"] = list(springs);
+    if (!springs.empty()) json["elastic"] = list(springs);
     if (!joins.empty()) json["joins"] = list(joins);
     if (!spheres.empty()) json["spheres"] = list(spheres);
     Json seconds = Json::object();

@@ -44,7 +44,7 @@ class Cells {
         }
         marked_.resize(cells);
         for (std::size_t i = 0; i < set.size(); ++i)
-            if (set.kind(i) == ParticleKind::fluid) mark_around(set.position[i]);
+            if (set.kind(i) == PartKind::fluid) mark_around(set.position[i]);
     }
 
     /// Calls visit(number of the cell, its low corner) for what is marked, in order.
@@ -64,11 +64,11 @@ class Cells {
     [[nodiscard]] double side() const { return side_; }
 
   private:
-    void mark_around(const Vec& place) {
+    void mark_around(const Vec& position) {
         std::array<std::ptrdiff_t, 3> first{}, last{};
         for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
             const auto a = static_cast<Eigen::Index>(axis);
-            const auto at = static_cast<std::ptrdiff_t>(std::floor((place[a] - low_[a]) / side_));
+            const auto at = static_cast<std::ptrdiff_t>(std::floor((position[a] - low_[a]) / side_));
             first[axis] = std::clamp<std::ptrdiff_t>(at - 1, 0, counts_[axis] - 1);
             last[axis] = std::clamp<std::ptrdiff_t>(at + 1, 0, counts_[axis] - 1);
         }
@@ -93,13 +93,13 @@ ParticleSet candidates_of(const ParticleSet& set, double cell_volume, std::uint6
     const Cells cells(set, cell_volume);
     cells.for_each_marked([&](std::size_t cell, const Vec& corner) {
         for (std::uint64_t k = 0; k < candidates_per_particle; ++k) {
-            Vec place = corner;
+            Vec position = corner;
             bool in_box = true;
             for (int axis = 0; axis < set.dimension; ++axis) {
-                place[axis] += cells.side() * random_number({seed, cell, k, static_cast<std::uint64_t>(axis)});
-                in_box = in_box && place[axis] < set.box.high[axis];
+                position[axis] += cells.side() * random_number({seed, cell, k, static_cast<std::uint64_t>(axis)});
+                in_box = in_box && position[axis] < set.box.high[axis];
             }
-            if (in_box) all.position.push_back(place);
+            if (in_box) all.position.push_back(position);
         }
     });
     all.part.resize(all.size());
@@ -118,7 +118,7 @@ ParticleSet candidates_of(const ParticleSet& set, double cell_volume, std::uint6
     all.position.resize(kept);
     all.part.resize(kept);
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) != ParticleKind::fluid) all.position.push_back(set.position[i]);
+        if (set.kind(i) != PartKind::fluid) all.position.push_back(set.position[i]);
     all.part.resize(all.size(), -1);
     return all;
 }
@@ -211,13 +211,13 @@ std::string sample_fluids(ParticleSet& set, double cell_volume, std::uint64_t se
     ParticleSet all = candidates_of(set, cell_volume, seed, part_at, threads);
     std::vector<std::size_t> wanted(set.parts.size(), 0), offered(set.parts.size(), 0);
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::fluid) ++wanted[static_cast<std::size_t>(set.part[i])];
+        if (set.kind(i) == PartKind::fluid) ++wanted[static_cast<std::size_t>(set.part[i])];
     for (const int part : all.part)
         if (part >= 0) ++offered[static_cast<std::size_t>(part)];
     // Where the room of a part is so small that chance left it too few, its lattice points are to choose from, too.
     for (std::size_t i = 0; i < set.size(); ++i) {
         const auto part = static_cast<std::size_t>(set.part[i]);
-        if (set.kind(i) != ParticleKind::fluid || offered[part] >= wanted[part]) continue;
+        if (set.kind(i) != PartKind::fluid || offered[part] >= wanted[part]) continue;
         all.position.push_back(set.position[i]);
         all.part.push_back(set.part[i]);
     }
@@ -225,19 +225,19 @@ std::string sample_fluids(ParticleSet& set, double cell_volume, std::uint64_t se
     const Quotas quotas = share_out(all, wanted, cell_volume);
     const auto stays =
         set.dimension == 3 ? eliminate<3>(all, quotas, reach, threads) : eliminate<2>(all, quotas, reach, threads);
-    std::vector<std::vector<Vec>> places(set.parts.size());  // by part
+    std::vector<std::vector<Vec>> positions(set.parts.size());  // by part
     std::size_t candidates = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all.part[i] < 0) continue;
         ++candidates;
-        if (stays[i] != 0) places[static_cast<std::size_t>(all.part[i])].push_back(all.position[i]);
+        if (stays[i] != 0) positions[static_cast<std::size_t>(all.part[i])].push_back(all.position[i]);
     }
     std::vector<std::size_t> next(set.parts.size(), 0);
     std::size_t placed = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         const auto part = static_cast<std::size_t>(set.part[i]);
-        set.position[i] = places[part].at(next[part]++);
+        set.position[i] = positions[part].at(next[part]++);
         ++placed;
     }
     std::ostringstream note;

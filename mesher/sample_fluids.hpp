@@ -12,7 +12,7 @@ namespace dmp::mesher {
 
 /// The number of the fluid part (index into ParticleSet::parts) in whose room a place of the box lies; -1: none. Any
 /// number of threads asks at once.
-using FluidPartAt = std::function<int(const Vec& place)>;
+using FluidPartAt = std::function<int(const Vec& position)>;
 
 /// particles.fill = "sampled": gives the fluid's particles, as many of each part as there are, places at random that
 /// keep their distance (blue noise), without directions of a lattice. Of `candidates_per_particle` times as many

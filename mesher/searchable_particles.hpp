@@ -50,10 +50,10 @@ class SearchableParticles {
     void for_each_near(const Vec& point, double radius, Visit&& visit) const {
         grid_.for_each_near({point[0], point[1], point[2]}, radius, [&](int k) {
             const auto index = static_cast<std::size_t>(k);
-            const Vec place(points_[0][index], points_[1][index], dimension_ == 3 ? points_[2][index] : 0.0);
-            const double square = (point - place).squaredNorm();
+            const Vec position(points_[0][index], points_[1][index], dimension_ == 3 ? points_[2][index] : 0.0);
+            const double square = (point - position).squaredNorm();
             if (square >= radius * radius) return;
-            visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), square, place);
+            visit(index < owned_ ? index : static_cast<std::size_t>(images_[index - owned_].source), square, position);
         });
     }
 

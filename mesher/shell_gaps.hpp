@@ -42,9 +42,9 @@ class ShellGaps {
         std::vector<Edge> free_edges;
     };
 
-    [[nodiscard]] double distance_to_held(const Vec& place) const;
+    [[nodiscard]] double distance_to_held(const Vec& position) const;
     /// How many particles fit between a place of a sheet's free edge and what is next to it.
-    [[nodiscard]] double particles_beside(const Vec& place, const Sheet& own) const;
+    [[nodiscard]] double particles_beside(const Vec& position, const Sheet& own) const;
 
     double spacing_, fewest_;
     std::vector<NearestTriangle> solids_;

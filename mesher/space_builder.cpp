@@ -41,7 +41,7 @@ Box fluid_box_in_space(const Geometry& geometry, const Scene& scene) {
             box.low = box.low.cwiseMin(corner);
             box.high = box.high.cwiseMax(corner);
         }
-    for (const Part* part : scene.parts_of(PartKind::springs))
+    for (const Part* part : scene.parts_of(PartKind::elastic))
         if (const Solid* solid = geometry.solid(part->name))
             for (const Vec& corner : solid->surface.corners) widen_for_body(box, corner, scene);
     return scene.parts_of(PartKind::fluid).empty() ? geometry.box : box;
@@ -67,17 +67,17 @@ SpaceBuilder::SpaceBuilder(const Geometry& geometry, const Scene& scene)
         if (solid != nullptr) claim(*surface, owner_of_wall(walls_.size()));
         walls_.push_back({part, surface, solid != nullptr, thickness});
     }
-    for (const Part* part : scene.parts_of(PartKind::springs))
+    for (const Part* part : scene.parts_of(PartKind::elastic))
         if (const Solid* solid = geometry.solid(part->name);
             solid != nullptr && (part->bonds_within.given() || !take_as_sheet(*part, *solid)))
-            claim_springs(*part, *solid);
+            claim_elastic(*part, *solid);
     for (std::size_t fluid = 0; fluid < fluids_.size(); ++fluid) {
         const TriangleSurface& surface = geometry.solid(fluids_[fluid]->name)->surface;
         taken_.push_back(claim(surface, static_cast<std::int16_t>(fluid)));
     }
     for (const std::size_t index : in_no_cell_)
         if (owner_[index] == nobody) owner_[index] = in_a_shell;
-    for (const Part* part : scene.parts_of(PartKind::springs))
+    for (const Part* part : scene.parts_of(PartKind::elastic))
         if (geometry.solid(part->name) == nullptr) clear_for_shell(geometry.surface_set(part->name)->surface);
     for (const ThinSolid& thin : thin_solids_) clear_for_shell(thin.middle);
 }
@@ -91,7 +91,7 @@ Vec SpaceBuilder::normal_of(const TriangleSurface& surface, int triangle) {
 void SpaceBuilder::sort_triangles() {
     for (Wall& wall : walls_) wall.nearest = NearestTriangle(*wall.surface, 1.001 * wall.thickness);
     if (!shells_.empty()) clear_wedges();
-    for (const Part* part : scene_.parts_of(PartKind::springs))
+    for (const Part* part : scene_.parts_of(PartKind::elastic))
         if (const Solid* solid = geometry_.solid(part->name)) spring_faces_.emplace_back(solid->surface, spacing_);
     if (fluids_.size() < 2) return;
     for (const Part* fluid : fluids_) fluid_edges_.emplace_back(geometry_.solid(fluid->name)->surface, spacing_);
@@ -154,16 +154,16 @@ bool SpaceBuilder::is_beyond_a_plane(const Vec& point) const {
 }
 
 /// Of the lattice point nearest to a place, about.
-std::int16_t SpaceBuilder::owner_near(const Vec& place) const {
+std::int16_t SpaceBuilder::owner_near(const Vec& position) const {
     const auto& rows = lattice_->rows();
     const auto nearest = [](double distance, double step, long count) {
         return std::clamp(std::lround(distance / step), 0L, count - 1);
     };
-    const long row = nearest(place.z() - rows.front().z, lattice_->step()[2], static_cast<long>(rows.size()));
+    const long row = nearest(position.z() - rows.front().z, lattice_->step()[2], static_cast<long>(rows.size()));
     const LineRow& lines = rows[static_cast<std::size_t>(row)];
-    const long line = nearest(place.y() - lines.first_y, lines.step_y, lines.lines);
+    const long line = nearest(position.y() - lines.first_y, lines.step_y, lines.lines);
     const double first = lattice_->first_x(static_cast<std::size_t>(row), static_cast<int>(line));
-    const long point = nearest(place.x() - first, lattice_->step()[0], lattice_->points());
+    const long point = nearest(position.x() - first, lattice_->step()[0], lattice_->points());
     return owner_[static_cast<std::size_t>((row * lines.lines + line) * lattice_->points() + point)];
 }
 
@@ -198,22 +198,22 @@ void SpaceBuilder::add_particle(const Vec& position, int part, double density) {
 void SpaceBuilder::add_fluid(const Part& part) {
     ParticleSet& set = result_.particles;
     const auto number = static_cast<int>(set.parts.size());
-    set.parts.push_back({part.name, ParticleKind::fluid});
+    set.parts.push_back({part.name, PartKind::fluid});
     const auto fluid = static_cast<std::int16_t>(std::ranges::find(fluids_, &part) - fluids_.begin());
     make_room(static_cast<std::size_t>(std::ranges::count(owner_, fluid)));
     std::size_t count = 0;
-    for_each_point([&](std::int16_t owner, const auto& place) {
-        if (owner != fluid || is_beyond_a_plane(place())) return;
-        add_particle(place(), number, part.density);
+    for_each_point([&](std::int16_t owner, const auto& position) {
+        if (owner != fluid || is_beyond_a_plane(position())) return;
+        add_particle(position(), number, part.density);
         ++count;
     });
     if (count == 0)
-        throw InputError(scene_.particles.spacing.place,
+        throw InputError(scene_.particles.spacing.location,
                          "no particle of '" + part.name.value + "' fits into its solid at this spacing",
                          "refine particles.spacing, or check geometry.unit");
     MeshReport::PartLine line;
     line.name = part.name;
-    line.kind = word(PartKind::fluid);
+    line.kind = to_string(PartKind::fluid);
     line.particles = count;
     const std::size_t taken = taken_[static_cast<std::size_t>(fluid)];
     line.target = geometry_.solid(part.name)->volume() - static_cast<double>(taken) * lattice_->cell_volume();
@@ -263,8 +263,8 @@ void SpaceBuilder::check_boundary() const {
         if (open == 0) continue;
         std::ostringstream problem;
         problem << "the boundary of '" << fluid->name.value << "' is open over " << 1e6 * open << " mm^2, near "
-                << place_text(where) << ": no rigid part and no periodic side closes it";
-        throw InputError(fluid->name.place, problem.str(),
+                << position_text(where) << ": no rigid part and no periodic side closes it";
+        throw InputError(fluid->name.location, problem.str(),
                          "name this surface in the drawing as part of a rigid part, or make the axis periodic "
                          "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     }

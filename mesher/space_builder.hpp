@@ -33,7 +33,7 @@ class SpaceBuilder {
     /// where a body stands flush on a wall, particles look for the nearest face that fluid sees.
     void leave_out_hidden_faces();
     /// Before all others, so that what bonds join keeps its numbers.
-    void add_springs(const Part& part);
+    void add_elastic(const Part& part);
     void add_fluid(const Part& part);
     /// Lattice points outside all fluid, at most `layers` spacings behind the surface, that do not overlap a body.
     /// Where rigid parts meet, a point belongs to the nearest of them.
@@ -97,7 +97,7 @@ class SpaceBuilder {
     /// Returns how many points in the solid others have.
     std::size_t claim(const TriangleSurface& solid, std::int16_t owner);
     std::size_t claim_by_vote(const TriangleSurface& solid, std::int16_t owner);
-    void claim_springs(const Part& part, const Solid& solid);
+    void claim_elastic(const Part& part, const Solid& solid);
     /// False where the solid is thick enough for cells; throws InputError where it is thin, and no sheet.
     bool take_as_sheet(const Part& part, const Solid& solid);
     void clear_for_shell(const TriangleSurface& sheet);
@@ -107,9 +107,9 @@ class SpaceBuilder {
     [[nodiscard]] Vec lattice_step() const { return {lattice_->step()[0], lattice_->step()[1], lattice_->step()[2]}; }
     static Vec normal_of(const TriangleSurface& surface, int triangle);
     /// Whether the lattice point nearest to a place is a rigid body's.
-    [[nodiscard]] bool is_in_a_body(const Vec& place) const;
+    [[nodiscard]] bool is_in_a_body(const Vec& position) const;
     /// The place in the box that it is an image of.
-    [[nodiscard]] Vec in_the_box(Vec place) const;
+    [[nodiscard]] Vec in_the_box(Vec position) const;
     /// The nearest point that faces fluid (or may, `hidden`) of the walls that counts(index into walls_) is true for,
     /// no further than they are thick. `last`, if given: by wall, a point of its surface that was found nearby; it
     /// takes the new one.
@@ -124,13 +124,13 @@ class SpaceBuilder {
     [[nodiscard]] FitBounds bounds() const;
     [[nodiscard]] bool is_in_a_shell(const Vec& point) const;
     [[nodiscard]] bool is_in_a_wedge(const Vec& point) const;
-    [[nodiscard]] Vec into_fluid(const Vec& place, int face, int triangle) const;
+    [[nodiscard]] Vec into_fluid(const Vec& position, int face, int triangle) const;
     void mark_band(const Wall& wall);
     void find_walls();
     [[nodiscard]] WallParticle wall_particle(const Vec& point, int face, const SurfacePoint& surface) const;
     void make_room(std::size_t particles);
     [[nodiscard]] bool closes(const Vec& point, const Part& fluid) const;
-    [[nodiscard]] std::int16_t owner_near(const Vec& place) const;
+    [[nodiscard]] std::int16_t owner_near(const Vec& position) const;
     void add_particle(const Vec& position, int part, double density);
     [[nodiscard]] bool is_beyond_a_plane(const Vec& point) const;
     template <class Visit>
@@ -162,7 +162,7 @@ template <class Counts>
 SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts& counts, std::vector<Vec>* last,
                                                  bool hidden) const {
     WallPoint best;
-    const auto look_from = [&](const Vec& shift) {
+    const auto nearest_from = [&](const Vec& shift) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             if (!counts(w)) continue;
             const NearestTriangle& surface = hidden ? walls_[w].nearest : walls_[w].nearest_face();
@@ -174,14 +174,14 @@ SpaceBuilder::WallPoint SpaceBuilder::surface_at(const Vec& point, const Counts&
             best = {static_cast<int>(w), static_cast<int>(w), *found};
         }
     };
-    look_from(Vec::Zero());
+    nearest_from(Vec::Zero());
     const ParticleSet& set = result_.particles;
     for (int axis = 0; axis < 3; ++axis) {
         if (!set.periodic.at(static_cast<std::size_t>(axis))) continue;
         Vec shift = Vec::Zero();
         for (const double period : {set.box.extent()[axis], -set.box.extent()[axis]}) {
             shift[axis] = period;
-            look_from(shift);
+            nearest_from(shift);
         }
     }
     return best;

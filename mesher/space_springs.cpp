@@ -43,8 +43,8 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
     text.precision(3);
     if (!found.sheet) {
         text << "'" << part.name.value << "' is thinner than two spacings, " << length_text(found.thickness) << " near "
-             << place_text(found.where) << ", and no sheet that could become a shell: " << found.problem;
-        throw InputError(part.name.place, text.str(),
+             << position_text(found.where) << ", and no sheet that could become a shell: " << found.problem;
+        throw InputError(part.name.location, text.str(),
                          "draw the surface in its middle, with `thickness`, or refine particles.spacing to less than "
                          "half of its thickness");
     }
@@ -60,17 +60,17 @@ bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
 }
 
 /// Takes the lattice points inside the solid that belong to whole cells; the others stay for what is drawn there too.
-void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
+void SpaceBuilder::claim_elastic(const Part& part, const Solid& solid) {
     const bool on_cells = !part.bonds_within.given();
     if (on_cells && *scene_.particles.arrangement != Arrangement::square)
         throw InputError(
-            scene_.particles.arrangement.place,
+            scene_.particles.arrangement.location,
             "'" + part.name.value + "' is a solid of springs, whose cells are built on the cubic lattice only",
             "write particles.arrangement = \"square\", or give the part bonds_within");
     const std::int16_t owner = owner_of_wall(walls_.size() + spring_solids_.size());
     claim(solid.surface, owner);
     SpringSolid& taken = spring_solids_.emplace_back(SpringSolid{&part, {}});
-    std::vector<std::size_t> place;
+    std::vector<std::size_t> position;
     std::size_t index = 0;
     for_each_point([&](std::int16_t here, const auto& at) {
         if (here == owner) {
@@ -78,7 +78,7 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
             if (is_beyond_a_plane(point)) {
                 owner_[index] = nobody;
             } else {
-                place.push_back(index);
+                position.push_back(index);
                 taken.points.push_back(point);
             }
         }
@@ -87,22 +87,22 @@ void SpaceBuilder::claim_springs(const Part& part, const Solid& solid) {
     const std::vector<bool> whole =
         on_cells ? in_whole_cells(taken.points, lattice_step()) : std::vector<bool>(taken.points.size(), true);
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < place.size(); ++k)
+    for (std::size_t k = 0; k < position.size(); ++k)
         if (whole[k]) {
             taken.points[kept++] = taken.points[k];
         } else {
-            owner_[place[k]] = nobody;
-            in_no_cell_.push_back(place[k]);
+            owner_[position[k]] = nobody;
+            in_no_cell_.push_back(position[k]);
         }
     taken.points.resize(kept);
     if (kept == 0)
-        throw InputError(part.name.place,
+        throw InputError(part.name.location,
                          "'" + part.name.value + "' is too thin for a solid of springs: no " +
                              (on_cells ? "cell" : "point") + " of the lattice fits in it",
                          "refine particles.spacing to a third of its thickness, or draw it as a surface, with "
                          "`thickness`, to make it a shell");
-    if (kept < place.size())
-        result_.report.notes.push_back(part.name.value + ": " + std::to_string(place.size() - kept) +
+    if (kept < position.size())
+        result_.report.notes.push_back(part.name.value + ": " + std::to_string(position.size() - kept) +
                                        " lattice points in it belong to no whole cell of springs and are left out");
 }
 
@@ -140,10 +140,10 @@ void SpaceBuilder::clear_wedges() {
     });
 }
 
-void SpaceBuilder::add_springs(const Part& part) {
+void SpaceBuilder::add_elastic(const Part& part) {
     ParticleSet& set = result_.particles;
     const auto number = static_cast<int>(set.parts.size());
-    set.parts.push_back({part.name, ParticleKind::springs});
+    set.parts.push_back({part.name, PartKind::elastic});
     MeshReport::SpringLine line;
     line.part = part.name;
     const std::size_t first = set.size();
@@ -160,9 +160,10 @@ void SpaceBuilder::add_springs(const Part& part) {
         add_body(body, number, line);
     } else {
         const auto thin = std::ranges::find(thin_solids_, &part, &ThinSolid::part);
-        const bool is_drawn_thick = thin != thin_solids_.end();
-        const Part& of = is_drawn_thick ? thin->shell : part;
-        const TriangleSurface& surface = is_drawn_thick ? thin->middle : geometry_.surface_set(part.name)->surface;
+        const bool is_thick_in_cad_model = thin != thin_solids_.end();
+        const Part& of = is_thick_in_cad_model ? thin->shell : part;
+        const TriangleSurface& surface =
+            is_thick_in_cad_model ? thin->middle : geometry_.surface_set(part.name)->surface;
         const SurfacePieces pieces(surface);
         for (const SurfacePiece& piece : pieces.all()) {
             const ShellBody body = shell_body(of, part_of(surface, piece.triangles), spacing_);
@@ -188,7 +189,7 @@ void SpaceBuilder::add_body(const SpringBody& body, int part, MeshReport::Spring
         set.body.back() = piece[node];
     }
     line.bodies += bodies_ - bodies_before;
-    add_springs_of(body.lattice, first, set, line);
+    add_elastic_of(body.lattice, first, set, line);
 }
 
 void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::SpringLine& line) {
@@ -200,9 +201,9 @@ void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::Spring
                                  clamped_within * spacing_);
     for (std::size_t i = first; i < set.size(); ++i) {
         // A shell's nodes stand half a spacing beside its sheet, whose edge is what touches the anchor.
-        const Vec place =
+        const Vec position =
             line.shell ? Vec((set.position[i] + set.position[first + ((i - first) ^ 1U)]) / 2) : set.position[i];
-        if (!anchor.nearest(place)) continue;
+        if (!anchor.nearest(position)) continue;
         set.fixed[i] = 1;
         ++line.anchored;
     }
@@ -210,7 +211,8 @@ void SpaceBuilder::clamp(const Part& part, std::size_t first, MeshReport::Spring
         std::ostringstream problem;
         problem << "no node of '" << part.name.value << "' is within " << clamped_within << " spacings of '"
                 << part.anchor.value << "'";
-        throw InputError(part.anchor.place, problem.str(), "draw the part so that it touches what it is anchored to");
+        throw InputError(part.anchor.location, problem.str(),
+                         "draw the part so that it touches what it is anchored to");
     }
 }
 

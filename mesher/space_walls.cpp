@@ -100,7 +100,7 @@ void SpaceBuilder::find_walls() {
         bool overlaps = false;
         if (bodies)
             bodies->for_each_near(point, body_clearance * spacing_, [&](std::size_t j, double, const Vec&) {
-                overlaps = overlaps || result_.particles.kind(j) == ParticleKind::springs;
+                overlaps = overlaps || result_.particles.kind(j) == PartKind::elastic;
             });
         return overlaps;
     };
@@ -137,7 +137,7 @@ void SpaceBuilder::add_walls(const Part& part) {
     if (wall_particles_.empty()) find_walls();
     ParticleSet& set = result_.particles;
     const auto number = static_cast<int>(set.parts.size());
-    set.parts.push_back({part.name, ParticleKind::rigid});
+    set.parts.push_back({part.name, PartKind::rigid});
     double density = 0;  // a wall never moves: its mass only has to be there
     for (const Part* fluid : fluids_) density = std::max(density, fluid->density.value);
     const auto wall = std::ranges::find(walls_, &part, &Wall::part);
@@ -147,7 +147,7 @@ void SpaceBuilder::add_walls(const Part& part) {
                                        ": it has no particles, as fluid is nowhere within its layers");
     else if (particles.empty())
         throw InputError(
-            part.name.place,
+            part.name.location,
             "no particle of the wall '" + part.name.value + "' fits behind its surface: there is fluid on both sides",
             "draw the wall as the edge of a hole in the fluid, or refine particles.spacing");
     make_room(particles.size());
@@ -159,7 +159,7 @@ void SpaceBuilder::add_walls(const Part& part) {
     }
     MeshReport::PartLine line;
     line.name = part.name;
-    line.kind = word(PartKind::rigid);
+    line.kind = to_string(PartKind::rigid);
     line.particles = particles.size();
     line.target = wall->surface->area();
     line.reached = static_cast<double>(particles.size()) * lattice_->cell_volume() / wall->thickness;

@@ -28,11 +28,11 @@ Vec at_start(const std::array<Expression, 3>& formulas, const Vec& x) {
 double compliance(const Part& part) { return (1 - *part.poisson_ratio * *part.poisson_ratio) / *part.youngs_modulus; }
 
 InputError no_room(const Part& part, int count, double radius) {
-    const Place& place = part.count.given()      ? part.count.place
-                         : part.coverage.given() ? part.coverage.place
-                                                 : part.volume_fraction.place;
+    const SourceLocation& position = part.count.given()      ? part.count.location
+                                     : part.coverage.given() ? part.coverage.location
+                                                             : part.volume_fraction.location;
     return {
-        place,
+        position,
         fmt::format("{} spheres of '{}' of radius {:.4g} m do not fit in without overlap", count, *part.name, radius),
         part.around.given() ? "ask for fewer, or a coverage of at most 0.8"
                             : "ask for fewer, or a volume_fraction of at most 0.5"};
@@ -46,7 +46,7 @@ SphereBuilder::SphereBuilder(const Scene& scene) : scene_(scene) {
     for (std::size_t axis = 0; axis < 3; ++axis) set.periodic.at(axis) = scene.flow.periodic.at(axis);
 }
 
-int SphereBuilder::add_part(const Part& part, ParticleKind kind) {
+int SphereBuilder::add_part(const Part& part, PartKind kind) {
     result_.particles.parts.push_back({part.name, kind});
     return static_cast<int>(result_.particles.parts.size()) - 1;
 }
@@ -61,14 +61,14 @@ std::uint64_t SphereBuilder::seed_of(int part) const {
 }
 
 void SphereBuilder::add_plane(const Part& part) {
-    const int number = add_part(part, ParticleKind::rigid);
+    const int number = add_part(part, PartKind::rigid);
     result_.particles.wall_planes.push_back({number, part.point, part.normal->normalized()});
     result_.report.walls.push_back({part.name, 0, 0});
 }
 
 void SphereBuilder::add_surface(const Part& part) {
-    const TriangleSurface surface = read_stl(path_of(part.file), part.unit, part.file.place);
-    const int number = add_part(part, ParticleKind::rigid);
+    const TriangleSurface surface = read_stl(path_of(part.file), part.unit, part.file.location);
+    const int number = add_part(part, PartKind::rigid);
     ParticleSet& set = result_.particles;
     const int first = static_cast<int>(set.wall_corners.size());
     set.wall_corners.insert(set.wall_corners.end(), surface.corners.begin(), surface.corners.end());
@@ -85,10 +85,10 @@ SphereBuilder::Spheres SphereBuilder::listed(const Part& part) const {
     if (part.centres.given()) {
         spheres.centre = part.centres;
     } else {
-        SphereTable table = read_sphere_table(path_of(part.positions), part.positions.place);
+        SphereTable table = read_sphere_table(path_of(part.positions), part.positions.location);
         if (table.radius.empty() == part.radius->empty())
             throw InputError(
-                part.radius->empty() ? part.positions.place : part.radius.place,
+                part.radius->empty() ? part.positions.location : part.radius.location,
                 "part '" + *part.name + "': radius is " +
                     (part.radius->empty() ? "neither in the scene nor in the table" : "in the scene and in the table"),
                 part.radius->empty() ? "give radius, or the table a column radius [mm]" : "leave one of them out");
@@ -100,7 +100,7 @@ SphereBuilder::Spheres SphereBuilder::listed(const Part& part) const {
         for (std::size_t i = 0; i < spheres.centre.size(); ++i) spheres.radius.push_back(radius(i));
     const auto refuse_twice = [&](bool in_table, const auto& value, const char* name) {
         if (in_table && value.given())
-            throw InputError(value.place, "part '" + *part.name + "': " + name + " is in the scene and in the table",
+            throw InputError(value.location, "part '" + *part.name + "': " + name + " is in the scene and in the table",
                              "leave one of them out");
     };
     refuse_twice(!spheres.velocity.empty(), part.initial_velocity, "initial_velocity");
@@ -133,7 +133,7 @@ SphereBuilder::Spheres SphereBuilder::around(const Part& part) const {
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.part[i] == number) inner.push_back(i);
     if (inner.size() != 1)
-        throw InputError(part.around.place,
+        throw InputError(part.around.location,
                          fmt::format("part '{}': its spheres sit around one sphere, and '{}' has {}", *part.name,
                                      *part.around, inner.size()),
                          "name a part of one sphere");
@@ -182,7 +182,7 @@ void SphereBuilder::start(const Part& part, Spheres& spheres) const {
 void SphereBuilder::add_spheres(const Part& part) {
     Spheres spheres = part.around.given() ? around(part) : part.fill_from.given() ? filled(part) : listed(part);
     start(part, spheres);
-    const int number = add_part(part, ParticleKind::spheres);
+    const int number = add_part(part, PartKind::spheres);
     ParticleSet& set = result_.particles;
     MeshReport::SpheresLine line;
     line.part = part.name;

@@ -27,7 +27,7 @@ class SphereBuilder {
         double coverage = 0;              ///< around: reached
     };
 
-    int add_part(const Part& part, ParticleKind kind);
+    int add_part(const Part& part, PartKind kind);
     [[nodiscard]] std::string path_of(const std::string& file) const;
     [[nodiscard]] Spheres listed(const Part& part) const;
     [[nodiscard]] Spheres around(const Part& part) const;

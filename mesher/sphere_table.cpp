@@ -46,7 +46,7 @@ struct Column {
     double unit = 1;
 };
 
-Column read_heading(const Cell& cell, const Place& at) {
+Column read_heading(const Cell& cell, const SourceLocation& at) {
     const std::size_t open = cell.text.find('[');
     std::string name = cell.text.substr(0, open);
     name.erase(name.find_last_not_of(" \t") + 1);
@@ -69,7 +69,7 @@ Column read_heading(const Cell& cell, const Place& at) {
     return column;
 }
 
-double read_number(const Cell& cell, const Place& at) {
+double read_number(const Cell& cell, const SourceLocation& at) {
     double value = 0;
     const char* const end = cell.text.data() + cell.text.size();
     const char* begin = cell.text.data();
@@ -81,9 +81,9 @@ double read_number(const Cell& cell, const Place& at) {
 }
 
 /// By known column, the one of the table; none where it has none.
-using Places = std::array<std::optional<std::size_t>, known.size()>;
+using Positions = std::array<std::optional<std::size_t>, known.size()>;
 
-void need_together(const Places& places, std::size_t first, const Place& at, bool must) {
+void need_together(const Positions& places, std::size_t first, const SourceLocation& at, bool must) {
     for (std::size_t k = first; k < first + 3; ++k)
         for (std::size_t other = first; other < first + 3; ++other)
             if (!places.at(k) && (must || places.at(other)))
@@ -94,18 +94,18 @@ void need_together(const Places& places, std::size_t first, const Place& at, boo
 
 }  // namespace
 
-SphereTable read_sphere_table(const std::string& file, const Place& place) {
+SphereTable read_sphere_table(const std::string& file, const SourceLocation& location) {
     std::ifstream stream(file);
-    if (!stream.is_open()) throw InputError(place, "'" + file + "' cannot be read", "check the file's name");
+    if (!stream.is_open()) throw InputError(location, "'" + file + "' cannot be read", "check the file's name");
     SphereTable table;
     std::vector<Column> columns;
-    Places places{};
+    Positions places{};
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
         const std::size_t begin = line.find_first_not_of(" \t\r");
         if (begin == std::string::npos || line[begin] == '#') continue;
         const std::vector<Cell> cells = cells_of(line);
-        const auto at = [&](const Cell& cell) { return Place{file, number, cell.column}; };
+        const auto at = [&](const Cell& cell) { return SourceLocation{file, number, cell.column}; };
         if (columns.empty()) {
             for (const Cell& cell : cells) {
                 columns.push_back(read_heading(cell, at(cell)));
@@ -116,13 +116,13 @@ SphereTable read_sphere_table(const std::string& file, const Place& place) {
                                      "leave one of them out");
                 taken = columns.size() - 1;
             }
-            need_together(places, 0, Place{file, number, 1}, true);
-            need_together(places, 4, Place{file, number, 1}, false);
-            need_together(places, 7, Place{file, number, 1}, false);
+            need_together(places, 0, SourceLocation{file, number, 1}, true);
+            need_together(places, 4, SourceLocation{file, number, 1}, false);
+            need_together(places, 7, SourceLocation{file, number, 1}, false);
             continue;
         }
         if (cells.size() != columns.size())
-            throw InputError(Place{file, number, 1},
+            throw InputError(SourceLocation{file, number, 1},
                              "found " + std::to_string(cells.size()) + " values in a table of " +
                                  std::to_string(columns.size()) + " columns",
                              "correct the table");
@@ -141,7 +141,7 @@ SphereTable read_sphere_table(const std::string& file, const Place& place) {
         if (places[4]) table.velocity.push_back(vector_at(4));
         if (places[7]) table.spin.push_back(vector_at(7));
     }
-    if (table.centre.empty()) throw InputError(place, "'" + file + "' lists no sphere", "give it rows");
+    if (table.centre.empty()) throw InputError(location, "'" + file + "' lists no sphere", "give it rows");
     return table;
 }
 

@@ -25,6 +25,6 @@ struct SphereTable {
 /// x, y and z must be there; radius, and vx, vy, vz and wx, wy, wz (all three) may be. `place` is where the scene names
 /// the file. Throws InputError, with line and column of the table: a file that cannot be read, a column that is
 /// unknown, doubled, missing or has no unit, a row of another length, what is no number.
-SphereTable read_sphere_table(const std::string& file, const Place& place);
+SphereTable read_sphere_table(const std::string& file, const SourceLocation& location);
 
 }  // namespace dmp::mesher

@@ -31,7 +31,7 @@ ShellConstants shell_constants_of(const Part& part, double membrane, double bend
     problem << "two layers " << distance << " m apart that stretch as '" << part.name.value
             << "' does, with E h = " << membrane << " N/m, bend with D = " << by_layers << " N*m alone, more than its "
             << bending << " N*m";
-    throw InputError(part.thickness.place, problem.str(),
+    throw InputError(part.thickness.location, problem.str(),
                      "refine particles.spacing to about the thickness, or set lower_axial_stiffness = true");
 }
 
@@ -55,7 +55,7 @@ std::vector<double> turns_over_angles(const TriangleSurface& sheet) {
 
 SolidBody solid_body(const Part& part, const std::vector<Vec>& points, const Vec& step, int dimension) {
     if (part.poisson_ratio > 0.25)
-        throw InputError(part.poisson_ratio.place,
+        throw InputError(part.poisson_ratio.location,
                          "a solid of springs cannot have a Poisson ratio of more than 0.25: bonds alone give that, and "
                          "hinges lower it",
                          "write poisson_ratio = 0.25, which needs no hinges and is the fastest");
@@ -80,7 +80,7 @@ ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spac
         std::ostringstream problem;
         problem << "a sheet of '" << part.name.value << "' has an area of " << 1e6 * sheet.area() << " mm^2, less than "
                 << least_area << " particles";
-        throw InputError(part.name.place, problem.str(), "refine particles.spacing or draw a larger sheet");
+        throw InputError(part.name.location, problem.str(), "refine particles.spacing or draw a larger sheet");
     }
     const TriangleSurface fine = remesh_surface(sheet, edge);
     const double h = part.thickness, nu = part.poisson_ratio;
@@ -110,7 +110,7 @@ std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces) {
     return piece;
 }
 
-void add_springs_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line) {
+void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line) {
     const auto shift = static_cast<int>(first);
     for (Bond bond : lattice.bonds) {
         bond.a += shift;

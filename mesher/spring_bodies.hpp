@@ -48,7 +48,7 @@ ShellBody shell_body(const Part& part, const TriangleSurface& sheet, double spac
 std::vector<int> pieces_of(const SpringLattice& lattice, int& pieces);
 
 /// Adds the lattice's springs to a set whose particles from `first` on are its nodes, and counts them.
-void add_springs_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line);
+void add_elastic_of(const SpringLattice& lattice, std::size_t first, ParticleSet& set, MeshReport::SpringLine& line);
 
 /// Says where the nodes from `first` on reach a side of the box beyond which the scene goes on: springs do not.
 void note_open_ends(const ParticleSet& set, std::size_t first, const std::string& part,

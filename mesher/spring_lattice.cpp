@@ -13,8 +13,8 @@ namespace {
 constexpr double largest_axial_share = 0.5;
 
 /// Where the part's stiffness is written: of EA, else of E.
-const Place& place_of_stiffness(const Part& part) {
-    return part.axial_stiffness.given() ? part.axial_stiffness.place : part.youngs_modulus.place;
+const SourceLocation& location_of_stiffness(const Part& part) {
+    return part.axial_stiffness.given() ? part.axial_stiffness.location : part.youngs_modulus.location;
 }
 
 LadderConstants hinged_ladder(const Part& part, const StripStiffness& strip, double along, double across) {
@@ -36,7 +36,7 @@ LadderConstants hinged_ladder(const Part& part, const StripStiffness& strip, dou
                 << " N*m^2, more than bending_stiffness " << bending << " N*m^2";
         what_to_do << "lower axial_stiffness to at most " << 4 * bending / (across * across)
                    << " N, refine particles.spacing, or set lower_axial_stiffness = true";
-        throw InputError(place_of_stiffness(part), problem.str(), what_to_do.str());
+        throw InputError(location_of_stiffness(part), problem.str(), what_to_do.str());
     }
     return constants;
 }
@@ -57,7 +57,7 @@ LadderConstants crossed_ladder(const Part& part, const StripStiffness& strip, do
                 << " m apart that bend with EI = " << strip.bending << " N*m^2 alone have EA = " << by_rows
                 << " N, more than axial_stiffness " << strip.axial << " N";
         what_to_do << "set cross_bonds = false, or lower_axial_stiffness = true, which here raises EA";
-        throw InputError(place_of_stiffness(part), problem.str(), what_to_do.str());
+        throw InputError(location_of_stiffness(part), problem.str(), what_to_do.str());
     }
     constants.rung_stiffness = constants.cross_stiffness;
     return constants;
@@ -91,7 +91,7 @@ LadderConstants braced_ladder(const Part& part, const StripStiffness& strip, dou
         problem << "part '" << part.name.value << "': two rows " << across << " m apart with EI = " << strip.bending
                 << " N*m^2 and GA = " << strip.shear << " N have EA = " << axial(fewest) << " to " << axial(most)
                 << " N, and it asks for " << strip.axial << " N";
-        throw InputError(part.shear_stiffness.place, problem.str(),
+        throw InputError(part.shear_stiffness.location, problem.str(),
                          "give an EA in that range, another particles.spacing, or lower_axial_stiffness = true");
     }
     constexpr int halvings = 100;

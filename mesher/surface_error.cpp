@@ -12,7 +12,7 @@ namespace {
 class Sums {
   public:
     void add(double deviation, double weight, const Vec& where) {
-        ++line_.places;
+        ++line_.positions;
         weight_ += weight;
         sum_ += weight * deviation;
         squares_ += weight * deviation * deviation;
@@ -36,7 +36,7 @@ class Sums {
 
 struct Nearest {
     double square;
-    Vec place;
+    Vec position;
 };
 
 /// The part's particle that is nearest to the point; where none is within the search, `square` is its square.
@@ -46,9 +46,9 @@ Nearest nearest_of(const ParticleSet& set, const SearchableParticles& search, in
     for (const double radius : {set.spacing, farthest}) {
         Nearest best{radius * radius, point};
         bool any = false;
-        search.for_each_near(point, radius, [&](std::size_t j, double square, const Vec& place) {
+        search.for_each_near(point, radius, [&](std::size_t j, double square, const Vec& position) {
             if (set.part[j] != part || square >= best.square) return;
-            best = {square, place};
+            best = {square, position};
             any = true;
         });
         if (any) return best;
@@ -59,15 +59,15 @@ Nearest nearest_of(const ParticleSet& set, const SearchableParticles& search, in
 }  // namespace
 
 MeshReport::SurfaceLine surface_error(const ParticleSet& set, const SearchableParticles& search,
-                                      const DrawnSurface& surface, int part, std::vector<float>& error) {
+                                      const CadSurface& surface, int part, std::vector<float>& error) {
     MeshReport::SurfaceLine line;
     line.part = set.parts[static_cast<std::size_t>(part)].name;
-    Sums from_drawing, from_particles;
-    for (const DrawnSurface::Sample& sample : surface.samples()) {
-        const auto [square, place] = nearest_of(set, search, part, sample.point);
+    Sums from_geometry, from_particles;
+    for (const CadSurface::Sample& sample : surface.samples()) {
+        const auto [square, position] = nearest_of(set, search, part, sample.point);
         const bool found = square < surface_search * surface_search * set.spacing * set.spacing;
-        const double depth = found ? (sample.point - place).dot(sample.normal) / set.spacing : surface_search;
-        from_drawing.add(depth - 0.5, sample.weight, sample.point);
+        const double depth = found ? (sample.point - position).dot(sample.normal) / set.spacing : surface_search;
+        from_geometry.add(depth - 0.5, sample.weight, sample.point);
         line.farthest = std::max(line.farthest, std::sqrt(square) / set.spacing);
     }
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -78,7 +78,7 @@ MeshReport::SurfaceLine surface_error(const ParticleSet& set, const SearchablePa
         error[i] = static_cast<float>(deviation);
         from_particles.add(deviation, 1, set.position[i]);
     }
-    line.from_drawing = from_drawing.line();
+    line.from_geometry = from_geometry.line();
     line.from_particles = from_particles.line();
     return line;
 }

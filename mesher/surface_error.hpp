@@ -21,6 +21,6 @@ inline constexpr double surface_search = 3;
 /// @param search knows images within surface_search spacings
 /// @param error takes each particle's deviation; those further from the surface keep what they have
 MeshReport::SurfaceLine surface_error(const ParticleSet& set, const SearchableParticles& search,
-                                      const DrawnSurface& surface, int part, std::vector<float>& error);
+                                      const CadSurface& surface, int part, std::vector<float>& error);
 
 }  // namespace dmp::mesher

@@ -45,12 +45,12 @@ class OpenSides {
             for (std::size_t side = 0; side < 2; ++side)
                 open_.at(axis).at(side) = *scene.flow.periodic.at(axis) || mirrored.at(axis).at(side);
     }
-    [[nodiscard]] bool holds(const Vec& place) const {
+    [[nodiscard]] bool holds(const Vec& position) const {
         const double near = 1e-6 * box_.extent().maxCoeff();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto k = static_cast<Eigen::Index>(axis);
-            if (open_.at(axis)[0] && place[k] < box_.low[k] + near) return true;
-            if (open_.at(axis)[1] && place[k] > box_.high[k] - near) return true;
+            if (open_.at(axis)[0] && position[k] < box_.low[k] + near) return true;
+            if (open_.at(axis)[1] && position[k] > box_.high[k] - near) return true;
         }
         return false;
     }
@@ -74,7 +74,7 @@ std::string thinnest_text(const LocalThickness& found, double spacing, double li
     std::ostringstream text;
     text.precision(3);
     text << what << " of " << thinnest->thickness / spacing << " spacings near "
-         << place_text(0.5 * (thinnest->place + thinnest->opposite), dimension) << ", less than " << limit
+         << position_text(0.5 * (thinnest->position + thinnest->opposite), dimension) << ", less than " << limit
          << " particles, as are " << 100 * area / found.area << " % of its " << (dimension == 3 ? "surface" : "edge");
     return text.str();
 }
@@ -110,7 +110,7 @@ std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part&
             Projection wall{.distance = std::numeric_limits<double>::infinity()}, body = wall;
             for (const auto& [a, b] : edges) keep_nearest(wall, end, a, b);
             if (wall.distance < spacing) continue;  // it is held there
-            for (const Part* other : scene.parts_of(PartKind::springs))
+            for (const Part* other : scene.parts_of(PartKind::elastic))
                 if (const CurveSet* curves = geometry.curve_set(other->name))
                     for (const Polyline& others : curves->pieces)
                         if (&others != &piece)
@@ -125,12 +125,12 @@ std::string narrow_tip(const Geometry& geometry, const Scene& scene, const Part&
     if (fewest >= least_gap * (1 - 1e-9)) return {};
     std::ostringstream text;
     text.precision(3);
-    text << part.name.value << ": a gap at its end near " << place_text(where, 2) << " that " << fewest
+    text << part.name.value << ": a gap at its end near " << position_text(where, 2) << " that " << fewest
          << " particles fit into, less than " << least_gap;
     return text.str();
 }
 
-std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Scene& scene) {
+std::vector<std::string> thin_regions_2d(const Geometry& geometry, const Scene& scene) {
     const double spacing = scene.particles.spacing;
     std::vector<std::string> said;
     std::vector<const Region*> fluids;
@@ -138,7 +138,7 @@ std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Sc
     const OpenSides open(geometry, scene);
     std::vector<PlaneSegment> edges = edges_of_fluids(fluids, spacing);
     std::vector<InsideTest> in_body;
-    for (const Part* part : scene.parts_of(PartKind::springs)) {
+    for (const Part* part : scene.parts_of(PartKind::elastic)) {
         const Region* body = geometry.region(part->name);
         if (body == nullptr) continue;
         in_body.emplace_back(*body);
@@ -152,28 +152,28 @@ std::vector<std::string> thin_places_in_plane(const Geometry& geometry, const Sc
         const InsideTest inside(*fluid);
         said.push_back(
             thinnest_text(found, spacing, least_gap, fluid->name + ": a gap", 2, [&](const ThicknessSample& sample) {
-                Vec middle = 0.5 * (sample.place + sample.opposite);
+                Vec middle = 0.5 * (sample.position + sample.opposite);
                 middle.z() = 0;
                 return sample.thickness > touching * spacing && inside.side_of(middle) == Side::inside &&
                        std::ranges::none_of(
                            in_body, [&](const InsideTest& body) { return body.side_of(middle) == Side::inside; });
             }));
     }
-    for (const Part* part : scene.parts_of(PartKind::springs))
+    for (const Part* part : scene.parts_of(PartKind::elastic))
         said.push_back(narrow_tip(geometry, scene, *part, edges));
     return said;
 }
 
-std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Scene& scene) {
+std::vector<std::string> thin_regions_3d(const Geometry& geometry, const Scene& scene) {
     std::vector<std::string> said;
     const double spacing = scene.particles.spacing;
     const OpenSides open(geometry, scene);
     const auto ends_on_walls = [&](const ThicknessSample& sample) {
-        return !open.holds(sample.place) && !open.holds(sample.opposite);
+        return !open.holds(sample.position) && !open.holds(sample.opposite);
     };
-    const ShellGaps shells(geometry, scene, least_gap, [&](const Vec& place) { return open.holds(place); });
+    const ShellGaps shells(geometry, scene, least_gap, [&](const Vec& position) { return open.holds(position); });
     std::vector<TriangleSurface> bodies = shells.bodies();
-    for (const PartKind kind : {PartKind::rigid, PartKind::springs})
+    for (const PartKind kind : {PartKind::rigid, PartKind::elastic})
         for (const Part* part : scene.parts_of(kind)) {
             const Solid* solid = geometry.solid(part->name);
             if (solid == nullptr) continue;
@@ -190,7 +190,7 @@ std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Sc
         const WindingNumber in_fluid(around);
         for (const TriangleSurface& body : bodies) add_turned(around, body);
         const auto is_fluid = [&](const ThicknessSample& sample) {
-            const Vec middle = 0.5 * (sample.place + sample.opposite);
+            const Vec middle = 0.5 * (sample.position + sample.opposite);
             return sample.thickness > touching * spacing && ends_on_walls(sample) && in_fluid.inside(middle) &&
                    !shells.is_in_a_wedge(sample) &&
                    std::ranges::none_of(in_body, [&](const WindingNumber& body) { return body.inside(middle); });
@@ -204,9 +204,9 @@ std::vector<std::string> thin_places_in_space(const Geometry& geometry, const Sc
 
 }  // namespace
 
-std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene) {
+std::vector<std::string> thin_regions(const Geometry& geometry, const Scene& scene) {
     std::vector<std::string> said =
-        geometry.dimension == 3 ? thin_places_in_space(geometry, scene) : thin_places_in_plane(geometry, scene);
+        geometry.dimension == 3 ? thin_regions_3d(geometry, scene) : thin_regions_2d(geometry, scene);
     std::erase(said, std::string());
     return said;
 }

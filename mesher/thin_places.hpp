@@ -14,6 +14,6 @@ namespace dmp::mesher {
 /// between a body in the fluid and anything else, of fewer than 3 fluid particles; in space rigid bodies thinner than
 /// 2, and gaps beside shells, which take a spacing, and at their free edges; in the plane gaps between the end of a
 /// flexible curve and what is next to it. Periodic sides and planes of symmetry are no walls.
-std::vector<std::string> thin_places(const Geometry& geometry, const Scene& scene);
+std::vector<std::string> thin_regions(const Geometry& geometry, const Scene& scene);
 
 }  // namespace dmp::mesher

@@ -8,7 +8,7 @@ namespace dmp::mesher {
 Vacancy::Vacancy(const Geometry& geometry, const Scene& scene) {
     for (const Part* fluid : scene.parts_of(PartKind::fluid))
         fluids_.emplace_back(geometry.solid(fluid->name)->surface);
-    for (const PartKind kind : {PartKind::rigid, PartKind::springs})
+    for (const PartKind kind : {PartKind::rigid, PartKind::elastic})
         for (const Part* part : scene.parts_of(kind))
             if (const Solid* solid = geometry.solid(part->name)) bodies_.emplace_back(solid->surface);
 }

@@ -16,7 +16,7 @@ std::string called(const ParticleSet& set, std::size_t i) {
     return std::to_string(i) + " of '" + set.parts[static_cast<std::size_t>(set.part[i])].name + "'";
 }
 
-std::string place(const ParticleSet& set, std::size_t i) { return place_text(set.position[i], set.dimension); }
+std::string position(const ParticleSet& set, std::size_t i) { return position_text(set.position[i], set.dimension); }
 
 /// Positions in the box along periodic axes, the unused axis left at 0.
 Coordinates coordinates(const ParticleSet& set) {
@@ -26,7 +26,7 @@ Coordinates coordinates(const ParticleSet& set) {
         for (int axis = 0; axis < set.dimension; ++axis) {
             const double x = set.position[i][axis];
             if (!std::isfinite(x))
-                throw InputError("particle " + called(set, i) + " is at no place: " + place(set, i),
+                throw InputError("particle " + called(set, i) + " is at no place: " + position(set, i),
                                  "Mesh the scene again.");
             points[axis][i] = set.periodic[axis] ? wrapped(x, set.box.low[axis], set.box.high[axis]) : x;
         }
@@ -55,7 +55,7 @@ void check_apart(const ParticleSet& set) {
             if (square < reach * reach)
                 throw InputError("particles " + called(set, i) + " and " +
                                      called(set, static_cast<std::size_t>(id[k])) + " lie on each other at " +
-                                     place(set, i),
+                                     position(set, i),
                                  "Check the drawing for parts that overlap or lines drawn twice near there, or choose "
                                  "another particles.spacing.");
         });

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr SealedKind particles_kind{"particle set", 1};
-constexpr std::array<const char*, 4> kind_names{"fluid", "rigid", "springs", "spheres"};  // by ParticleKind
+constexpr const auto& kind_names = enum_names<PartKind>;
 
 // Vectors in a row are x, y, z, x, y, z, ...
 static_assert(sizeof(Vec) == 3 * sizeof(double));
@@ -59,7 +59,7 @@ std::string problem_with_lengths(const ParticleSet& set) {
 }
 
 std::string problem_with_sphere(const ParticleSet& set, std::size_t i) {
-    if (set.kind(i) != ParticleKind::spheres) return "";
+    if (set.kind(i) != PartKind::spheres) return "";
     if (!set.has_spheres() || !finite(set.radius[i]) || set.radius[i] <= 0) return "its radius is not more than 0";
     if (set.mass[i] <= 0) return "its mass is not more than 0";
     if (!set.velocity[i].allFinite() || !set.angular_velocity[i].allFinite())
@@ -71,7 +71,7 @@ std::string problem_with_sphere(const ParticleSet& set, std::size_t i) {
 std::string problem_with_walls(const ParticleSpace& space) {
     const auto no_wall = [&](int part) {
         return part < 0 || static_cast<std::size_t>(part) >= space.parts.size() ||
-               space.parts[static_cast<std::size_t>(part)].kind != ParticleKind::rigid;
+               space.parts[static_cast<std::size_t>(part)].kind != PartKind::rigid;
     };
     for (std::size_t n = 0; n < space.wall_planes.size(); ++n) {
         const WallPlane& plane = space.wall_planes[n];
@@ -283,7 +283,7 @@ void read_space(const Hdf5Reader& from, ParticleSpace& space) {
         const auto* const kind = std::ranges::find(kind_names, kinds[n]);
         if (kind == kind_names.end())
             from.refuse("part '" + names[n] + "' is of the kind '" + kinds[n] + "', which is none");
-        space.parts.push_back({names[n], static_cast<ParticleKind>(kind - kind_names.begin())});
+        space.parts.push_back({names[n], static_cast<PartKind>(kind - kind_names.begin())});
     }
 }
 

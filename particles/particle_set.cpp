@@ -10,7 +10,7 @@ int ParticleSpace::part_named(const std::string& name) const {
     return found == parts.end() ? -1 : static_cast<int>(found - parts.begin());
 }
 
-std::size_t ParticleSet::count(ParticleKind wanted) const {
+std::size_t ParticleSet::count(PartKind wanted) const {
     return static_cast<std::size_t>(std::count_if(
         part.begin(), part.end(), [&](int p) { return parts[static_cast<std::size_t>(p)].kind == wanted; }));
 }

@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/part_kind.hpp"
 #include "base/vec.hpp"
 
 namespace dmp::particles {
-
-enum class ParticleKind : std::uint8_t { fluid, rigid, springs, spheres };
 
 /// A harmonic bond, U = stiffness (r - rest_length)^2 (no 1/2), between particles a and b.
 struct Bond {
@@ -55,7 +54,7 @@ struct WallTriangle {
 struct ParticleSpace {
     struct PartInfo {
         std::string name;
-        ParticleKind kind = ParticleKind::fluid;
+        PartKind kind = PartKind::fluid;
     };
 
     int dimension = 2;
@@ -105,8 +104,8 @@ struct ParticleSet : ParticleSpace {
     std::vector<Dihedral> dihedrals;  ///< 3-D only
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
-    [[nodiscard]] ParticleKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }
-    [[nodiscard]] std::size_t count(ParticleKind wanted) const;
+    [[nodiscard]] PartKind kind(std::size_t i) const { return parts[static_cast<std::size_t>(part[i])].kind; }
+    [[nodiscard]] std::size_t count(PartKind wanted) const;
     [[nodiscard]] bool has_spheres() const { return !radius.empty(); }
 };
 

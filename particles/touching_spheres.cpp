@@ -46,11 +46,11 @@ Classes size_classes(const ParticleSet& set) {
             const double x = set.position[i][along];
             all.points.at(axis)[i] = set.periodic.at(axis) ? wrapped(x, set.box.low[along], set.box.high[along]) : x;
         }
-        if (set.kind(i) == ParticleKind::spheres) largest = std::max(largest, set.radius[i]);
+        if (set.kind(i) == PartKind::spheres) largest = std::max(largest, set.radius[i]);
     }
     all.of.resize(set.size());
     const auto add = [&](std::size_t i, const std::array<double, 3>& point) {
-        if (set.kind(i) != ParticleKind::spheres) return;
+        if (set.kind(i) != PartKind::spheres) return;
         const auto number = static_cast<std::size_t>(std::log2(largest / set.radius[i]));
         if (all.classes.size() <= number) all.classes.resize(number + 1);
         all.of[i] = number;
@@ -71,10 +71,10 @@ Classes size_classes(const ParticleSet& set) {
 
 std::vector<TouchingSpheres> touching_spheres(const ParticleSet& set) {
     std::vector<TouchingSpheres> pairs;
-    if (set.count(ParticleKind::spheres) == 0) return pairs;
+    if (set.count(PartKind::spheres) == 0) return pairs;
     const Classes all = size_classes(set);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::spheres) continue;
+        if (set.kind(i) != PartKind::spheres) continue;
         const std::array<double, 3> centre = all.point(i);
         const int own = static_cast<int>(i);
         for (std::size_t number = all.of[i]; number < all.classes.size(); ++number) {

@@ -47,9 +47,9 @@ ColourMap ColourMap::diverging(double middle, double span) {
 Colour ColourMap::operator()(double value) const {
     if (std::isnan(value)) return colours::not_a_number;
     const auto last = static_cast<double>(anchors_.size() - 1);
-    const double place = std::clamp((value - low_) / (high_ - low_), 0.0, 1.0) * last;
-    const auto below = static_cast<std::size_t>(std::min(std::floor(place), last - 1));
-    const double share = place - static_cast<double>(below);
+    const double position = std::clamp((value - low_) / (high_ - low_), 0.0, 1.0) * last;
+    const auto below = static_cast<std::size_t>(std::min(std::floor(position), last - 1));
+    const double share = position - static_cast<double>(below);
     const auto mix = [share](std::uint8_t a, std::uint8_t b) {
         return static_cast<std::uint8_t>(std::lround((1 - share) * a + share * b));
     };

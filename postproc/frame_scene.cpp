@@ -105,7 +105,7 @@ void RunFolder::turn(FrameGroup& group) const {
     if (!of_spheres()) return;
     static const Viewpoint view = aslant(along(0, 2));
     for (std::size_t i = 0; i < group.size(); ++i) {
-        const Vec seen = view(place_of(group, i));
+        const Vec seen = view(position_of(group, i));
         for (std::size_t axis = 0; axis < 3; ++axis)
             group.position[3 * i + axis] = static_cast<float>(seen[static_cast<Eigen::Index>(axis)]);
     }
@@ -182,7 +182,8 @@ void leave_out_bonds_round_borders(RunFrame& frame) {
     std::vector<std::int32_t> shown;
     for (std::size_t bond = 0; bond < solid.bonds(); ++bond) {
         const std::int32_t a = solid.bond_ends[2 * bond], b = solid.bond_ends[2 * bond + 1];
-        const Vec apart = place_of(solid, static_cast<std::size_t>(a)) - place_of(solid, static_cast<std::size_t>(b));
+        const Vec apart =
+            position_of(solid, static_cast<std::size_t>(a)) - position_of(solid, static_cast<std::size_t>(b));
         if ((apart.cwiseAbs().array() <= 0.5 * around.extent().array()).all()) shown.insert(shown.end(), {a, b});
     }
     solid.bond_ends = std::move(shown);
@@ -220,7 +221,8 @@ std::size_t count_outside(const RunFrame& frame, const Box& area, int dimension)
     for (const auto* group : {&frame.fluid, &frame.solid, &frame.spheres}) {
         if (!*group) continue;
         for (std::size_t i = 0; i < (*group)->size(); ++i)
-            if (const Vec place = place_of(**group, i); !is_finite(place) || !contains(area, place, dimension))
+            if (const Vec position = position_of(**group, i);
+                !is_finite(position) || !contains(area, position, dimension))
                 ++outside;
     }
     return outside;

@@ -39,24 +39,24 @@ struct Frame2d {
 
 class Panel {
   public:
-    Panel(Canvas& canvas, Frame2d place, Range time, Range value, double unit)
-        : canvas_(canvas), place_(place), time_(time), value_(value), unit_(unit) {}
+    Panel(Canvas& canvas, Frame2d position, Range time, Range value, double unit)
+        : canvas_(canvas), position_(position), time_(time), value_(value), unit_(unit) {}
 
     void draw_axes(const std::string& label, bool with_time) const {
         const Ticks times = round_ticks(time_.low, time_.high, 10);
         const Ticks values = round_ticks(value_.low, value_.high, 4);
         for (const double t : times.value)
-            canvas_.fill(x(t), place_.top, std::max(1.0, unit_), place_.height, colours::grid);
+            canvas_.fill(x(t), position_.top, std::max(1.0, unit_), position_.height, colours::grid);
         for (const double v : values.value)
-            canvas_.fill(place_.left, y(v), place_.width, std::max(1.0, unit_), colours::grid);
+            canvas_.fill(position_.left, y(v), position_.width, std::max(1.0, unit_), colours::grid);
         const Canvas::TextStyle right{20 * unit_, Align::right};
         const Canvas::TextStyle centre{20 * unit_, Align::centre};
         for (std::size_t i = 0; i < values.value.size(); ++i)
-            canvas_.text(place_.left - 10 * unit_, y(values.value[i]), values.text[i], right);
+            canvas_.text(position_.left - 10 * unit_, y(values.value[i]), values.text[i], right);
         if (with_time)
             for (std::size_t i = 0; i < times.value.size(); ++i)
                 canvas_.text(x(times.value[i]), bottom() + 18 * unit_, times.text[i], centre);
-        canvas_.text(place_.left, place_.top - 18 * unit_, label, {22 * unit_, Align::left, true});
+        canvas_.text(position_.left, position_.top - 18 * unit_, label, {22 * unit_, Align::left, true});
     }
 
     void draw_curve(const MeasureSeries& measures, std::size_t column) const {
@@ -78,21 +78,21 @@ class Panel {
 
     void draw_outline() const {
         const double thin = std::max(1.0, 1.5 * unit_);
-        canvas_.fill(place_.left, place_.top, thin, place_.height, colours::frame);
-        canvas_.fill(place_.left, bottom(), place_.width, thin, colours::frame);
+        canvas_.fill(position_.left, position_.top, thin, position_.height, colours::frame);
+        canvas_.fill(position_.left, bottom(), position_.width, thin, colours::frame);
     }
 
   private:
-    [[nodiscard]] double bottom() const { return place_.top + place_.height; }
+    [[nodiscard]] double bottom() const { return position_.top + position_.height; }
     [[nodiscard]] double x(double time) const {
-        return place_.left + place_.width * (time - time_.low) / (time_.high - time_.low);
+        return position_.left + position_.width * (time - time_.low) / (time_.high - time_.low);
     }
     [[nodiscard]] double y(double value) const {
-        return bottom() - place_.height * (value - value_.low) / (value_.high - value_.low);
+        return bottom() - position_.height * (value - value_.low) / (value_.high - value_.low);
     }
 
     Canvas& canvas_;
-    Frame2d place_;
+    Frame2d position_;
     Range time_, value_;
     double unit_;
 };
@@ -116,8 +116,8 @@ Canvas draw_measures(const MeasureSeries& measures, const std::string& title, in
         for (const auto& row : measures.rows) value.include(row[column]);
         value.widen(0.08);
         const double top = head + pitch * static_cast<double>(column) + 40 * unit;
-        const Frame2d place{140 * unit, top, width - 190 * unit, pitch - 76 * unit};
-        const Panel panel(canvas, place, time, value, unit);
+        const Frame2d position{140 * unit, top, width - 190 * unit, pitch - 76 * unit};
+        const Panel panel(canvas, position, time, value, unit);
         const bool last = column + 1 == measures.names.size();
         panel.draw_axes(axis_label(measures.names[column], measures.units[column]), last);
         panel.draw_curve(measures, column);

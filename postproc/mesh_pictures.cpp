@@ -16,38 +16,38 @@ namespace dmp::postproc {
 
 namespace {
 
-using Kind = MeshLook::Kind;
+using Kind = MeshView::Kind;
 
 constexpr double disc = 0.5;          // radius of what stands in slices [spacings]
 constexpr double least_span = 0.005;  // of kernel sums: smaller differences look alike
 
-Box around(const MeshLook& look, const Viewpoint& view, const std::vector<std::size_t>& members) {
+Box around(const MeshView& mesh, const Viewpoint& view, const std::vector<std::size_t>& members) {
     Box box{Vec::Constant(std::numeric_limits<double>::infinity()),
             Vec::Constant(-std::numeric_limits<double>::infinity())};
     for (const std::size_t i : members) {
-        const Vec seen = view(look.position[i]);
+        const Vec seen = view(mesh.position[i]);
         box.low = box.low.cwiseMin(seen);
         box.high = box.high.cwiseMax(seen);
     }
-    const Vec margin = Vec::Constant(std::max(look.spacing, 1e-3 * box.extent().maxCoeff()));
+    const Vec margin = Vec::Constant(std::max(mesh.spacing, 1e-3 * box.extent().maxCoeff()));
     return {box.low - margin, box.high + margin};
 }
 
 template <class Which>
-std::vector<std::size_t> members(const MeshLook& look, const Which& which) {
+std::vector<std::size_t> members(const MeshView& mesh, const Which& which) {
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < look.position.size(); ++i)
+    for (std::size_t i = 0; i < mesh.position.size(); ++i)
         if (which(i)) found.push_back(i);
     return found;
 }
 
 template <class ColourOf>
-ParticleLayer layer(const MeshLook& look, const Viewpoint& view, const std::vector<std::size_t>& members, double radius,
+ParticleLayer layer(const MeshView& mesh, const Viewpoint& view, const std::vector<std::size_t>& members, double radius,
                     const ColourOf& colour_of) {
     ParticleLayer layer;
-    layer.radius = radius * look.spacing;
+    layer.radius = radius * mesh.spacing;
     for (const std::size_t i : members) {
-        const Vec seen = view(look.position[i]);
+        const Vec seen = view(mesh.position[i]);
         for (Eigen::Index axis = 0; axis < 3; ++axis) layer.position.push_back(static_cast<float>(seen[axis]));
         layer.colour.push_back(colour_of(i));
     }
@@ -70,31 +70,31 @@ ColourScale scale_about(double middle, double least, const std::vector<float>& v
 /// Draws one sheet of one or more views.
 class Painter {
   public:
-    Painter(std::filesystem::path folder, const MeshLook& look, int width)
-        : folder_(std::move(folder)), look_(look), width_(width) {}
+    Painter(std::filesystem::path folder, const MeshView& mesh, int width)
+        : folder_(std::move(folder)), mesh_(mesh), width_(width) {}
 
     void slices() {
-        const auto fluid = members(look_, [&](std::size_t i) { return look_.kind[i] == Kind::fluid; });
+        const auto fluid = members(mesh_, [&](std::size_t i) { return mesh_.kind[i] == Kind::fluid; });
         if (fluid.empty()) return;
-        const ColourScale scale = scale_about(1, least_span, look_.kernel_sum, fluid, "kernel sum of the fluid");
-        const Vec middle = look_.dimension == 2 ? Vec::Zero() : middle_of(fluid);
-        const auto all = members(look_, [](std::size_t) { return true; });
-        const double size = around(look_, along(0, 1), all).extent().maxCoeff();
+        const ColourScale scale = scale_about(1, least_span, mesh_.kernel_sum, fluid, "kernel sum of the fluid");
+        const Vec middle = mesh_.dimension == 2 ? Vec::Zero() : middle_of(fluid);
+        const auto all = members(mesh_, [](std::size_t) { return true; });
+        const double size = around(mesh_, along(0, 1), all).extent().maxCoeff();
         std::vector<Viewpoint> views;
         std::vector<PanelDrawing> drawings;
         constexpr std::array<std::array<int, 2>, 3> axes{{{0, 1}, {0, 2}, {1, 2}}};
         for (const auto& [right, up] : axes) {
             views.push_back(along(right, up, middle));
-            drawings.push_back({around(look_, views.back(), all), slice_text(right, up, middle, size)});
-            if (look_.dimension == 3) continue;
+            drawings.push_back({around(mesh_, views.back(), all), slice_text(right, up, middle, size)});
+            if (mesh_.dimension == 3) continue;
             drawings.back().caption.clear();
             break;
         }
         const PanelLayout layout(drawings);
-        Sheet sheet(layout.area(), 1, width_, look_.title);
+        Sheet sheet(layout.area(), 1, width_, mesh_.title);
         const auto draw_slice = [&](std::size_t k, int width, int height) {
             const auto in_slice = [&](std::size_t i) {
-                return std::abs(views[k](look_.position[i]).z()) <= 0.5001 * look_.spacing;
+                return std::abs(views[k](mesh_.position[i]).z()) <= 0.5001 * mesh_.spacing;
             };
             return slice(views[k], drawings[k].area, width, height, scale, in_slice);
         };
@@ -103,49 +103,49 @@ class Painter {
     }
 
     void surface_error() {
-        const auto shown = members(look_, [&](std::size_t i) { return std::isfinite(look_.surface_error[i]); });
+        const auto shown = members(mesh_, [&](std::size_t i) { return std::isfinite(mesh_.surface_error[i]); });
         if (shown.empty()) return;
         const ColourScale scale =
-            scale_about(0, 0.05, look_.surface_error, shown, "distance to the drawn surface less 1/2 [spacings]");
-        const Viewpoint view = look_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
-        const auto colour = [&](std::size_t i) { return scale.map(look_.surface_error[i]); };
+            scale_about(0, 0.05, mesh_.surface_error, shown, "distance to the drawn surface less 1/2 [spacings]");
+        const Viewpoint view = mesh_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
+        const auto colour = [&](std::size_t i) { return scale.map(mesh_.surface_error[i]); };
         std::vector<ParticleLayer> layers;
-        Box area = around(look_, view, shown);
-        if (look_.dimension == 2) {
-            const auto all = members(look_, [](std::size_t) { return true; });
-            area = around(look_, view, all);
-            layers.push_back(layer(look_, view, all, 0.25, [](std::size_t) { return colours::grid; }));
-            layers.push_back(layer(look_, view, shown, 0.8, colour));
+        Box area = around(mesh_, view, shown);
+        if (mesh_.dimension == 2) {
+            const auto all = members(mesh_, [](std::size_t) { return true; });
+            area = around(mesh_, view, all);
+            layers.push_back(layer(mesh_, view, all, 0.25, [](std::size_t) { return colours::grid; }));
+            layers.push_back(layer(mesh_, view, shown, 0.8, colour));
         } else {
-            layers.push_back(layer(look_, view, shown, disc, colour));
-            layers.back().radii.assign(shown.size(), static_cast<float>(0.6 * look_.spacing));
+            layers.push_back(layer(mesh_, view, shown, disc, colour));
+            layers.back().radii.assign(shown.size(), static_cast<float>(0.6 * mesh_.spacing));
         }
         draw(area, layers, scale, "surface_error.png");
     }
 
     void valence() {
-        if (look_.bond_ends.empty()) return;
-        const auto nodes = members(look_, [&](std::size_t i) { return look_.kind[i] == Kind::solid; });
+        if (mesh_.bond_ends.empty()) return;
+        const auto nodes = members(mesh_, [&](std::size_t i) { return mesh_.kind[i] == Kind::solid; });
         int most = 1, fewest = std::numeric_limits<int>::max();
         for (const std::size_t i : nodes) {
-            most = std::max(most, look_.valence[i]);
-            fewest = std::min(fewest, look_.valence[i]);
+            most = std::max(most, mesh_.valence[i]);
+            fewest = std::min(fewest, mesh_.valence[i]);
         }
         const double low = std::min(fewest, most - 1);
         const ColourScale scale{
             ColourMap::sequential(low, most), "bonds of a node", false, false, colours::solid, true};
-        const Viewpoint view = look_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
-        ParticleLayer shown = layer(look_, view, nodes, 0.35,
-                                    [&](std::size_t i) { return scale.map(static_cast<double>(look_.valence[i])); });
-        std::vector<std::int32_t> place(look_.position.size(), -1);
-        for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<std::int32_t>(k);
+        const Viewpoint view = mesh_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
+        ParticleLayer shown = layer(mesh_, view, nodes, 0.35,
+                                    [&](std::size_t i) { return scale.map(static_cast<double>(mesh_.valence[i])); });
+        std::vector<std::int32_t> index(mesh_.position.size(), -1);
+        for (std::size_t k = 0; k < nodes.size(); ++k) index[nodes[k]] = static_cast<std::int32_t>(k);
         ParticleLayer bonds = shown;
-        bonds.radius = 0.05 * look_.spacing;
-        for (const std::int32_t end : look_.bond_ends) bonds.lines.push_back(place[static_cast<std::size_t>(end)]);
+        bonds.radius = 0.05 * mesh_.spacing;
+        for (const std::int32_t end : mesh_.bond_ends) bonds.lines.push_back(index[static_cast<std::size_t>(end)]);
         bonds.line_colour = colours::frame;
-        bonds.line_width = 0.1 * look_.spacing;
-        if (look_.dimension == 3) shown.radii.assign(nodes.size(), static_cast<float>(0.35 * look_.spacing));
-        draw(around(look_, view, nodes), {bonds, shown}, scale, "valence.png");
+        bonds.line_width = 0.1 * mesh_.spacing;
+        if (mesh_.dimension == 3) shown.radii.assign(nodes.size(), static_cast<float>(0.35 * mesh_.spacing));
+        draw(around(mesh_, view, nodes), {bonds, shown}, scale, "valence.png");
     }
 
     [[nodiscard]] const Pictures& pictures() const { return pictures_; }
@@ -156,12 +156,12 @@ class Painter {
         Vec middle;
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             const auto by_place = [&](std::size_t a, std::size_t b) {
-                return look_.position[a][axis] < look_.position[b][axis];
+                return mesh_.position[a][axis] < mesh_.position[b][axis];
             };
             std::vector<std::size_t> sorted = fluid;
             const auto half = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
             std::nth_element(sorted.begin(), half, sorted.end(), by_place);
-            middle[axis] = look_.position[*half][axis];
+            middle[axis] = mesh_.position[*half][axis];
         }
         return middle;
     }
@@ -171,12 +171,12 @@ class Painter {
                 const Which& which) {
         std::vector<ParticleLayer> layers;
         const auto of_kind = [&](Kind kind) {
-            return members(look_, [&](std::size_t i) { return look_.kind[i] == kind && which(i); });
+            return members(mesh_, [&](std::size_t i) { return mesh_.kind[i] == kind && which(i); });
         };
         const auto add = [&](Kind kind, const auto& colour_of) {
-            layers.push_back(layer(look_, view, of_kind(kind), disc, colour_of));
+            layers.push_back(layer(mesh_, view, of_kind(kind), disc, colour_of));
         };
-        add(Kind::fluid, [&](std::size_t i) { return scale.map(look_.kernel_sum[i]); });
+        add(Kind::fluid, [&](std::size_t i) { return scale.map(mesh_.kernel_sum[i]); });
         add(Kind::wall, [](std::size_t) { return colours::wall; });
         add(Kind::solid, [](std::size_t) { return colours::dark_solid; });
         return view_.draw(layers, area, width, height);
@@ -184,7 +184,7 @@ class Painter {
 
     void draw(const Box& area, const std::vector<ParticleLayer>& layers, const ColourScale& scale,
               const std::string& file) {
-        Sheet sheet(area, 1, width_, look_.title);
+        Sheet sheet(area, 1, width_, mesh_.title);
         const Image image = view_.draw(layers, area, sheet.panel_width(), sheet.panel_height());
         if (distinct_colours(image, 2) < 2) warn(file + " came out blank");
         sheet.add(image, "");
@@ -198,7 +198,7 @@ class Painter {
     }
 
     std::filesystem::path folder_;
-    const MeshLook& look_;
+    const MeshView& mesh_;
     int width_;
     ParticleView view_;
     Pictures pictures_;
@@ -206,11 +206,11 @@ class Painter {
 
 }  // namespace
 
-Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshLook& look, int width) {
+Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshView& mesh, int width) {
     const VirtualDisplay display;
     if (!display.usable()) return {{}, "no pictures of the mesh: " + display.problem()};
     const VtkMessages messages;
-    Painter painter(folder, look, width);
+    Painter painter(folder, mesh, width);
     painter.slices();
     painter.surface_error();
     painter.valence();

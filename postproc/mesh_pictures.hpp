@@ -12,7 +12,7 @@
 namespace dmp::postproc {
 
 /// Particles before they move, and what is known of each.
-struct MeshLook {
+struct MeshView {
     enum class Kind : std::uint8_t { fluid, wall, solid };
 
     std::string title;
@@ -34,6 +34,6 @@ struct MeshLook {
 ///   valence.png        nodes by their number of bonds, in space seen aslant; not without bonds
 /// Without a display and Xvfb nothing is drawn, and the warning says so. Throws ResourceError when the disk does not
 /// take them.
-Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshLook& look, int width = 1600);
+Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshView& mesh, int width = 1600);
 
 }  // namespace dmp::postproc

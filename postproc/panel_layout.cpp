@@ -23,7 +23,7 @@ constexpr std::array magnifications{10.0, 5.0, 4.0, 3.0, 2.0};
 }  // namespace
 
 struct PanelLayout::Rows {
-    std::vector<Place> places;
+    std::vector<Slot> positions;
     std::vector<double> magnification;
     double width = 0, height = 0, caption_height = 0;
     int count = 0;
@@ -37,17 +37,17 @@ struct PanelLayout::Rows {
     }
 };
 
-PanelLayout::PanelLayout(std::vector<PanelDrawing> drawings) : drawings_(std::move(drawings)) {
+PanelLayout::PanelLayout(std::vector<PanelActors> drawings) : panels_(std::move(drawings)) {
     Rows best = in_rows(0);
-    for (unsigned breaks = 1; breaks < 1U << (drawings_.size() - 1); ++breaks)
+    for (unsigned breaks = 1; breaks < 1U << (panels_.size() - 1); ++breaks)
         if (Rows rows = in_rows(breaks); rows.merit() > best.merit() * (1 + 1e-9)) best = std::move(rows);
-    places_ = std::move(best.places);
+    positions_ = std::move(best.positions);
     width_ = best.width;
     height_ = best.height;
     caption_height_ = best.caption_height;
-    for (std::size_t k = 0; k < drawings_.size(); ++k)
+    for (std::size_t k = 0; k < panels_.size(); ++k)
         if (const auto times = std::lround(best.magnification[k]); times > 1)
-            drawings_[k].caption += ", " + std::to_string(times) + " : 1";
+            panels_[k].caption += ", " + std::to_string(times) + " : 1";
 }
 
 /// The bits of `breaks` tell after which drawings a new row begins.
@@ -57,19 +57,19 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
         double height = 0;
     };
     std::vector<Row> rows;
-    for (std::size_t k = 0; k < drawings_.size(); ++k) {
+    for (std::size_t k = 0; k < panels_.size(); ++k) {
         if (k == 0 || (breaks >> (k - 1) & 1U) != 0) rows.push_back({k, k, 0});
         Row& row = rows.back();
         row.last = k;
-        row.height = std::max(row.height, drawings_[k].area.extent().y());
+        row.height = std::max(row.height, panels_[k].area.extent().y());
     }
     Rows result;
     for (const Row& row : rows) result.width = std::max(result.width, least_width(row.first, row.last));
-    const bool captions = std::ranges::any_of(drawings_, [](const PanelDrawing& d) { return !d.caption.empty(); });
+    const bool captions = std::ranges::any_of(panels_, [](const PanelActors& d) { return !d.caption.empty(); });
     result.caption_height = captions ? caption_room * result.width : 0;
     result.count = static_cast<int>(rows.size());
-    result.places.resize(drawings_.size());
-    result.magnification.assign(drawings_.size(), 1);
+    result.positions.resize(panels_.size());
+    result.magnification.assign(panels_.size(), 1);
     for (const Row& row : rows) {
         const auto fits = [&](double times) {
             if (times * row.height > magnified_height * result.width) return false;
@@ -84,8 +84,8 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
         if (row.first > 0) result.height += gap * result.width;
         double x = 0;
         for (std::size_t k = row.first; k <= row.last; ++k) {
-            const Vec size = times * drawings_[k].area.extent();
-            result.places[k] = {x, result.height + result.caption_height, size.x(), size.y()};
+            const Vec size = times * panels_[k].area.extent();
+            result.positions[k] = {x, result.height + result.caption_height, size.x(), size.y()};
             result.magnification[k] = times;
             x += room_of(k, times, result.width) + gap * result.width;
         }
@@ -96,14 +96,14 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
 
 /// The width that a drawing and its caption take on a panel of some width.
 double PanelLayout::room_of(std::size_t k, double times, double panel_width) const {
-    const double caption = letter_width * panel_width * static_cast<double>(drawings_[k].caption.size());
-    return std::max(times * drawings_[k].area.extent().x(), caption);
+    const double caption = letter_width * panel_width * static_cast<double>(panels_[k].caption.size());
+    return std::max(times * panels_[k].area.extent().x(), caption);
 }
 
 /// The least width of a panel with room for these drawings beside each other.
 double PanelLayout::least_width(std::size_t first, std::size_t last) const {
     double width = 0;
-    for (std::size_t k = first; k <= last; ++k) width += drawings_[k].area.extent().x();
+    for (std::size_t k = first; k <= last; ++k) width += panels_[k].area.extent().x();
     // captions take a share of the width: wider panels leave more to the drawings, until all have room
     for (int k = 0; k < 100; ++k) {
         double taken = gap * width * static_cast<double>(last - first);
@@ -123,17 +123,17 @@ Image PanelLayout::draw(int panel_width, int panel_height, const Draw& draw) con
     // all captions of one size: that at which each is as wide as its drawing, at most
     Canvas::TextStyle style{0.5 * scale * caption_height_, Align::left};
     const double full_size = style.size;
-    for (std::size_t k = 0; k < drawings_.size(); ++k)
-        if (const std::string& caption = drawings_[k].caption; !caption.empty())
-            style.size = std::min(style.size, full_size * scale * places_[k].width /
+    for (std::size_t k = 0; k < panels_.size(); ++k)
+        if (const std::string& caption = panels_[k].caption; !caption.empty())
+            style.size = std::min(style.size, full_size * scale * positions_[k].width /
                                                   Canvas::text_width(caption, {full_size, Align::left}));
-    for (std::size_t k = 0; k < drawings_.size(); ++k) {
-        const Place& place = places_[k];
-        const int width = std::min(pixels(place.width), panel_width);
-        const int height = std::min(pixels(place.height), panel_height);
-        const double x = scale * place.x, y = scale * place.y;
+    for (std::size_t k = 0; k < panels_.size(); ++k) {
+        const Slot& position = positions_[k];
+        const int width = std::min(pixels(position.width), panel_width);
+        const int height = std::min(pixels(position.height), panel_height);
+        const double x = scale * position.x, y = scale * position.y;
         panel.paste(draw(k, width, height), static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
-        if (!drawings_[k].caption.empty()) panel.text(x, y - full_size, drawings_[k].caption, style);
+        if (!panels_[k].caption.empty()) panel.text(x, y - full_size, panels_[k].caption, style);
     }
     return panel.image();
 }

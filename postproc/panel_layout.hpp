@@ -12,7 +12,7 @@
 namespace dmp::postproc {
 
 /// One of several drawings that belong together.
-struct PanelDrawing {
+struct PanelActors {
     Box area;             ///< what it shows [m]
     std::string caption;  ///< over it; may be empty
 };
@@ -21,18 +21,18 @@ struct PanelDrawing {
 /// captions, rows below the first are magnified by a round number if there is room, and the captions say so.
 class PanelLayout {
   public:
-    explicit PanelLayout(std::vector<PanelDrawing> drawings);
+    explicit PanelLayout(std::vector<PanelActors> drawings);
 
     /// The panel, in metres of the first drawing's scale.
     [[nodiscard]] Box area() const;
-    [[nodiscard]] const PanelDrawing& operator[](std::size_t k) const { return drawings_[k]; }
+    [[nodiscard]] const PanelActors& operator[](std::size_t k) const { return panels_[k]; }
 
     /// Draws drawing k at a width and height in pixels.
     using Draw = std::function<Image(std::size_t k, int width, int height)>;
     [[nodiscard]] Image draw(int panel_width, int panel_height, const Draw& draw) const;
 
   private:
-    struct Place {
+    struct Slot {
         double x = 0, y = 0, width = 0, height = 0;  ///< from the panel's top left corner [m]
     };
     struct Rows;
@@ -40,8 +40,8 @@ class PanelLayout {
     [[nodiscard]] double room_of(std::size_t k, double times, double panel_width) const;
     [[nodiscard]] double least_width(std::size_t first, std::size_t last) const;
 
-    std::vector<PanelDrawing> drawings_;
-    std::vector<Place> places_;
+    std::vector<PanelActors> panels_;
+    std::vector<Slot> positions_;
     double width_ = 0, height_ = 0, caption_height_ = 0;  ///< [m]
 };
 

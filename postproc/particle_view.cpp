@@ -156,8 +156,9 @@ void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<
         for (std::size_t i = 0; 3 * i < layer.position.size(); ++i) {
             const double away = std::min(std::abs(layer.position[3 * i + 2]) / layer.radius, 1.0);
             if (away == 0) continue;
-            double* place = points->GetPoint(static_cast<vtkIdType>(i));
-            points->SetPoint(static_cast<vtkIdType>(i), place[0], place[1], *height - disc_depth * depth * away * away);
+            double* position = points->GetPoint(static_cast<vtkIdType>(i));
+            points->SetPoint(static_cast<vtkIdType>(i), position[0], position[1],
+                             *height - disc_depth * depth * away * away);
         }
     data->SetPoints(points);
     data->GetPointData()->SetScalars(colours_of(layer));

@@ -44,14 +44,14 @@ class RunPainter {
     RunPainter(const RunFolder& run, const PictureOptions& options) : run_(run), options_(options) {}
 
     /// The chosen frames on one sheet with one colour range, each seen in all these ways.
-    void write(const std::vector<std::size_t>& frames, const std::vector<Look>& looks, const std::string& file,
+    void write(const std::vector<std::size_t>& frames, const std::vector<View>& views, const std::string& file,
                Pictures& pictures) {
         FieldRange range;
         for (const std::size_t number : frames) range.include(run_.read(number), options_.field);
-        std::vector<PanelDrawing> drawings;
-        drawings.reserve(looks.size());
+        std::vector<PanelActors> drawings;
+        drawings.reserve(views.size());
         // panels of several frames have a caption of their own
-        for (const Look& look : looks) drawings.push_back({look.area, frames.size() == 1 ? look.caption : ""});
+        for (const View& view : views) drawings.push_back({view.area, frames.size() == 1 ? view.caption : ""});
         const PanelLayout layout(drawings);
         Sheet sheet(layout.area(), frames.size(), options_.width, run_.title());
         const ColourScale scale = range.scale();
@@ -59,12 +59,12 @@ class RunPainter {
             const RunFrame frame = run_.read(number);
             const std::string time = time_text(frame.time, run_.end_time());
             const auto draw = [&](std::size_t k, int width, int height) {
-                const Seen shown = seen(looks[k], frame, run_.walls());
+                const Seen shown = seen(views[k], frame, run_.walls());
                 Image image =
-                    view_.draw(layers_of(looks[k], shown, options_.field, scale), looks[k].area, width, height);
-                if (looks[k].shows == Look::Shows::slice && frame.fluid && !shown.frame.fluid)
+                    view_.draw(layers_of(views[k], shown, options_.field, scale), views[k].area, width, height);
+                if (views[k].shows == View::Shows::slice && frame.fluid && !shown.frame.fluid)
                     warn(pictures.warning, file + ": no fluid at t = " + time + " in the slice with " +
-                                               looks[k].caption + "; see all of it with open_in_paraview.py");
+                                               views[k].caption + "; see all of it with open_in_paraview.py");
                 else if (distinct_colours(image, 3) < 3)
                     warn(pictures.warning, file + ": the drawing of t = " + time + " came out blank");
                 return image;
@@ -89,9 +89,9 @@ class RunPainter {
 };
 
 /// Slices alone where there are any: small panels show no more.
-std::vector<Look> looks_for_many(std::vector<Look> looks) {
-    if (looks.size() > 1) std::erase_if(looks, [](const Look& look) { return look.shows == Look::Shows::opened; });
-    return looks;
+std::vector<View> views_of_many(std::vector<View> views) {
+    if (views.size() > 1) std::erase_if(views, [](const View& view) { return view.shows == View::Shows::opened; });
+    return views;
 }
 
 void write_frames(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
@@ -101,11 +101,11 @@ void write_frames(const RunFolder& run, const PictureOptions& options, Pictures&
         return;
     }
     const VtkMessages messages;
-    const std::vector<Look> looks = looks_at(run, options.mirrored);
+    const std::vector<View> views = cameras(run, options.mirrored);
     RunPainter painter(run, options);
-    painter.write({run.frames() - 1}, looks, "last_frame.png", pictures);
+    painter.write({run.frames() - 1}, views, "last_frame.png", pictures);
     if (run.frames() > 1)
-        painter.write(spread(run.frames(), options.sheet_frames), looks_for_many(looks), "cycle.png", pictures);
+        painter.write(spread(run.frames(), options.sheet_frames), views_of_many(views), "cycle.png", pictures);
     if (!messages.text().empty()) warn(pictures.warning, "while drawing: " + messages.text());
 }
 

@@ -67,11 +67,11 @@ std::pair<std::string, std::string> name_and_unit(const std::string& heading) {
     return {heading.substr(0, open), heading.substr(open + 2, heading.size() - open - 3)};
 }
 
-double number_in(const std::string& cell, const Place& place) {
+double number_in(const std::string& cell, const SourceLocation& location) {
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size())
-        throw InputError(place, "'" + cell + "' is not a number", "Restore the file or run the simulation again.");
+        throw InputError(location, "'" + cell + "' is not a number", "Restore the file or run the simulation again.");
     return value;
 }
 
@@ -141,14 +141,14 @@ void write_measures_csv(const fs::path& folder, const MeasureSeries& measures) {
 }
 
 MeasureSeries read_measures_csv(const fs::path& folder) {
-    Place place{(folder / measures_file_name).string(), 1, 0};
-    const std::string text = read_file(place.file);
+    SourceLocation location{(folder / measures_file_name).string(), 1, 0};
+    const std::string text = read_file(location.file);
     MeasureSeries measures;
-    for (std::size_t start = 0; start < text.size(); ++place.line) {
+    for (std::size_t start = 0; start < text.size(); ++location.line) {
         const std::size_t end = std::min(text.find('\n', start), text.size());
         const std::vector<std::string> cells = csv_cells(std::string_view(text).substr(start, end - start));
         start = end + 1;
-        if (place.line == 1) {
+        if (location.line == 1) {
             for (std::size_t i = 1; i < cells.size(); ++i) {
                 auto [name, unit] = name_and_unit(cells[i]);
                 measures.names.push_back(std::move(name));
@@ -157,13 +157,13 @@ MeasureSeries read_measures_csv(const fs::path& folder) {
             continue;
         }
         if (cells.size() != measures.names.size() + 1)
-            throw InputError(place,
+            throw InputError(location,
                              "found " + std::to_string(cells.size()) + " values, expected " +
                                  std::to_string(measures.names.size() + 1),
                              "Restore the file or run the simulation again.");
-        measures.time.push_back(number_in(cells[0], place));
+        measures.time.push_back(number_in(cells[0], location));
         std::vector<double>& row = measures.rows.emplace_back();
-        for (std::size_t i = 1; i < cells.size(); ++i) row.push_back(number_in(cells[i], place));
+        for (std::size_t i = 1; i < cells.size(); ++i) row.push_back(number_in(cells[i], location));
     }
     return measures;
 }
@@ -189,7 +189,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"vector_unit", summary.vector_unit},
               {"rank_shares",
                {{"imbalance", summary.shares.imbalance},
-                {"copies_per_owned", summary.shares.copies_per_owned},
+                {"copies_per_owned", summary.shares.ghosts_per_owned},
                 {"messages_per_step", summary.shares.messages_per_step},
                 {"bytes_per_step", summary.shares.bytes_per_step}}},
               {"dt_limits", limits},

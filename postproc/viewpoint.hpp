@@ -12,7 +12,7 @@ struct Viewpoint {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< a row each: to the right, up, towards the eye
     Vec origin = Vec::Zero();                            ///< what is seen at (0, 0, 0) [m]
 
-    [[nodiscard]] Vec operator()(const Vec& place) const { return axes * (place - origin); }
+    [[nodiscard]] Vec operator()(const Vec& position) const { return axes * (position - origin); }
     /// The box around a box as it is seen.
     [[nodiscard]] Box operator()(const Box& box) const;
 };

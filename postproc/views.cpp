@@ -27,7 +27,7 @@ std::vector<std::int32_t> bodies_in(const Box& fluid, const Groups& rigid, doubl
     const Box room{fluid.low - reach, fluid.high + reach};
     for (const auto* group : rigid)
         for (std::size_t i = 0; *group && i < (*group)->size(); ++i) {
-            const bool here = contains(room, place_of(**group, i), 3);
+            const bool here = contains(room, position_of(**group, i), 3);
             const auto [entry, added] = inside.try_emplace((*group)->part[i], here);
             if (!added) entry->second = entry->second && here;
         }
@@ -37,21 +37,21 @@ std::vector<std::int32_t> bodies_in(const Box& fluid, const Groups& rigid, doubl
     return bodies;
 }
 
-bool is_body(const Look& look, const FrameGroup& group, std::size_t particle) {
-    return std::ranges::binary_search(look.bodies, group.part[particle]);
+bool is_body(const View& view, const FrameGroup& group, std::size_t particle) {
+    return std::ranges::binary_search(view.bodies, group.part[particle]);
 }
 
 /// The particles to keep with their fields, as seen, and the bonds that have both ends.
 template <class Keep>
 void add_seen(std::optional<FrameGroup>& to, const FrameGroup& group, const Viewpoint& from, const Keep& keep) {
-    std::vector<std::int32_t> place(group.size(), -1);
+    std::vector<std::int32_t> position(group.size(), -1);
     FrameGroup kept;
     kept.name = group.name;
     for (const FrameField& field : group.fields) kept.fields.push_back({field.name, field.unit, field.components, {}});
     for (std::size_t i = 0; i < group.size(); ++i) {
-        const Vec at = place_of(group, i);
+        const Vec at = position_of(group, i);
         if (!is_finite(at) || !keep(i, at)) continue;
-        place[i] = static_cast<std::int32_t>(kept.size());
+        position[i] = static_cast<std::int32_t>(kept.size());
         const Vec as_seen = from(at);
         for (const double coordinate : as_seen) kept.position.push_back(static_cast<float>(coordinate));
         kept.id.push_back(group.id[i]);
@@ -63,8 +63,8 @@ void add_seen(std::optional<FrameGroup>& to, const FrameGroup& group, const View
         }
     }
     for (std::size_t bond = 0; bond < group.bonds(); ++bond) {
-        const std::int32_t a = place[static_cast<std::size_t>(group.bond_ends[2 * bond])];
-        const std::int32_t b = place[static_cast<std::size_t>(group.bond_ends[2 * bond + 1])];
+        const std::int32_t a = position[static_cast<std::size_t>(group.bond_ends[2 * bond])];
+        const std::int32_t b = position[static_cast<std::size_t>(group.bond_ends[2 * bond + 1])];
         if (a >= 0 && b >= 0) kept.bond_ends.insert(kept.bond_ends.end(), {a, b});
     }
     if (kept.size() > 0) to = std::move(kept);
@@ -93,13 +93,13 @@ class Chooser {
         bodies_ = bodies_in(fluid_, {&run.walls(), &first_.moving_walls}, first_.spacing);
         for (const auto* group : {&first_.solid, &run.walls(), &first_.moving_walls})
             for (std::size_t i = 0; *group && i < (*group)->size(); ++i)
-                if (const Vec place = place_of(**group, i);
-                    is_finite(place) &&
+                if (const Vec position = position_of(**group, i);
+                    is_finite(position) &&
                     (group == &first_.solid || std::ranges::binary_search(bodies_, (*group)->part[i])))
-                    standing_.push_back(place);
+                    standing_.push_back(position);
     }
 
-    [[nodiscard]] std::vector<Look> looks() const {
+    [[nodiscard]] std::vector<View> views() const {
         int longest = 0;
         fluid_.extent().maxCoeff(&longest);
         const Vec middle = in_round_numbers(middle_of_whole(longest));
@@ -107,21 +107,21 @@ class Chooser {
         const int other = 3 - longest - across;
         // x to the right, z up, as far as they are in the plane
         const int right = std::min(longest, other), up = std::max(longest, other);
-        std::vector<Look> looks;
+        std::vector<View> views;
         const auto slice = [&](int to_right, int upward, const Vec& origin) {
             const Viewpoint cut = along(to_right, upward, origin);
-            looks.push_back({Look::Shows::slice, cut, cut, cut(run_.area()),
+            views.push_back({View::Shows::slice, cut, cut, cut(run_.area()),
                              slice_text(to_right, upward, origin, run_.area().extent().maxCoeff()), bodies_});
         };
         if (first_.fluid) {
             slice(right, up, middle);
             Vec section = middle;
-            section[longest] = fullest_place(longest, middle);
+            section[longest] = fullest_position(longest, middle);
             section = in_round_numbers(section);
             slice(right == longest ? across : right, right == longest ? up : across, section);
         }
-        if (!standing_.empty()) looks.push_back(opened(behind(along(right, up, middle), across), longest));
-        return looks;
+        if (!standing_.empty()) views.push_back(opened(behind(along(right, up, middle), across), longest));
+        return views;
     }
 
   private:
@@ -146,12 +146,12 @@ class Chooser {
     }
 
     /// Not a hundredth of a spacing beside 0; planes of symmetry are known less well.
-    [[nodiscard]] Vec in_round_numbers(Vec place) const {
+    [[nodiscard]] Vec in_round_numbers(Vec position) const {
         for (int axis = 0; axis < 3; ++axis) {
             const double unit = first_.spacing / (mirrored_[axis][0] || mirrored_[axis][1] ? 4 : 20);
-            place[axis] = unit * std::round(place[axis] / unit);
+            position[axis] = unit * std::round(position[axis] / unit);
         }
-        return place;
+        return position;
     }
 
     /// Of the two planes along the longest axis the larger one; of two alike the one that cuts what stands in the fluid
@@ -175,10 +175,10 @@ class Chooser {
         constexpr double cell = 1.5;  // [spacings]: neighbours are in one or in adjacent ones
         Section result;
         std::map<std::array<long, 2>, std::size_t> cells;
-        for (const Vec& place : standing_) {
-            if (!in_slice(place[axis] - middle[axis])) continue;
+        for (const Vec& position : standing_) {
+            if (!in_slice(position[axis] - middle[axis])) continue;
             ++result.particles;
-            const Vec at = (place - middle) / (cell * first_.spacing);
+            const Vec at = (position - middle) / (cell * first_.spacing);
             ++cells[{std::lround(at[(axis + 1) % 3]), std::lround(at[(axis + 2) % 3])}];
         }
         while (!cells.empty()) {
@@ -206,13 +206,13 @@ class Chooser {
     [[nodiscard]] bool in_slice(double distance) const { return std::abs(distance) <= half_slice * first_.spacing; }
 
     /// Where a slice across the axis cuts most of what stands in the fluid; of many such places the middle one.
-    [[nodiscard]] double fullest_place(int axis, const Vec& middle) const {
+    [[nodiscard]] double fullest_position(int axis, const Vec& middle) const {
         Box around = empty_box();
-        for (const Vec& place : standing_) include(around, place);
+        for (const Vec& position : standing_) include(around, position);
         if (is_empty(around)) return middle[axis];
         const double low = around.low[axis];
         std::map<long, std::size_t> count;
-        for (const Vec& place : standing_) ++count[std::lround((place[axis] - low) / first_.spacing)];
+        for (const Vec& position : standing_) ++count[std::lround((position[axis] - low) / first_.spacing)];
         const std::size_t most =
             std::ranges::max_element(count, {}, [](const auto& bin) { return bin.second; })->second;
         std::vector<long> full;
@@ -222,10 +222,10 @@ class Chooser {
     }
 
     /// What stands in the fluid, with half as much of the fluid before and behind it as the fluid is wide.
-    [[nodiscard]] Look opened(const Viewpoint& cut, int longest) const {
-        Look look{Look::Shows::opened, cut, aslant(cut), empty_box(), "cut open and seen aslant", bodies_};
+    [[nodiscard]] View opened(const Viewpoint& cut, int longest) const {
+        View view{View::Shows::opened, cut, aslant(cut), empty_box(), "cut open and seen aslant", bodies_};
         Box around = empty_box();
-        for (const Vec& place : standing_) include(around, place);
+        for (const Vec& position : standing_) include(around, position);
         include(around, last_.solid, &run_.area());
         Vec extent = fluid_.extent();
         for (int axis = 0; axis < 3; ++axis)
@@ -233,19 +233,19 @@ class Chooser {
         extent[longest] = 0;
         const Vec margin = Vec::Unit(longest) * (extent.maxCoeff() / 2);
         const Box whole = run_.area();
-        look.low = std::max(around.low[longest] - margin[longest], whole.low[longest]);
-        look.high = std::min(around.high[longest] + margin[longest], whole.high[longest]);
-        look.axis = longest;
-        const Box limit = look.from(whole);  // however far a stray particle may be
+        view.low = std::max(around.low[longest] - margin[longest], whole.low[longest]);
+        view.high = std::min(around.high[longest] + margin[longest], whole.high[longest]);
+        view.axis = longest;
+        const Box limit = view.from(whole);  // however far a stray particle may be
         for (const RunFrame* frame : {&first_, &last_}) {
-            const Seen shown = seen(look, *frame, run_.walls());
+            const Seen shown = seen(view, *frame, run_.walls());
             for (const auto* group :
                  {&shown.walls, &shown.frame.moving_walls, &shown.frame.bodies, &shown.frame.solid, &shown.frame.fluid})
-                include(look.area, *group, &limit);
+                include(view.area, *group, &limit);
         }
         const Vec rim = Vec::Constant(first_.spacing);
-        look.area = {look.area.low - rim, look.area.high + rim};
-        return look;
+        view.area = {view.area.low - rim, view.area.high + rim};
+        return view;
     }
 
     const RunFolder& run_;
@@ -258,51 +258,52 @@ class Chooser {
 
 }  // namespace
 
-std::vector<Look> looks_at(const RunFolder& run, const Mirrored& mirrored) {
-    if (run.flat() || run.of_spheres()) return {{Look::Shows::everything, {}, {}, run.area(), "", {}}};
-    return Chooser(run, mirrored).looks();
+std::vector<View> cameras(const RunFolder& run, const Mirrored& mirrored) {
+    if (run.flat() || run.of_spheres()) return {{View::Shows::everything, {}, {}, run.area(), "", {}}};
+    return Chooser(run, mirrored).views();
 }
 
-Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGroup>& walls) {
-    if (look.shows == Look::Shows::everything) return {frame, walls};
-    const bool opened = look.shows == Look::Shows::opened;
+Seen seen(const View& view, const RunFrame& frame, const std::optional<FrameGroup>& walls) {
+    if (view.shows == View::Shows::everything) return {frame, walls};
+    const bool opened = view.shows == View::Shows::opened;
     const double slab = half_slice * frame.spacing * (1 + 1e-6);
-    const auto of_surroundings = [&](const Vec& place) {
-        const double before = look.cut(place).z();
+    const auto of_surroundings = [&](const Vec& position) {
+        const double before = view.cut(position).z();
         if (!opened) return std::abs(before) <= slab;
-        return before <= slab && place[look.axis] >= look.low && place[look.axis] <= look.high;
+        return before <= slab && position[view.axis] >= view.low && position[view.axis] <= view.high;
     };
-    const auto of_standing = [&](const Vec& place) { return opened || of_surroundings(place); };
+    const auto of_standing = [&](const Vec& position) { return opened || of_surroundings(position); };
     Seen result;
     result.frame.time = frame.time;
     result.frame.spacing = frame.spacing;
     // opened, the fluid is cut a little deeper, so that what stands in the cut stands out
-    const auto of_fluid = [&](const Vec& place) {
-        return of_surroundings(place) && (!opened || look.cut(place).z() <= -0.25 * frame.spacing);
+    const auto of_fluid = [&](const Vec& position) {
+        return of_surroundings(position) && (!opened || view.cut(position).z() <= -0.25 * frame.spacing);
     };
     if (frame.fluid)
-        add_seen(result.frame.fluid, *frame.fluid, look.from,
-                 [&](std::size_t, const Vec& place) { return of_fluid(place); });
+        add_seen(result.frame.fluid, *frame.fluid, view.from,
+                 [&](std::size_t, const Vec& position) { return of_fluid(position); });
     if (frame.solid)
-        add_seen(result.frame.solid, *frame.solid, look.from,
-                 [&](std::size_t, const Vec& place) { return of_standing(place); });
+        add_seen(result.frame.solid, *frame.solid, view.from,
+                 [&](std::size_t, const Vec& position) { return of_standing(position); });
     for (const auto* group : {&walls, &frame.moving_walls}) {
         if (!*group) continue;
         const FrameGroup& rigid = **group;
-        add_seen(group == &walls ? result.walls : result.frame.moving_walls, rigid, look.from,
-                 [&](std::size_t i, const Vec& place) { return !is_body(look, rigid, i) && of_surroundings(place); });
+        add_seen(
+            group == &walls ? result.walls : result.frame.moving_walls, rigid, view.from,
+            [&](std::size_t i, const Vec& position) { return !is_body(view, rigid, i) && of_surroundings(position); });
         std::optional<FrameGroup> bodies;
-        add_seen(bodies, rigid, look.from,
-                 [&](std::size_t i, const Vec& place) { return is_body(look, rigid, i) && of_standing(place); });
+        add_seen(bodies, rigid, view.from,
+                 [&](std::size_t i, const Vec& position) { return is_body(view, rigid, i) && of_standing(position); });
         append(result.frame.bodies, std::move(bodies));
     }
     return result;
 }
 
-std::vector<ParticleLayer> layers_of(const Look& look, const Seen& seen, const std::string& field,
+std::vector<ParticleLayer> layers_of(const View& view, const Seen& seen, const std::string& field,
                                      const ColourScale& scale) {
     std::vector<ParticleLayer> layers = layers_of(seen.frame, seen.walls, field, scale);
-    if (look.shows == Look::Shows::opened)
+    if (view.shows == View::Shows::opened)
         for (ParticleLayer& layer : layers)
             layer.radii.assign(layer.colour.size(), static_cast<float>(radius_in_space * seen.frame.spacing));
     return layers;

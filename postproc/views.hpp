@@ -14,7 +14,7 @@
 namespace dmp::postproc {
 
 /// One drawing of a run's frames: what it shows, and from where.
-struct Look {
+struct View {
     enum class Shows : std::uint8_t {
         everything,  ///< as it lies in the plane; spheres in space
         slice,       ///< a slab of 1.5 spacings about the cut
@@ -37,17 +37,17 @@ struct Look {
 ///   - where there is such a thing, a view of it aslant, the walls and the fluid in front of the first slice taken away
 /// Spring bodies in space without a fluid are seen aslant.
 /// By axis, low and high, `mirrored` names the planes of symmetry: there, and not half-way, lies the first slice.
-std::vector<Look> looks_at(const RunFolder& run, const std::array<std::array<bool, 2>, 3>& mirrored = {});
+std::vector<View> cameras(const RunFolder& run, const std::array<std::array<bool, 2>, 3>& mirrored = {});
 
 /// What of a frame a look shows, turned so that x runs to the right, y up and z towards the eye; slices about z = 0.
 struct Seen {
     RunFrame frame;                   ///< groups of which nothing is seen are left out
     std::optional<FrameGroup> walls;  ///< at rest
 };
-Seen seen(const Look& look, const RunFrame& frame, const std::optional<FrameGroup>& walls);
+Seen seen(const View& view, const RunFrame& frame, const std::optional<FrameGroup>& walls);
 
 /// layers_of() what is seen; opened, all particles as spheres.
-std::vector<ParticleLayer> layers_of(const Look& look, const Seen& seen, const std::string& field,
+std::vector<ParticleLayer> layers_of(const View& view, const Seen& seen, const std::string& field,
                                      const ColourScale& scale);
 
 }  // namespace dmp::postproc

@@ -21,16 +21,16 @@ namespace dmp::scene {
 namespace {
 
 /// The first of the places that points somewhere, else the scene file as a whole.
-Place first_known(const Scene& scene, std::initializer_list<const Place*> places) {
-    for (const Place* place : places) {
-        if (place != nullptr && place->known()) return *place;
+SourceLocation first_known(const Scene& scene, std::initializer_list<const SourceLocation*> places) {
+    for (const SourceLocation* location : places) {
+        if (location != nullptr && location->known()) return *location;
     }
     return {scene.file, 0, 0};
 }
 
-const Place* place_of(const TomlNode& document, const char* path) {
+const SourceLocation* position_of(const TomlNode& document, const char* path) {
     const TomlNode* node = document.find(path);
-    return node == nullptr ? nullptr : &node->place;
+    return node == nullptr ? nullptr : &node->location;
 }
 
 template <class Item>
@@ -39,115 +39,117 @@ void refuse_equal_names(const std::vector<Item>& items, const std::string& what)
         for (std::size_t j = 0; j < i; ++j) {
             if (*items[i].name != *items[j].name) continue;
             throw InputError(
-                items[i].name.place,
-                "there is already a " + what + " called '" + *items[i].name + "', at " + items[j].name.place.text(),
+                items[i].name.location,
+                "there is already a " + what + " called '" + *items[i].name + "', at " + items[j].name.location.text(),
                 "give each " + what + " its own name");
         }
     }
 }
 
 void need_something_to_move(const Scene& scene) {
-    for (const PartKind kind : {PartKind::fluid, PartKind::springs, PartKind::spheres})
+    for (const PartKind kind : {PartKind::fluid, PartKind::elastic, PartKind::spheres})
         if (!scene.parts_of(kind).empty()) return;
-    const Place place = scene.parts.empty() ? Place{scene.file, 0, 0} : scene.parts.front().kind.place;
-    throw InputError(first_known(scene, {&place}),
+    const SourceLocation location =
+        scene.parts.empty() ? SourceLocation{scene.file, 0, 0} : scene.parts.front().kind.location;
+    throw InputError(first_known(scene, {&location}),
                      "no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move",
                      "add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
 }
 
 /// What is drawn needs a drawing, and particles of one spacing.
-void need_what_drawn_parts_need(const Scene& scene, const TomlNode& document) {
-    const auto is_drawn = [](const Part& part) {
+void check_parts_with_geometry(const Scene& scene, const TomlNode& document) {
+    const auto has_geometry = [](const Part& part) {
         return *part.kind != PartKind::spheres && !part.is_wall_for_spheres();
     };
     const auto need = [&](bool given, const char* section, const std::string& key) {
         if (given) return;
-        const Place* table = place_of(document, section);
+        const SourceLocation* table = position_of(document, section);
         const auto facts = schema().facts();
         const auto found = std::ranges::find(facts, key, &KeyFacts::path);
         throw InputError(first_known(scene, {table}), "missing key: " + key,
                          "add " + shown_key(key) + ": " + found->type);
     };
-    if (std::ranges::any_of(scene.parts, is_drawn) || scene.parts.empty()) {
+    if (std::ranges::any_of(scene.parts, has_geometry) || scene.parts.empty()) {
         need(!scene.geometry.file->empty(), "geometry", "geometry.file");
         need(*scene.particles.spacing > 0, "particles", "particles.spacing");
     } else if (scene.geometry.file.given()) {
-        throw InputError(scene.geometry.file.place, "geometry.file: no part of the scene is drawn",
+        throw InputError(scene.geometry.file.location, "geometry.file: no part of the scene is drawn",
                          "leave [geometry] out");
     }
 }
 
 void need_largest_speed(const Scene& scene, const TomlNode& document) {
-    const bool automatic = *scene.accuracy.sound_speed == 0;
+    const bool automatic = *scene.numerics.sound_speed == 0;
     if (!automatic || *scene.flow.largest_speed > 0 || scene.parts_of(PartKind::fluid).empty()) return;
-    throw InputError(first_known(scene, {&scene.accuracy.sound_speed.place, place_of(document, "flow")}),
-                     "flow.largest_speed is missing: accuracy.sound_speed = \"auto\" is 10 times that speed",
+    throw InputError(first_known(scene, {&scene.numerics.sound_speed.location, position_of(document, "flow")}),
+                     "flow.largest_speed is missing: numerics.sound_speed = \"auto\" is 10 times that speed",
                      "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
 }
 
 /// Implicit viscosity is one linear, symmetric system of the fluid and the springs in it.
 void need_what_implicit_viscosity_solves(const Scene& scene) {
-    const auto& accuracy = scene.accuracy;
-    if (*accuracy.viscosity_stepping != ViscosityStepping::implicitly) return;
-    if (*accuracy.viscous_law == ViscousLaw::monaghan_approaching)
+    const auto& numerics = scene.numerics;
+    if (*numerics.viscosity_stepping != ViscosityStepping::implicitly) return;
+    if (*numerics.viscous_law == ViscousLaw::monaghan_approaching)
         throw InputError(
-            first_known(scene, {&accuracy.viscous_law.place}),
-            "accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
-            "accuracy.viscous_law = \"monaghan_approaching\" is none",
+            first_known(scene, {&numerics.viscous_law.location}),
+            "numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
+            "numerics.viscous_law = \"monaghan_approaching\" is none",
             "write viscous_law = \"monaghan\" or \"morris\"");
-    if (*accuracy.spring_stepping == SpringStepping::subcycled && scene.may_have_springs())
-        throw InputError(first_known(scene, {&accuracy.spring_stepping.place, &accuracy.viscosity_stepping.place}),
-                         "accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
-                         "accuracy.spring_stepping = \"subcycled\" moves apart from it",
-                         "write spring_stepping = \"implicit\"");
+    if (*numerics.spring_stepping == SpringStepping::subcycled && scene.may_have_elastic())
+        throw InputError(
+            first_known(scene, {&numerics.spring_stepping.location, &numerics.viscosity_stepping.location}),
+            "numerics.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
+            "numerics.spring_stepping = \"subcycled\" moves apart from it",
+            "write spring_stepping = \"implicit\"");
 }
 
 /// Terms that exclude each other: the one that was written is an error, a default gives way.
 void need_terms_that_go_together(const Scene& scene) {
-    const auto& accuracy = scene.accuracy;
-    const bool summation = *accuracy.density == DensityModel::summation;
-    if (summation && accuracy.density_diffusion.given() && *accuracy.density_diffusion > 0)
-        throw InputError(accuracy.density_diffusion.place,
-                         "accuracy.density_diffusion smooths a density that is integrated, and accuracy.density = "
+    const auto& numerics = scene.numerics;
+    const bool summation = *numerics.density == DensityModel::summation;
+    if (summation && numerics.density_diffusion.given() && *numerics.density_diffusion > 0)
+        throw InputError(numerics.density_diffusion.location,
+                         "numerics.density_diffusion smooths a density that is integrated, and numerics.density = "
                          "\"summation\" integrates none",
                          "leave density_diffusion out, or write density = \"continuity\"");
-    if (*accuracy.transport_velocity && accuracy.shifting.given() && *accuracy.shifting > 0)
-        throw InputError(accuracy.shifting.place,
-                         "accuracy.shifting and accuracy.transport_velocity both spread the particles",
+    if (*numerics.transport_velocity && numerics.shifting.given() && *numerics.shifting > 0)
+        throw InputError(numerics.shifting.location,
+                         "numerics.shifting and numerics.transport_velocity both spread the particles",
                          "leave one of them out");
-    if (*accuracy.gradient_correction)
+    if (*numerics.gradient_correction)
         for (const Part* wall : scene.parts_of(PartKind::rigid))
             if (wall->slip || wall->moves())
                 throw InputError(
-                    first_known(scene, {&accuracy.gradient_correction.place}),
-                    "accuracy.gradient_correction does not know walls that move or let the fluid slip, as '" +
+                    first_known(scene, {&numerics.gradient_correction.location}),
+                    "numerics.gradient_correction does not know walls that move or let the fluid slip, as '" +
                         *wall->name + "' does",
                     "leave out gradient_correction");
-    if (*accuracy.walls != WallModel::plain || (!summation && !*accuracy.gradient_correction)) return;
+    if (*numerics.walls != WallModel::plain || (!summation && !*numerics.gradient_correction)) return;
     const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
     throw InputError(
-        accuracy.walls.place,
-        "accuracy.walls = \"plain\" integrates a density of the walls' own, which accuracy." + term + " does not know",
+        numerics.walls.location,
+        "numerics.walls = \"plain\" integrates a density of the walls' own, which accuracy." + term + " does not know",
         "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
 }
 
 void need_lattice_for_disorder(const Scene& scene) {
     if (!(*scene.particles.disorder > 0) || *scene.particles.fill == FillKind::lattice) return;
-    throw InputError(scene.particles.disorder.place,
+    throw InputError(scene.particles.disorder.location,
                      "particles.disorder displaces particles from their lattice, and particles.fill = \"" +
-                         word(*scene.particles.fill) + "\" leaves none",
+                         to_string(*scene.particles.fill) + "\" leaves none",
                      "leave out disorder or fill");
 }
 
 void need_arrangement_in_plane(const Scene& scene) {
     if (scene.dimension == 3 || *scene.particles.arrangement != Arrangement::fcc) return;
-    throw InputError(scene.particles.arrangement.place, "particles.arrangement: \"fcc\" is a lattice in space",
+    throw InputError(scene.particles.arrangement.location, "particles.arrangement: \"fcc\" is a lattice in space",
                      "write \"square\" or \"hexagonal\", or dimension = 3");
 }
 
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
-    throw InputError(scene.flow.periodic[2].place, "flow.periodic: a scene in the plane has no axis 'z'",
+    throw InputError(scene.flow.periodic[2].location, "flow.periodic: a scene in the plane has no axis 'z'",
                      "give 'x' and 'y' only, or write dimension = 3");
 }
 
@@ -155,11 +157,11 @@ void need_axis_in_space(const Scene& scene) {
 void need_thick_walls(const Scene& scene) {
     if (scene.parts_of(PartKind::fluid).empty()) return;
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
-        if (*wall->layers >= *scene.accuracy.support) continue;
-        throw InputError(first_known(scene, {&wall->layers.place, &scene.accuracy.support.place}),
+        if (*wall->layers >= *scene.numerics.support) continue;
+        throw InputError(first_known(scene, {&wall->layers.location, &scene.numerics.support.location}),
                          "the wall '" + *wall->name +
                              "' is thinner than the kernel: layers = " + std::to_string(*wall->layers) +
-                             ", accuracy.support = " + exact_text(scene.accuracy.support),
+                             ", numerics.support = " + exact_text(scene.numerics.support),
                          "give the part at least as many layers as the support has spacings");
     }
 }
@@ -168,14 +170,14 @@ void need_plane_formulas(const std::string& key, const Expression& third, const 
     const TomlNode* list = document.find(key);
     if (list == nullptr || list->children.size() < 3) return;
     if (third.is_zero()) return;
-    throw InputError(list->children[2].place, key + " has a third component in a 2-D scene",
+    throw InputError(list->children[2].location, key + " has a third component in a 2-D scene",
                      "leave it out, or write 0");
 }
 
 void need_plane_walls(const Scene& scene) {
     const auto need_plane = [](const Part& wall, const auto& formulas, const std::string& key) {
         if (!formulas.value[2].is_zero())
-            throw InputError(formulas.place, key + " of '" + *wall.name + "' has a third component in a 2-D scene",
+            throw InputError(formulas.location, key + " of '" + *wall.name + "' has a third component in a 2-D scene",
                              "leave it out, or write 0");
     };
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
@@ -187,19 +189,19 @@ void need_plane_walls(const Scene& scene) {
 /// A rigid part moves as a whole, and only walls that continue the fluid can let it slip.
 void check_walls(const Scene& scene) {
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
-        const bool bends = std::ranges::any_of(wall->velocity.value, &Expression::depends_on_place);
-        if (bends || wall->spin->depends_on_place())
-            throw InputError((bends ? wall->velocity.place : wall->spin.place),
+        const bool bends = std::ranges::any_of(wall->velocity.value, &Expression::depends_on_position);
+        if (bends || wall->spin->depends_on_position())
+            throw InputError((bends ? wall->velocity.location : wall->spin.location),
                              std::string(bends ? "velocity" : "spin") + " of the rigid part '" + *wall->name +
                                  "' depends on x, y or z: it would not stay rigid",
                              "give formulas of t; a surface that slides within itself has a surface_velocity");
-        if (wall->slip && *scene.accuracy.walls == WallModel::plain)
-            throw InputError(first_known(scene, {&wall->slip.place, &scene.accuracy.walls.place}),
+        if (wall->slip && *scene.numerics.walls == WallModel::plain)
+            throw InputError(first_known(scene, {&wall->slip.location, &scene.numerics.walls.location}),
                              "the wall '" + *wall->name + "' has slip = true, and plain walls cannot let a fluid slip",
-                             "write accuracy.walls = \"extrapolated\", or leave out slip");
+                             "write numerics.walls = \"extrapolated\", or leave out slip");
         if (wall->slip && wall->slides())
             throw InputError(
-                first_known(scene, {&wall->surface_velocity.place, &wall->slip.place}),
+                first_known(scene, {&wall->surface_velocity.location, &wall->slip.location}),
                 "the surface of '" + *wall->name + "' slides, and lets the fluid slip: it would not be felt",
                 "leave out surface_velocity, or slip");
     }
@@ -207,24 +209,24 @@ void check_walls(const Scene& scene) {
 
 /// An axis either repeats itself or has planes of symmetry, across which nothing may be driven.
 void check_symmetry(const Scene& scene) {
-    if (!scene.flow.symmetry->empty() && *scene.accuracy.gradient_correction)
-        throw InputError(first_known(scene, {&scene.accuracy.gradient_correction.place, &scene.flow.symmetry.place}),
-                         "accuracy.gradient_correction does not know planes of symmetry (flow.symmetry)",
-                         "leave out one of them");
+    if (!scene.flow.symmetry->empty() && *scene.numerics.gradient_correction)
+        throw InputError(
+            first_known(scene, {&scene.numerics.gradient_correction.location, &scene.flow.symmetry.location}),
+            "numerics.gradient_correction does not know planes of symmetry (flow.symmetry)", "leave out one of them");
     for (const BoxSide side : *scene.flow.symmetry) {
         const int axis = axis_of(side);
         if (axis == 2 && scene.dimension == 2)
-            throw InputError(scene.flow.symmetry.place,
-                             "flow.symmetry: a scene in the plane has no side '" + word(side) + "'",
+            throw InputError(scene.flow.symmetry.location,
+                             "flow.symmetry: a scene in the plane has no side '" + to_string(side) + "'",
                              "give sides across x and y only, or write dimension = 3");
         if (*scene.flow.periodic[axis])
-            throw InputError(first_known(scene, {&scene.flow.symmetry.place, &scene.flow.periodic[axis].place}),
-                             "flow.symmetry: '" + word(side) + "' lies across an axis that is periodic",
+            throw InputError(first_known(scene, {&scene.flow.symmetry.location, &scene.flow.periodic[axis].location}),
+                             "flow.symmetry: '" + to_string(side) + "' lies across an axis that is periodic",
                              "take the axis out of flow.periodic, or the side out of flow.symmetry");
         const Expression& across = scene.flow.acceleration[axis];
-        if (!across.is_zero() && !across.depends_on_place())
-            throw InputError(first_known(scene, {&scene.flow.symmetry.place}),
-                             "flow.acceleration pushes across the plane of symmetry '" + word(side) +
+        if (!across.is_zero() && !across.depends_on_position())
+            throw InputError(first_known(scene, {&scene.flow.symmetry.location}),
+                             "flow.acceleration pushes across the plane of symmetry '" + to_string(side) +
                                  "': the two sides would not be alike",
                              "leave out that component, or the side");
     }
@@ -232,19 +234,19 @@ void check_symmetry(const Scene& scene) {
 
 /// What a scene starts from is taken once.
 void need_start_without_time(const Scene& scene) {
-    const auto need = [](const std::string& key, const Expression& formula, const Place& place) {
+    const auto need = [](const std::string& key, const Expression& formula, const SourceLocation& location) {
         if (!formula.depends_on_time()) return;
-        throw InputError(place, key + " depends on t: \"" + formula.text() + "\"",
+        throw InputError(location, key + " depends on t: \"" + formula.text() + "\"",
                          "write a formula of x, y and z; a start has no time");
     };
     for (const Expression& axis : *scene.flow.initial_velocity)
-        need("flow.initial_velocity", axis, scene.flow.initial_velocity.place);
-    need("flow.initial_pressure", scene.flow.initial_pressure, scene.flow.initial_pressure.place);
+        need("flow.initial_velocity", axis, scene.flow.initial_velocity.location);
+    need("flow.initial_pressure", scene.flow.initial_pressure, scene.flow.initial_pressure.location);
 }
 
 void need_plane_point(const Value<Vec>& point) {
     if ((*point)[2] == 0) return;
-    throw InputError(point.place, "the third coordinate of a point in a 2-D scene is not 0",
+    throw InputError(point.location, "the third coordinate of a point in a 2-D scene is not 0",
                      "leave it out, or write 0");
 }
 
@@ -254,7 +256,7 @@ void check_region(const Scene& scene, const ResidenceRegion& region) {
     }
     for (int axis = 0; axis < scene.dimension; ++axis) {
         if ((*region.from)[axis] != (*region.to)[axis]) continue;
-        throw InputError(region.to.place,
+        throw InputError(region.to.location,
                          "the corners of region '" + *region.name + "' have the same " + "xyz"[axis] +
                              ": there is nothing between them",
                          "give two opposite corners of a box");
@@ -265,17 +267,17 @@ void check_region(const Scene& scene, const ResidenceRegion& region) {
 void need_regions(const Scene& scene, const TomlNode& document) {
     const bool pictured = *scene.output.picture_field == FluidField::residence_time;
     if (pictured && scene.regions.size() > 1) {
-        throw InputError(first_known(scene, {&scene.output.picture_field.place}),
+        throw InputError(first_known(scene, {&scene.output.picture_field.location}),
                          "output.picture_field = \"residence_time\": there are several regions, and one array for each",
                          "leave one [[region]], or picture another field");
     }
     if (!scene.regions.empty() || !(pictured || scene.asks_for(FluidField::residence_time))) return;
-    const Place* of_probe = nullptr;
+    const SourceLocation* of_probe = nullptr;
     for (const Measure& measure : scene.measures) {
-        if (*measure.field == FluidField::residence_time) of_probe = &measure.field.place;
+        if (*measure.field == FluidField::residence_time) of_probe = &measure.field.location;
     }
     throw InputError(
-        first_known(scene, {of_probe, place_of(document, "output.fields"), &scene.output.picture_field.place}),
+        first_known(scene, {of_probe, position_of(document, "output.fields"), &scene.output.picture_field.location}),
         "'residence_time' is asked for, and the scene has no region in which to follow it",
         "add a [[region]] with a name and the corners from and to");
 }
@@ -285,7 +287,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
         if (scene.dimension == 2) need_plane_point(*point);
     }
     if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
-        throw InputError(measure.to.place,
+        throw InputError(measure.to.location,
                          "the line of measure '" + *measure.name + "' starts and ends at the same point",
                          "give two different points");
     }
@@ -294,15 +296,15 @@ void check_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind != MeasureKind::gap) return;
     std::vector<std::string> springs;
     for (const auto& part : scene.parts) {
-        if (*part.kind == PartKind::springs) springs.push_back(part.name);
+        if (*part.kind == PartKind::elastic) springs.push_back(part.name);
     }
     if (std::find(springs.begin(), springs.end(), *measure.part) != springs.end()) return;
     const auto nearest = nearest_name(*measure.part, springs);
     const Part* other = scene.part_named(measure.part);
-    const std::string what =
-        other == nullptr ? "the scene has no part '" + *measure.part + "'"
-                         : "part '" + *measure.part + "' is of kind '" + word(*other->kind) + "', expected 'springs'";
-    throw InputError(measure.part.place, what,
+    const std::string what = other == nullptr ? "the scene has no part '" + *measure.part + "'"
+                                              : "part '" + *measure.part + "' is of kind '" + to_string(*other->kind) +
+                                                    "', expected 'springs'";
+    throw InputError(measure.part.location, what,
                      nearest.empty() ? "a gap is measured between the pieces of a springs part; the scene has " +
                                            quoted_list(springs)
                                      : "did you mean '" + nearest + "'?");
@@ -312,24 +314,26 @@ void check_measure(const Scene& scene, const Measure& measure) {
 void check_selection(const Scene& scene, const Selection& selection) {
     const std::string name = "selection '" + *selection.name + "'";
     if (scene.dimension == 2 && selection.z.given())
-        throw InputError(selection.z.place, name + " gives a z, and the scene lies in the plane",
+        throw InputError(selection.z.location, name + " gives a z, and the scene lies in the plane",
                          "take z out, or write dimension = 3");
     if (selection.from.given() != selection.to.given())
-        throw InputError(first_known(scene, {&selection.from.place, &selection.to.place}),
+        throw InputError(first_known(scene, {&selection.from.location, &selection.to.location}),
                          name + " has one corner of a box only", "give from and to");
-    const bool by_place = selection.x.given() || selection.y.given() || selection.z.given() || selection.from.given();
-    if (!by_place && !selection.normal.given() && !selection.except.given())
-        throw InputError(selection.name.place, name + " does not say which faces",
+    const bool by_position =
+        selection.x.given() || selection.y.given() || selection.z.given() || selection.from.given();
+    if (!by_position && !selection.normal.given() && !selection.except.given())
+        throw InputError(selection.name.location, name + " does not say which faces",
                          "give a plane (x, y or z), a box (from and to), a normal, or except");
     // The default angle may stand there: resolved scenes say it.
     const bool own_angle = selection.angle.given() && std::abs(selection.angle - std::numbers::pi / 18) > 1e-9;
     if (own_angle && !selection.normal.given())
-        throw InputError(selection.angle.place, name + " has an angle, and no normal that it is from", "give normal");
+        throw InputError(selection.angle.location, name + " has an angle, and no normal that it is from",
+                         "give normal");
     // What is no selection may be a surface or curve of the drawing.
     for (const std::string& other : *selection.except) {
         const auto found = std::ranges::find(scene.selections, other, [](const Selection& one) { return *one.name; });
         if (found == scene.selections.end() || &*found < &selection) continue;
-        throw InputError(selection.except.place, name + ": there is no selection '" + other + "' before it",
+        throw InputError(selection.except.location, name + ": there is no selection '" + other + "' before it",
                          "give [[select]] of '" + other + "' first, or correct the name");
     }
 }
@@ -347,7 +351,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     refuse_equal_names(scene.solidify, "solidify");
     refuse_equal_names(scene.breaking, "break");
     need_something_to_move(scene);
-    need_what_drawn_parts_need(scene, document);
+    check_parts_with_geometry(scene, document);
     check_spheres(scene, document);
     check_driving(scene);
     need_largest_speed(scene, document);
@@ -368,15 +372,15 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_regions(scene, document);
     check_species(scene);
     for (const auto& region : scene.regions) check_region(scene, region);
-    check_springs(scene);
+    check_elastic(scene);
     check_joins(scene);
     for (const auto& measure : scene.measures) check_measure(scene, measure);
     check_solidify(scene);
 }
 
 void switch_off_what_gives_way(Scene& scene) {
-    if (*scene.accuracy.density == DensityModel::summation) scene.accuracy.density_diffusion.value = 0;
-    if (*scene.accuracy.transport_velocity) scene.accuracy.shifting.value = 0;
+    if (*scene.numerics.density == DensityModel::summation) scene.numerics.density_diffusion.value = 0;
+    if (*scene.numerics.transport_velocity) scene.numerics.shifting.value = 0;
 }
 
 }  // namespace dmp::scene

@@ -1,8 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
+#include <array>
+#include <string_view>
 
+#include "base/enum_names.hpp"
+#include "base/part_kind.hpp"
 #include "models/solidify/activity.hpp"
 #include "models/sph/liquid_state.hpp"
 #include "scene/uses.hpp"
@@ -11,9 +14,6 @@ namespace dmp::scene {
 
 /// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
 enum class Quality { draft, standard, fine };
-/// The first four in the order of ParticleKind; planes and surfaces are walls for spheres, rigid parts without
-/// particles.
-enum class PartKind { fluid, rigid, springs, spheres, plane, surface };
 /// How two spheres, or a sphere and a wall, press on each other.
 enum class ContactLawKind { hertz_mindlin, hertz_history, thesis_eq_7_5, none };
 enum class AdhesionKind { none, bradley, jkr };
@@ -81,35 +81,74 @@ enum class SolidifyRule { per_pair, per_candidate, mutually_closest };
 enum class BondTo { seed, neighbours };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
-/// The word a scene uses for it: "fluid", "wendland_c2", ...
-std::string word(Quality quality);
-std::string word(PartKind kind);
-std::string word(ContactLawKind law);
-std::string word(AdhesionKind adhesion);
-std::string word(RollingKind rolling);
-std::string word(ForceAmount amount);
-std::string word(ShapeKind kind);
-std::string word(PushedSide side);
-std::string word(Arrangement arrangement);
-std::string word(RepairKind repair);
-std::string word(FillKind fill);
-std::string word(BoxSide side);
-std::string word(WallModel walls);
-std::string word(EquationOfState equation);
-std::string word(DensityModel density);
-std::string word(ViscousLaw law);
-std::string word(ViscosityMean mean);
-std::string word(SpringStepping stepping);
-std::string word(ViscosityStepping stepping);
-std::string word(SpeciesStepping stepping);
-std::string word(SpeciesUnit unit);
-std::string word(Axis axis);
-std::string word(FluidField field);
-std::string word(SolidField field);
-std::string word(KernelKind kernel);
-std::string word(MeasureKind kind);
-std::string word(SolidifyRule rule);
-std::string word(SeedActivity activity);
-std::string word(BondTo bonds);
-
 }  // namespace dmp::scene
+
+/// Their names in scene files, by number.
+namespace dmp {
+
+template <>
+inline constexpr auto enum_names<scene::Quality> = std::to_array<std::string_view>({"draft", "standard", "fine"});
+template <>
+inline constexpr auto enum_names<scene::ContactLawKind> =
+    std::to_array<std::string_view>({"hertz_mindlin", "hertz_history", "thesis_eq_7_5", "none"});
+template <>
+inline constexpr auto enum_names<scene::AdhesionKind> = std::to_array<std::string_view>({"none", "bradley", "jkr"});
+template <>
+inline constexpr auto enum_names<scene::RollingKind> = std::to_array<std::string_view>({"constant", "spring"});
+template <>
+inline constexpr auto enum_names<scene::ForceAmount> = std::to_array<std::string_view>({"total", "per_particle"});
+template <>
+inline constexpr auto enum_names<scene::ShapeKind> = std::to_array<std::string_view>({"parabola", "circle"});
+template <>
+inline constexpr auto enum_names<scene::PushedSide> = std::to_array<std::string_view>({"both", "inside", "outside"});
+template <>
+inline constexpr auto enum_names<scene::Arrangement> = std::to_array<std::string_view>({"square", "hexagonal", "fcc"});
+template <>
+inline constexpr auto enum_names<scene::RepairKind> = std::to_array<std::string_view>({"none", "weld", "fill", "vote",
+                                                                                       "wrap"});
+template <>
+inline constexpr auto enum_names<scene::FillKind> = std::to_array<std::string_view>({"lattice", "relaxed", "sampled"});
+template <>
+inline constexpr auto enum_names<scene::KernelKind> =
+    std::to_array<std::string_view>({"wendland_c2", "wendland_c4", "lucy", "cubic_spline", "quintic_spline"});
+template <>
+inline constexpr auto enum_names<scene::BoxSide> = std::to_array<std::string_view>({"x_low", "x_high", "y_low",
+                                                                                    "y_high", "z_low", "z_high"});
+template <>
+inline constexpr auto enum_names<scene::WallModel> = std::to_array<std::string_view>({"extrapolated", "plain"});
+template <>
+inline constexpr auto enum_names<scene::DensityModel> = std::to_array<std::string_view>({"continuity", "summation"});
+template <>
+inline constexpr auto enum_names<scene::ViscousLaw> = std::to_array<std::string_view>({"morris", "monaghan",
+                                                                                       "monaghan_approaching"});
+template <>
+inline constexpr auto enum_names<scene::ViscosityMean> = std::to_array<std::string_view>({"harmonic", "arithmetic"});
+template <>
+inline constexpr auto enum_names<scene::SpringStepping> = std::to_array<std::string_view>({"implicit", "subcycled"});
+template <>
+inline constexpr auto enum_names<scene::ViscosityStepping> = std::to_array<std::string_view>({"explicit", "implicit"});
+template <>
+inline constexpr auto enum_names<scene::SpeciesStepping> = std::to_array<std::string_view>({"explicit", "implicit"});
+template <>
+inline constexpr auto enum_names<scene::SpeciesUnit> = std::to_array<std::string_view>({"kg/m^3", "mol/m^3", "1"});
+template <>
+inline constexpr auto enum_names<scene::Axis> = std::to_array<std::string_view>({"x", "y", "z"});
+template <>
+inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string_view>(
+    {"flux", "gap", "largest_speed", "density", "kinetic_energy", "probe", "amount", "mean_concentration", "profile",
+     "spread", "wall_flux", "peclet", "velocity", "spin", "wall_force", "detached", "aggregate"});
+template <>
+inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
+                                                                                         "mutually_closest"});
+template <>
+inline constexpr auto enum_names<scene::BondTo> = std::to_array<std::string_view>({"seed", "neighbours"});
+template <>
+inline constexpr auto enum_names<scene::FluidField> =
+    std::to_array<std::string_view>({"velocity", "pressure", "density", "shear_stress", "stress", "von_mises",
+                                     "vorticity", "residence_time", "concentration"});
+template <>
+inline constexpr auto enum_names<scene::SolidField> = std::to_array<std::string_view>({"velocity", "displacement",
+                                                                                       "mean_displacement", "stress",
+                                                                                       "von_mises", "strain", "force"});
+
+}  // namespace dmp

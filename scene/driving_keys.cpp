@@ -15,7 +15,7 @@ std::vector<Key<ForceOnPart>> force_keys() {
         {"name", &ForceOnPart::name, name(), required, "What the force is called."},
         {"part", &ForceOnPart::part, name(), required, "The part it acts on: of fluid, springs or spheres."},
         {"force", &ForceOnPart::force, formulas("1 mN"), required, "The force along x and y, by formulas of t, x, y; in 2-D on 1 m of depth."},
-        {"amount", &ForceOnPart::amount, word_of<ForceAmount>(), required,
+        {"amount", &ForceOnPart::amount, one_of<ForceAmount>(), required,
          "What the force is of: \"total\", the whole part, spread evenly over its particles, or \"per_particle\", each of them."},
         {"from", &ForceOnPart::from, quantity("1 s", not_negative), "0", "When it starts."},
         {"until", &ForceOnPart::until, quantity("2 s", positive), not_given, "When it ends; without it never."},
@@ -28,11 +28,11 @@ std::vector<Key<MovingShape>> moving_shape_keys() {
     const Kinds all, parabola = {"parabola"}, circle = {"circle"};
     return {
         {"name", all, &MovingShape::name, name(), required, "What the shape is called."},
-        {"kind", all, &MovingShape::kind, word_of<ShapeKind>(), required,
+        {"kind", all, &MovingShape::kind, one_of<ShapeKind>(), required,
          "An arc of a parabola about an axis along y, or a circle; both are the same all along z."},
         {"parts", all, &MovingShape::parts, names(), required,
          "The parts that feel it, of fluid, springs or spheres; for all others it is not there."},
-        {"place", all, &MovingShape::place, formulas("1 mm"), required,
+        {"position", all, &MovingShape::position, formulas("1 mm"), required,
          "Where its vertex or centre is, by formulas of t; along periodic axes its nearest image counts."},
         {"half_width", parabola, &MovingShape::half_width, quantity("1 mm", positive), required,
          "From the parabola's axis to its ends."},
@@ -42,7 +42,7 @@ std::vector<Key<MovingShape>> moving_shape_keys() {
         {"strength", all, &MovingShape::strength, quantity("1 uN", positive), required,
          "K of the force K (1 + cos(pi d / range)) on each particle at the distance d."},
         {"range", all, &MovingShape::range, quantity("0.2 mm", positive), required, "Distance at which the force ends."},
-        {"side", all, &MovingShape::side, word_of<PushedSide>(), "both",
+        {"side", all, &MovingShape::side, one_of<PushedSide>(), "both",
          "Where particles belong: on either side, from where they are pushed away, or inside (where the focus is) or outside, to where they are pushed back from behind."},
         {"from", all, &MovingShape::from, quantity("1 s", not_negative), "0", "When it comes."},
         {"until", all, &MovingShape::until, quantity("2 s", positive), not_given, "When it goes; without it never."},
@@ -54,68 +54,69 @@ std::vector<Key<MovingShape>> moving_shape_keys() {
 
 namespace {
 
-void need_pushable(const Scene& scene, const Place& place, const std::string& name) {
+void need_pushable(const Scene& scene, const SourceLocation& location, const std::string& name) {
     std::vector<std::string> can;
     const Part* part = scene.part_named(name);
     for (const Part& each : scene.parts) {
         const bool moves =
-            *each.kind == PartKind::fluid || *each.kind == PartKind::springs || *each.kind == PartKind::spheres;
+            *each.kind == PartKind::fluid || *each.kind == PartKind::elastic || *each.kind == PartKind::spheres;
         if (moves) can.push_back(*each.name);
     }
     if (part == nullptr) {
         const std::string nearest = nearest_name(name, can);
         throw InputError(
-            place, "the scene has no part '" + name + "'",
+            location, "the scene has no part '" + name + "'",
             nearest.empty() ? "parts that can be pushed are " + quoted_list(can) : "did you mean '" + nearest + "'?");
     }
     if (std::ranges::find(can, name) == can.end())
-        throw InputError(
-            place,
-            "part '" + name + "' is of kind '" + word(*part->kind) + "', which moves as it is told and feels no force",
-            "give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'");
+        throw InputError(location,
+                         "part '" + name + "' is of kind '" + to_string(*part->kind) +
+                             "', which moves as it is told and feels no force",
+                         "give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'");
     if (!*part->enabled)
-        throw InputError(place, "part '" + name + "' is not enabled", "enable it, or leave out what pushes it");
+        throw InputError(location, "part '" + name + "' is not enabled", "enable it, or leave out what pushes it");
 }
 
 template <class Driver>
 void check_schedule(const Driver& driver, const std::string& what) {
     if (driver.until.given() && *driver.until <= *driver.from)
-        throw InputError(driver.until.place, what + " ends before it starts", "give an until that is after from");
+        throw InputError(driver.until.location, what + " ends before it starts", "give an until that is after from");
     if (!driver.period.given()) return;
     if (!driver.until.given())
-        throw InputError(driver.period.place, what + " has a period, and never ends within it", "add until");
+        throw InputError(driver.period.location, what + " has a period, and never ends within it", "add until");
     if (*driver.period < *driver.until - *driver.from)
-        throw InputError(driver.period.place, what + " begins anew before it has ended",
+        throw InputError(driver.period.location, what + " begins anew before it has ended",
                          "give a period of at least until - from");
 }
 
 void check_force(const Scene& scene, const ForceOnPart& force) {
     const std::string what = "the force '" + *force.name + "'";
-    need_pushable(scene, force.part.place, force.part);
+    need_pushable(scene, force.part.location, force.part);
     check_schedule(force, what);
     const auto& formulas = *force.force;
     if (scene.dimension == 2 && !formulas[2].is_zero())
-        throw InputError(force.force.place, what + " has a third component in a 2-D scene", "leave it out, or write 0");
+        throw InputError(force.force.location, what + " has a third component in a 2-D scene",
+                         "leave it out, or write 0");
     if (std::ranges::all_of(formulas, &Expression::is_zero))
-        throw InputError(force.force.place, what + " is 0", "give it a component, or leave it out");
+        throw InputError(force.force.location, what + " is 0", "give it a component, or leave it out");
     for (const BoxSide side : *scene.flow.symmetry) {
         const std::size_t axis = side == BoxSide::x_low || side == BoxSide::x_high ? 0 : 1;
-        if (!formulas.at(axis).is_zero() && !formulas.at(axis).depends_on_place())
-            throw InputError(
-                force.force.place,
-                what + " pushes across the plane of symmetry '" + word(side) + "': the two sides would not be alike",
-                "leave out that component, or the side");
+        if (!formulas.at(axis).is_zero() && !formulas.at(axis).depends_on_position())
+            throw InputError(force.force.location,
+                             what + " pushes across the plane of symmetry '" + to_string(side) +
+                                 "': the two sides would not be alike",
+                             "leave out that component, or the side");
     }
 }
 
 void check_shape(const Scene& scene, const MovingShape& shape) {
     const std::string what = "the moving shape '" + *shape.name + "'";
-    for (const std::string& part : *shape.parts) need_pushable(scene, shape.parts.place, part);
+    for (const std::string& part : *shape.parts) need_pushable(scene, shape.parts.location, part);
     check_schedule(shape, what);
-    if (std::ranges::any_of(*shape.place, &Expression::depends_on_place))
-        throw InputError(shape.place.place, what + ": its place depends on x, y or z", "give formulas of t");
+    if (std::ranges::any_of(*shape.position, &Expression::depends_on_position))
+        throw InputError(shape.position.location, what + ": its position depends on x, y or z", "give formulas of t");
     if (*shape.kind == ShapeKind::parabola && *shape.height == 0)
-        throw InputError(shape.height.place, what + " is flat: its height is 0", "give the height of its ends");
+        throw InputError(shape.height.location, what + " is flat: its height is 0", "give the height of its ends");
 }
 
 template <class Item>
@@ -125,8 +126,8 @@ void refuse_equal_names(const std::vector<Item>& items, const std::string& what)
             std::find_if(items.begin(), item, [&](const Item& other) { return *other.name == *item->name; });
         if (first != item)
             throw InputError(
-                item->name.place,
-                "there is already a " + what + " called '" + *item->name + "', at " + first->name.place.text(),
+                item->name.location,
+                "there is already a " + what + " called '" + *item->name + "', at " + first->name.location.text(),
                 "give each " + what + " its own name");
     }
 }

@@ -26,7 +26,7 @@ struct Expression::Parser {
             // Asked once: muParser compiles the formula anew after it.
             const auto used = parser.GetUsedVar();
             uses_time = used.contains("t");
-            uses_place = used.contains("x") || used.contains("y") || used.contains("z");
+            uses_position = used.contains("x") || used.contains("y") || used.contains("z");
             parser.Eval();  // muParser compiles at the first evaluation: faults show here
         } catch (const mu::Parser::exception_type& error) {
             throw std::invalid_argument(error.GetMsg());
@@ -38,7 +38,7 @@ struct Expression::Parser {
     Parser& operator=(Parser&&) = delete;
     ~Parser() = default;
 
-    bool uses_time = false, uses_place = false;
+    bool uses_time = false, uses_position = false;
 };
 
 Expression::Expression() : formula_("0"), as_written_("0"), in_si_("0") {}
@@ -74,6 +74,6 @@ double Expression::operator()(double t, double x, double y, double z) const {
 
 bool Expression::depends_on_time() const { return parser_ && parser_->uses_time; }
 
-bool Expression::depends_on_place() const { return parser_ && parser_->uses_place; }
+bool Expression::depends_on_position() const { return parser_ && parser_->uses_position; }
 
 }  // namespace dmp::scene

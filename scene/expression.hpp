@@ -24,9 +24,9 @@ class Expression {
     [[nodiscard]] double operator()(double t, double x = 0, double y = 0, double z = 0) const;
 
     [[nodiscard]] bool depends_on_time() const;
-    [[nodiscard]] bool depends_on_place() const;
+    [[nodiscard]] bool depends_on_position() const;
     /// Whether it is 0 at any time and place.
-    [[nodiscard]] bool is_zero() const { return !depends_on_time() && !depends_on_place() && (*this)(0) == 0; }
+    [[nodiscard]] bool is_zero() const { return !depends_on_time() && !depends_on_position() && (*this)(0) == 0; }
     /// As the user wrote it, with units.
     [[nodiscard]] const std::string& text() const { return as_written_; }
     /// With units, literals in SI base units; the same for every way to write the same formula in other units.

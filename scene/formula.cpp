@@ -81,12 +81,12 @@ class FormulaReader {
     Term comparison() {
         Term left = sum();
         while (true) {
-            const std::size_t place = at();
+            const std::size_t location = at();
             const auto sign = take_one_of({"<=", ">=", "==", "!=", "<", ">"});
             if (sign.empty()) return left;
             const Term right = sum();
             static_cast<void>(
-                common(left, right, place, "'" + std::string(sign) + "'"));  // only their being alike matters
+                common(left, right, location, "'" + std::string(sign) + "'"));  // only their being alike matters
             left = joined(left, sign, right, {});
         }
     }
@@ -94,11 +94,11 @@ class FormulaReader {
     Term sum() {
         Term left = product();
         while (true) {
-            const std::size_t place = at();
+            const std::size_t location = at();
             const auto sign = take_one_of({"+", "-"});
             if (sign.empty()) return left;
             const Term right = product();
-            const Dimension dimension = common(left, right, place, "'" + std::string(sign) + "'");
+            const Dimension dimension = common(left, right, location, "'" + std::string(sign) + "'");
             const bool zero = left.zero && right.zero;
             auto constant = left.constant;
             if (constant && right.constant) *constant += sign == "+" ? *right.constant : -*right.constant;
@@ -141,7 +141,7 @@ class FormulaReader {
 
     Term power() {
         Term base = primary();
-        const std::size_t place = at();
+        const std::size_t location = at();
         if (!take("^")) return base;
         const Term exponent = signed_term();
         need_number(exponent, "the exponent after '^'");
@@ -149,7 +149,7 @@ class FormulaReader {
         if (!base.dimension.none()) {
             const auto raised = exponent.constant ? base.dimension.to_the(*exponent.constant) : std::nullopt;
             if (!raised) {
-                fail(place,
+                fail(location,
                      base.dimension.name_with_article() + " is raised to " +
                          (exponent.constant ? "a power that leaves no "
                                               "whole or half unit"
@@ -309,10 +309,10 @@ class FormulaReader {
     }
 
     /// The dimension two terms share. Throws when they differ and neither is a bare 0.
-    [[nodiscard]] Dimension common(const Term& a, const Term& b, std::size_t place, const std::string& by) const {
+    [[nodiscard]] Dimension common(const Term& a, const Term& b, std::size_t location, const std::string& by) const {
         if (a.zero) return b.dimension;
         if (b.zero || a.dimension == b.dimension) return a.dimension;
-        fail(place, by + " joins " + a.dimension.name_with_article() + " and " + b.dimension.name_with_article(),
+        fail(location, by + " joins " + a.dimension.name_with_article() + " and " + b.dimension.name_with_article(),
              "both need the same dimension");
     }
 
@@ -390,7 +390,7 @@ Expression read_formula(const WrittenText& text, const Expected& expected, const
     FormulaReader reader(text);
     const Term whole = reader.read();
     if (!whole.zero && whole.dimension != expected.dimension()) {
-        if (is_bare_number(text.text)) throw expected.missing_unit(text.place, text.text, subject);
+        if (is_bare_number(text.text)) throw expected.missing_unit(text.location, text.text, subject);
         throw InputError(
             text.at(skip_spaces(text.text, 0)),
             subject + ": found \"" + text.text + "\" (" + whole.dimension.name() + "), expected " + expected.phrase(),
@@ -399,7 +399,7 @@ Expression read_formula(const WrittenText& text, const Expected& expected, const
     try {
         return Expression(whole.formula, text.text, whole.in_si);
     } catch (const std::invalid_argument& error) {
-        throw InputError(text.place, subject + ": the formula cannot be evaluated: " + error.what(),
+        throw InputError(text.location, subject + ": the formula cannot be evaluated: " + error.what(),
                          "write a shorter formula");
     }
 }

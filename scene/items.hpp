@@ -30,13 +30,13 @@ struct ForceOnPart {
 struct MovingShape {
     Value<std::string> name;
     Value<ShapeKind> kind;
-    Value<std::vector<std::string>> parts;   ///< that feel it: of fluid, springs or spheres
-    Value<std::array<Expression, 3>> place;  ///< of the vertex or centre, as functions of t [m]
-    Value<double> half_width;                ///< parabola: from its axis to its ends [m]
-    Value<double> height;                    ///< parabola: of its ends above the vertex; below 0: it opens downward [m]
-    Value<double> radius;                    ///< circle [m]
-    Value<double> strength;                  ///< K of f = K (1 + cos(pi d / r*)) on each particle [N]
-    Value<double> range;                     ///< r* [m]
+    Value<std::vector<std::string>> parts;      ///< that feel it: of fluid, springs or spheres
+    Value<std::array<Expression, 3>> position;  ///< of the vertex or centre, as functions of t [m]
+    Value<double> half_width;                   ///< parabola: from its axis to its ends [m]
+    Value<double> height;    ///< parabola: of its ends above the vertex; below 0: it opens downward [m]
+    Value<double> radius;    ///< circle [m]
+    Value<double> strength;  ///< K of f = K (1 + cos(pi d / r*)) on each particle [N]
+    Value<double> range;     ///< r* [m]
     Value<PushedSide> side = PushedSide::both;
     Value<double> from = 0.0;    ///< when it comes [s]
     Value<double> until;         ///< when it goes [s]; not given: never

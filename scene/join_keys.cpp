@@ -33,16 +33,16 @@ const Part& joined_part(const Scene& scene, const Join& join, const std::string&
         std::vector<std::string> names;
         for (const Part& each : scene.parts) names.push_back(*each.name);
         const auto nearest = nearest_name(name, names);
-        throw InputError(join.parts.place, whose + "the scene has no part '" + name + "'",
+        throw InputError(join.parts.location, whose + "the scene has no part '" + name + "'",
                          nearest.empty() ? "its parts are " + quoted_list(names) : "did you mean '" + nearest + "'?");
     }
-    if (*part->kind != PartKind::springs && *part->kind != PartKind::rigid)
-        throw InputError(join.parts.place,
-                         whose + "part '" + name + "' is of kind '" + word(*part->kind) +
+    if (*part->kind != PartKind::elastic && *part->kind != PartKind::rigid)
+        throw InputError(join.parts.location,
+                         whose + "part '" + name + "' is of kind '" + to_string(*part->kind) +
                              "', and bonds join springs, or springs and a wall",
                          "name springs parts, or a springs part and a rigid one");
     if (part->moves())
-        throw InputError(join.parts.place,
+        throw InputError(join.parts.location,
                          whose + "part '" + name + "' moves, and bonds to walls hold at places that stay",
                          "take a part that rests, or make it of springs");
     return *part;
@@ -55,18 +55,18 @@ void check_joins(const Scene& scene) {
         const Part& one = joined_part(scene, join, (*join.parts)[0]);
         const Part& other = joined_part(scene, join, (*join.parts)[1]);
         if (*one.kind == PartKind::rigid && *other.kind == PartKind::rigid)
-            throw InputError(join.parts.place,
+            throw InputError(join.parts.location,
                              "join '" + *join.name + "' is of two rigid parts, and neither of them moves",
                              "name at least one springs part");
         if (const Part* same = scene.part_named(join.name))
-            throw InputError(join.name.place,
-                             "there is already a part called '" + *join.name + "', at " + same->name.place.text(),
+            throw InputError(join.name.location,
+                             "there is already a part called '" + *join.name + "', at " + same->name.location.text(),
                              "give the join a name of its own");
         for (const Solidify& rule : scene.solidify)
             if (*rule.name == *join.name)
                 throw InputError(
-                    join.name.place,
-                    "there is already a [[solidify]] called '" + *join.name + "', at " + rule.name.place.text(),
+                    join.name.location,
+                    "there is already a [[solidify]] called '" + *join.name + "', at " + rule.name.location.text(),
                     "give the join a name of its own");
     }
 }

@@ -22,7 +22,7 @@ std::vector<Key<Species>> species_keys() {
     const std::string concentration = by_part(concentration_formula(SpeciesUnit::mass)).description;
     return {
         {"name", &Species::name, name(), required, "What the species is called."},
-        {"unit", &Species::unit, word_of<SpeciesUnit>(), "kg/m^3", "Unit of its concentrations."},
+        {"unit", &Species::unit, one_of<SpeciesUnit>(), "kg/m^3", "Unit of its concentrations."},
         {"diffusivity", &Species::diffusivity, by_part(diffusivity_type()), required,
          "Diffusivity in all fluids, or by part; solids in the table conduct, others are closed to the species."},
         {"concentration", {}, &Species::concentration, concentrations, concentration, not_given,
@@ -49,14 +49,14 @@ std::vector<Key<Measure>> measure_keys() {
     const Kinds of_species = {"amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet"};
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
-        {"kind", all, &Measure::kind, word_of<MeasureKind>(), required,
+        {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, "
          "a probe's field; of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number; "
          "of spheres velocity, spin, the walls' force, or how many are detached from one; or size, pieces and bonds of an aggregate."},
         {"from", flux, &Measure::from, point(), required, "Where the line starts."},
         {"to", flux, &Measure::to, point(), required, "Where the line ends."},
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
-        {"field", probe, &Measure::field, word_of<FluidField>(), "velocity", "What the probe reads."},
+        {"field", probe, &Measure::field, one_of<FluidField>(), "velocity", "What the probe reads."},
         {"part", of_part, &Measure::part, name(), required,
          "The springs part whose pieces' smallest distance is followed; of spheres the part whose mean velocity or spin it is, or the one sphere that others may detach from."},
         {"direction", detached, &Measure::direction, direction(), "[0, 0, 1]",
@@ -64,7 +64,7 @@ std::vector<Key<Measure>> measure_keys() {
         {"species", of_species, &Measure::species, name(), not_given, "Which species; not needed where there is one."},
         {"from", boxes, &Measure::from, point(), not_given, "One corner of a box along the axes; without it all the fluid counts."},
         {"to", boxes, &Measure::to, point(), not_given, "The opposite corner."},
-        {"axis", along, &Measure::axis, word_of<Axis>(), required, "Along which axis."},
+        {"axis", along, &Measure::axis, one_of<Axis>(), required, "Along which axis."},
         {"bins", {"profile"}, &Measure::bins, integer(Range{1, 1000, false, {}}), "20",
          "Equal parts of the box along the axis, each with a column for its mean."},
         {"about", {"spread"}, &Measure::about, quantity("1 mm"), not_given,

@@ -31,19 +31,20 @@ std::vector<std::string> split_at_dots(const std::string& path) {
 
 bool names_a_list(const std::string& word) { return std::ranges::find(item_lists(), word) != item_lists().end(); }
 
-void need_known_key(const std::string& key, const std::vector<std::string>& words, const Place& place) {
+void need_known_key(const std::string& key, const std::vector<std::string>& words, const SourceLocation& location) {
     if (names_a_list(words[0]) && words.size() != 3) {
-        throw InputError(place, "'" + key + "' does not say which " + words[0] + " and which of its keys",
+        throw InputError(location, "'" + key + "' does not say which " + words[0] + " and which of its keys",
                          "write " + words[0] + ".NAME.KEY=VALUE");
     }
     const std::string pattern = key_pattern(key);
     const auto facts = schema().facts();
     if (std::none_of(facts.begin(), facts.end(), [&](const KeyFacts& f) { return f.path == pattern; })) {
-        throw InputError(place, "unknown key '" + key + "'", advice_for_unknown_key(pattern));
+        throw InputError(location, "unknown key '" + key + "'", advice_for_unknown_key(pattern));
     }
 }
 
-TomlNode& find_item(TomlNode& document, const std::string& list, const std::string& name, const Place& place) {
+TomlNode& find_item(TomlNode& document, const std::string& list, const std::string& name,
+                    const SourceLocation& location) {
     std::vector<std::string> names;
     if (TomlNode* items = document.child(list); items != nullptr && items->is_array()) {
         for (auto& item : items->children) {
@@ -55,21 +56,21 @@ TomlNode& find_item(TomlNode& document, const std::string& list, const std::stri
     }
     const auto nearest = nearest_name(name, names);
     throw InputError(
-        place, "the scene has no " + list + " '" + name + "'",
+        location, "the scene has no " + list + " '" + name + "'",
         nearest.empty() ? "its " + list + "s are " + quoted_list(names) : "did you mean '" + nearest + "'?");
 }
 
 /// The table called `name` in `table`, made if it is not there.
-TomlNode& table_in(TomlNode& table, const std::string& name, const Place& place) {
+TomlNode& table_in(TomlNode& table, const std::string& name, const SourceLocation& location) {
     TomlNode* child = table.child(name);
     if (child == nullptr) {
         TomlNode made;
         made.key = name;
-        made.key_place = made.place = place;
+        made.key_location = made.location = location;
         child = &table.children.emplace_back(std::move(made));
     }
     if (!child->is_table()) {
-        throw InputError(child->place, "'" + name + "' is " + child->shown() + ", expected a table",
+        throw InputError(child->location, "'" + name + "' is " + child->shown() + ", expected a table",
                          "write it as a table, [" + name + "]");
     }
     return *child;
@@ -87,22 +88,22 @@ void put(TomlNode& table, TomlNode value) {
 
 void apply_overrides(TomlNode& document, std::span<const std::string> overrides) {
     for (const auto& text : overrides) {
-        const Place place{"--set " + text, 0, 0};
+        const SourceLocation location{"--set " + text, 0, 0};
         const auto equals = text.find('=');
         const std::string key = trimmed(text.substr(0, equals));
         if (equals == std::string::npos || key.empty()) {
-            throw InputError(place, "expected KEY=VALUE", "write for example --set particles.spacing=\"0.1 mm\"");
+            throw InputError(location, "expected KEY=VALUE", "write for example --set particles.spacing=\"0.1 mm\"");
         }
         const auto words = split_at_dots(key);
-        need_known_key(key, words, place);
+        need_known_key(key, words, location);
 
         TomlNode* table = &document;
         if (names_a_list(words[0])) {
-            table = &find_item(document, words[0], words[1], place);
+            table = &find_item(document, words[0], words[1], location);
         } else {
-            for (std::size_t i = 0; i + 1 < words.size(); ++i) table = &table_in(*table, words[i], place);
+            for (std::size_t i = 0; i + 1 < words.size(); ++i) table = &table_in(*table, words[i], location);
         }
-        TomlNode value = parse_toml_value(trimmed(text.substr(equals + 1)), place);
+        TomlNode value = parse_toml_value(trimmed(text.substr(equals + 1)), location);
         value.key = words.back();
         put(*table, std::move(value));
     }

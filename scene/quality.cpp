@@ -19,7 +19,7 @@ std::string default_origin(const Scene& scene, const std::string& key) {
         return fact.path == pattern && fact.fallback.depends_on_quality();
     });
     if (!follows || !scene.quality.given()) return "default";
-    return "quality = \"" + word(*scene.quality) + "\" at " + scene.quality.place.text();
+    return "quality = \"" + to_string(*scene.quality) + "\" at " + scene.quality.location.text();
 }
 
 }  // namespace dmp::scene

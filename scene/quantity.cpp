@@ -13,11 +13,11 @@ namespace dmp::scene {
 
 namespace {
 
-[[noreturn]] void fail(const Place& place, std::string what, std::string what_to_do) {
-    throw InputError(place, std::move(what), std::move(what_to_do));
+[[noreturn]] void fail(const SourceLocation& location, std::string what, std::string what_to_do) {
+    throw InputError(location, std::move(what), std::move(what_to_do));
 }
 
-constexpr std::string_view how_units_look = "units are written like m/s^2, mPa*s or J/kg/K";
+constexpr std::string_view unit_pattern = "units are written like m/s^2, mPa*s or J/kg/K";
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -104,7 +104,7 @@ std::optional<UnitReading> read_unit_greedily(const WrittenText& text, std::size
     return reading;
 }
 
-double in_si(std::string_view number, const Unit& unit, const Place& place) {
+double in_si(std::string_view number, const Unit& unit, const SourceLocation& location) {
     const auto exponent_at = number.find_first_of("eE");
     int exponent = 0;
     bool held = true;
@@ -121,7 +121,7 @@ double in_si(std::string_view number, const Unit& unit, const Place& place) {
         value *= unit.factor;
     }
     if (!held || !std::isfinite(value)) {
-        fail(place, "the number " + std::string(number) + " is too large or too small for this machine",
+        fail(location, "the number " + std::string(number) + " is too large or too small for this machine",
              "check its exponent and its unit");
     }
     return value;
@@ -152,7 +152,7 @@ Quantity parse_quantity(const WrittenText& text, const Dimension* wanted) {
              "write a number and its unit, such as \"0.1 mm\"");
     }
     const auto number = all.substr(at, number_end - at);
-    const Place number_place = text.at(at);
+    const SourceLocation number_location = text.at(at);
     at = skip_spaces(all, number_end);
     UnitReading reading{{}, at};
     const bool starts_with_one = at < all.size() && all[at] == '1' && end_of_number(all, at) == at + 1;
@@ -177,18 +177,18 @@ Quantity parse_quantity(const WrittenText& text, const Dimension* wanted) {
         if (name.empty()) {
             const std::string found =
                 rest < all.size() ? "unexpected '" + std::string(1, all[rest]) + "'" : "unexpected end";
-            fail(text.at(rest), found + " in \"" + text.text + "\"", std::string(how_units_look));
+            fail(text.at(rest), found + " in \"" + text.text + "\"", std::string(unit_pattern));
         }
         if (unit_symbol(name)) {
             fail(text.at(rest), "unexpected '" + name + "' in \"" + text.text + "\"",
-                 "join units with * or /: " + std::string(how_units_look));
+                 "join units with * or /: " + std::string(unit_pattern));
         }
         const std::string nearest = nearest_unit(name, wanted);
         fail(text.at(rest), "unknown unit '" + name + "' in \"" + text.text + "\"",
-             nearest.empty() ? std::string(how_units_look) + ", with the SI symbols and prefixes"
+             nearest.empty() ? std::string(unit_pattern) + ", with the SI symbols and prefixes"
                              : "did you mean '" + nearest + "'?");
     }
-    return {sign * in_si(number, reading.unit, number_place), reading.unit.dimension};
+    return {sign * in_si(number, reading.unit, number_location), reading.unit.dimension};
 }
 
 std::string exact_text(double value) {
@@ -210,14 +210,15 @@ Expected::Expected(std::string example) : example_(std::move(example)) {
 
 std::string Expected::phrase() const { return dimension_.name_with_article() + " such as \"" + example_ + "\""; }
 
-InputError Expected::missing_unit(const Place& place, const std::string& written, const std::string& subject) const {
+InputError Expected::missing_unit(const SourceLocation& location, const std::string& written,
+                                  const std::string& subject) const {
     const std::string quoted = "\"" + written + " " + unit_ + "\"";
     if (subject.empty()) {
-        return {place, "missing unit: found " + written + ", expected " + phrase(),
+        return {location, "missing unit: found " + written + ", expected " + phrase(),
                 "write " + quoted + " or another unit"};
     }
     const std::string key = last_word(subject);
-    return {place, "missing unit: " + key + " = " + written + ", expected " + phrase(),
+    return {location, "missing unit: " + key + " = " + written + ", expected " + phrase(),
             "write " + key + " = " + quoted + ", with the unit you mean"};
 }
 
@@ -226,15 +227,15 @@ double Expected::read(const WrittenText& text, const std::string& subject) const
     if (found.dimension == dimension_) return found.si;
     const bool bare = is_bare_number(text.text);
     if (bare && found.si == 0) return 0;
-    if (bare) throw missing_unit(text.place, text.text, subject);
-    throw InputError(text.place,
+    if (bare) throw missing_unit(text.location, text.text, subject);
+    throw InputError(text.location,
                      (subject.empty() ? "" : subject + ": ") + "found \"" + text.text + "\" (" +
                          found.dimension.name() + "), expected " + phrase(),
                      "give " + dimension_.name_with_article() + (subject.empty() ? "" : " for " + last_word(subject)));
 }
 
-double read_quantity(const std::string& text, const std::string& expected_unit, const Place& place) {
-    return Expected("1 " + expected_unit).read({text, place, {}}, "");
+double read_quantity(const std::string& text, const std::string& expected_unit, const SourceLocation& location) {
+    return Expected("1 " + expected_unit).read({text, location, {}}, "");
 }
 
 }  // namespace dmp::scene

@@ -37,7 +37,7 @@ std::optional<UnitReading> read_unit_greedily(const WrittenText& text, std::size
                                               bool (*not_unit)(std::string_view));
 
 /// `number` (no sign) in `unit`, in SI units, rounded once. Throws InputError at `place` if a double cannot hold it.
-double in_si(std::string_view number, const Unit& unit, const Place& place);
+double in_si(std::string_view number, const Unit& unit, const SourceLocation& location);
 
 /// Whether `text` is a number, perhaps signed, and nothing else.
 bool is_bare_number(std::string_view text);
@@ -65,7 +65,7 @@ class Expected {
     /// is missing, unknown or of another dimension; a bare 0 needs no unit.
     [[nodiscard]] double read(const WrittenText& text, const std::string& subject) const;
     /// The error for a number without a unit.
-    [[nodiscard]] InputError missing_unit(const Place& place, const std::string& written,
+    [[nodiscard]] InputError missing_unit(const SourceLocation& location, const std::string& written,
                                           const std::string& subject) const;
 
   private:

@@ -45,7 +45,7 @@ std::string contents_of(const std::string& file) {
 // ---- unknown keys and misplaced tables; first, as a misspelt key explains a missing one
 
 [[noreturn]] void refuse_unknown(const TomlNode& node, const std::string& pattern, const std::string& where) {
-    throw InputError(node.key_place, "unknown key '" + node.key + "'" + where, advice_for_unknown_key(pattern));
+    throw InputError(node.key_location, "unknown key '" + node.key + "'" + where, advice_for_unknown_key(pattern));
 }
 
 void refuse_unknown_in(const TomlNode& table, const std::string& section, const std::string& where,
@@ -61,12 +61,12 @@ void refuse_unknown_in(const TomlNode& table, const std::string& section, const 
 void check_items(const TomlNode& list, const std::vector<KeyFacts>& facts) {
     const std::string header = "[[" + list.key + "]]";
     if (!list.is_array()) {
-        throw InputError(list.place, "'" + list.key + "' is " + list.shown() + ", expected a list of tables",
+        throw InputError(list.location, "'" + list.key + "' is " + list.shown() + ", expected a list of tables",
                          "write " + header + " with double brackets, once for each " + list.key);
     }
     for (const auto& item : list.children) {
         if (!item.is_table()) {
-            throw InputError(item.place, "'" + list.key + "' holds " + item.shown() + ", expected tables",
+            throw InputError(item.location, "'" + list.key + "' holds " + item.shown() + ", expected tables",
                              "write " + header + ", once for each " + list.key);
         }
         refuse_unknown_in(item, list.key + ".*", " in " + header, facts);
@@ -85,7 +85,7 @@ void check_keys(const TomlNode& document) {
             refuse_unknown(node, node.key, "");
         }
         if (!node.is_table()) {
-            throw InputError(node.place, "'" + node.key + "' is " + node.shown() + ", expected a table",
+            throw InputError(node.location, "'" + node.key + "' is " + node.shown() + ", expected a table",
                              "write [" + node.key + "] and its keys below");
         }
         refuse_unknown_in(node, node.key, " in [" + node.key + "]", facts);
@@ -96,8 +96,8 @@ void check_keys(const TomlNode& document) {
 
 /// Reads one key, or its default where `node` is null. `path` names it in messages.
 template <class Owner>
-void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const std::string& path, const Place& table,
-              Quality quality) {
+void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const std::string& path,
+              const SourceLocation& table, Quality quality) {
     if (node != nullptr) {
         key.read(owner, *node, path);
     } else if (key.facts.fallback.presence == required) {
@@ -111,14 +111,14 @@ void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const s
 template <class Item>
 void need_fitting_key(const Item& item, const TomlNode& node, const std::string& what,
                       const std::vector<Key<Item>>& keys) {
-    const std::string kind = word(*item.kind);
+    const std::string kind = to_string(*item.kind);
     Kinds right_kinds;
     for (const auto& key : keys) {
         if (key.facts.name() != node.key) continue;
         if (key.facts.is_for(kind)) return;
         right_kinds.insert(right_kinds.end(), key.facts.kinds.begin(), key.facts.kinds.end());
     }
-    throw InputError(node.key_place,
+    throw InputError(node.key_location,
                      "'" + node.key + "' does not apply to the " + what + " '" + *item.name + "' of kind '" + kind +
                          "', only to kind " + quoted_list(right_kinds),
                      "remove it, or correct the " + what + "'s kind");
@@ -131,7 +131,7 @@ Item read_item(const TomlNode& table, const std::string& what, const std::vector
     for (const auto& key : keys) {
         const bool first_two = key.facts.name() == "name" || key.facts.name() == "kind";
         if (!first_two && !key.facts.is_for(kind_of(item))) continue;
-        read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.place, quality);
+        read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.location, quality);
         if (key.facts.name() == "name" && !item.name->empty()) prefix = what + "." + *item.name;
         if constexpr (requires { item.kind; }) {
             if (key.facts.name() != "kind") continue;
@@ -180,7 +180,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     for (const auto& key : schema().scene) {
         const TomlNode* section = document.find(key.facts.section());
         const bool in_table = section != nullptr && !key.facts.section().empty();
-        const Place table = in_table ? section->place : Place{scene.file, 0, 0};
+        const SourceLocation table = in_table ? section->location : SourceLocation{scene.file, 0, 0};
         read_key(scene, key, document.find(key.facts.path), key.facts.path, table,
                  *scene.quality);  // the quality itself comes before what depends on it
     }

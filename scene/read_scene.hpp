@@ -30,6 +30,6 @@ std::string scene_reference();
 std::string resolved_scene(const Scene& scene);
 
 /// Reads "0.2 s", "3e-3 m/s" ... of the dimension of `expected_unit` ("s", "m/s"); throws InputError.
-double read_quantity(const std::string& text, const std::string& expected_unit, const Place& place = {});
+double read_quantity(const std::string& text, const std::string& expected_unit, const SourceLocation& location = {});
 
 }  // namespace dmp::scene

@@ -85,12 +85,12 @@ struct Scene {
         Value<double> species_tolerance = 1e-8;  ///< of implicit diffusion: the concentrations' relative error [-]
         Value<double> steps_per_contact = 20.0;  ///< of spheres: steps in the shortest elastic impact [-]
         Value<double> contact_step = 0.0;        ///< the spheres' time step [s]; 0 = "auto": from steps_per_contact
-    } accuracy;
+    } numerics;
 
     struct {
-        Value<double> duration;           ///< [s]
-        Value<int> threads = 0;           ///< 0 = all the machine has
-        Value<double> until_still = 0.0;  ///< spheres: time without any change after which to end [s]; 0: do not
+        Value<double> duration;            ///< [s]
+        Value<int> threads = 0;            ///< 0 = all the machine has
+        Value<double> until_steady = 0.0;  ///< spheres: time without any change after which to end [s]; 0: do not
     } run;
 
     struct {
@@ -126,7 +126,7 @@ struct Scene {
     /// Whether spring bodies may change while the scene runs.
     [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
     /// Whether there may be spring bodies at some time.
-    [[nodiscard]] bool may_have_springs() const { return !solidify.empty() || !parts_of(PartKind::springs).empty(); }
+    [[nodiscard]] bool may_have_elastic() const { return !solidify.empty() || !parts_of(PartKind::elastic).empty(); }
     /// The joins between parts that are enabled, in order.
     [[nodiscard]] std::vector<const Join*> joins_of_enabled() const;
     /// The part of that name, enabled or not; null where there is none.

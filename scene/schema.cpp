@@ -17,7 +17,7 @@ using Geometry = decltype(Scene::geometry);
 using Particles = decltype(Scene::particles);
 using Flow = decltype(Scene::flow);
 using Contact = decltype(Scene::contact);
-using Accuracy = decltype(Scene::accuracy);
+using Numerics = decltype(Scene::numerics);
 using Run = decltype(Scene::run);
 using Output = decltype(Scene::output);
 using SceneBox = decltype(Scene::box);
@@ -33,7 +33,7 @@ std::vector<Key<Scene>> top_keys() {
         {"title", &Scene::title, text(), not_given, "What the scene shows; stands on the report and the pictures."},
         {"dimension", &Scene::dimension, integer(Range{2, 3, false, {}}), "2",
          "Dimensions of space; a 2-D scene is 1 m deep."},
-        {"quality", &Scene::quality, word_of<Quality>(), "standard",
+        {"quality", &Scene::quality, one_of<Quality>(), "standard",
          "Sets what trades accuracy for speed together, where the scene does not give it (docs/accuracy.md)."},
     };
 }
@@ -48,7 +48,7 @@ std::vector<Key<Geometry>> geometry_keys() {
         {"parameters", {}, &Geometry::parameters, [](const Geometry& geometry) { return parameters(geometry.unit); },
          parameters(1).description, "{}",
          "Values for the drawing's DefineConstant names; lengths are turned into the drawing's unit, angles into radians."},
-        {"repair", &Geometry::repair, word_of<RepairKind>(), "wrap",
+        {"repair", &Geometry::repair, one_of<RepairKind>(), "wrap",
          "How far the repair of a fluid's surface that is not closed may go; each step has those before it "
          "(docs/repair.md)."},
         {"largest_hole", &Geometry::largest_hole, number(not_negative), "8",
@@ -83,10 +83,10 @@ std::vector<Key<Particles>> particles_keys() {
     return {
         {"spacing", &Particles::spacing, quantity("0.1 mm", positive), not_given,
          "Distance between neighbouring particles; needed for all but spheres."},
-        {"arrangement", &Particles::arrangement, word_of<Arrangement>(), "square",
+        {"arrangement", &Particles::arrangement, one_of<Arrangement>(), "square",
          "Lattice on which the fluid starts; in space \"square\" is cubic, \"hexagonal\" is close-packed, and there is "
          "face-centred cubic, \"fcc\"."},
-        {"fill", &Particles::fill, word_of<FillKind>(), "lattice",
+        {"fill", &Particles::fill, one_of<FillKind>(), "lattice",
          "\"relaxed\" moves particles off the lattice until they follow the curves or surfaces of the drawing, those of walls "
          "too, with particles at corners and edges; arrangement is then where they start from, and \"square\" a good start. "
          "\"sampled\" does the same from places at random that keep their distance, without a lattice's directions."},
@@ -97,10 +97,10 @@ std::vector<Key<Particles>> particles_keys() {
 }
 
 std::vector<Key<Part>> part_keys() {
-    const Kinds all, fluid = {"fluid"}, rigid = {"rigid"}, springs = {"springs"};
+    const Kinds all, fluid = {"fluid"}, rigid = {"rigid"}, springs = {"elastic"};
     return {
         {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the drawing, if it is drawn."},
-        {"kind", all, &Part::kind, word_of<PartKind>(), required,
+        {"kind", all, &Part::kind, one_of<PartKind>(), required,
          "What the part is made of: a fluid, a rigid wall, a flexible solid of masses and springs, spheres that touch, or a "
          "wall for spheres: a plane or a surface of triangles."},
         {"enabled", all, &Part::enabled, boolean(), "true", "false leaves the part out; its name stays known."},
@@ -165,10 +165,10 @@ std::vector<Key<Flow>> flow_keys() {
         {"acceleration", &Flow::acceleration, formulas("0.1 m/s^2"), "[0, 0]",
          "Body acceleration of fluid and spheres along x and y, as formulas of t, x, y."},
         {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
-        {"symmetry", &Flow::symmetry, list_of_words<BoxSide>(), "[]",
+        {"symmetry", &Flow::symmetry, list_of<BoxSide>(), "[]",
          "Sides of the box around the fluid on which the whole scene is mirrored."},
         {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
-         "Largest speed expected; needed where accuracy.sound_speed is \"auto\"."},
+         "Largest speed expected; needed where numerics.sound_speed is \"auto\"."},
         {"largest_pressure", &Flow::largest_pressure, quantity("2 kPa", positive), not_given,
          "Largest pressure expected; without it the fluid's extent times density and body acceleration."},
         {"initial_velocity", &Flow::initial_velocity, formulas("0.1 m/s"), "[0, 0]",
@@ -187,54 +187,54 @@ std::vector<Key<Contact>> contact_keys() {
     };
 }
 
-std::vector<Key<Accuracy>> accuracy_keys() {
+std::vector<Key<Numerics>> numerics_keys() {
     return {
-        {"kernel", &Accuracy::kernel, word_of<KernelKind>(), ByQuality{"lucy", "wendland_c2", "wendland_c2"},
+        {"kernel", &Numerics::kernel, one_of<KernelKind>(), ByQuality{"lucy", "wendland_c2", "wendland_c2"},
          "Smoothing kernel."},
-        {"support", &Accuracy::support, number(between(2, 6)), ByQuality{"3.0", "3.0", "4.0"},
+        {"support", &Numerics::support, number(between(2, 6)), ByQuality{"3.0", "3.0", "4.0"},
          "Radius of the kernel's support in spacings."},
-        {"sound_speed", &Accuracy::sound_speed, quantity_or_auto("2 m/s"), "auto",
-         "Speed of sound of the fluid; \"auto\" follows from accuracy.mach_number, flow.largest_speed and the largest "
+        {"sound_speed", &Numerics::sound_speed, quantity_or_auto("2 m/s"), "auto",
+         "Speed of sound of the fluid; \"auto\" follows from numerics.mach_number, flow.largest_speed and the largest "
          "pressure."},
-        {"mach_number", &Accuracy::mach_number, number(Range{0.01, 0.3, false, {}}), ByQuality{"0.15", "0.1", "0.1"},
+        {"mach_number", &Numerics::mach_number, number(Range{0.01, 0.3, false, {}}), ByQuality{"0.15", "0.1", "0.1"},
          "Largest speed over the speed of sound where that is \"auto\"; density varies by about its square."},
-        {"walls", &Accuracy::walls, word_of<WallModel>(), "extrapolated",
+        {"walls", &Numerics::walls, one_of<WallModel>(), "extrapolated",
          "What wall particles carry: pressure and velocity extrapolated from the fluid, or plain resting fluid."},
-        {"equation_of_state", &Accuracy::equation_of_state, word_of<EquationOfState>(), "tait",
+        {"equation_of_state", &Numerics::equation_of_state, one_of<EquationOfState>(), "tait",
          "Pressure from density: Tait's equation with exponent 7, or a straight line."},
-        {"background_pressure", &Accuracy::background_pressure, quantity("200 Pa", not_negative), "0",
+        {"background_pressure", &Numerics::background_pressure, quantity("200 Pa", not_negative), "0",
          "Pressure added to the equation of state, for fluids that are confined or periodic."},
-        {"density", &Accuracy::density, word_of<DensityModel>(), "continuity",
+        {"density", &Numerics::density, one_of<DensityModel>(), "continuity",
          "Density from its rate, or anew each step as a sum over neighbours."},
-        {"gradient_correction", &Accuracy::gradient_correction, boolean(), "false",
+        {"gradient_correction", &Numerics::gradient_correction, boolean(), "false",
          "Whether the kernel's gradient is corrected, so that linear fields have exact gradients."},
-        {"viscous_law", &Accuracy::viscous_law, word_of<ViscousLaw>(), "morris",
+        {"viscous_law", &Numerics::viscous_law, one_of<ViscousLaw>(), "morris",
          "Viscous force: Morris' form, or Monaghan's along the line of each pair, all pairs or only approaching ones."},
-        {"viscosity_mean", &Accuracy::viscosity_mean, word_of<ViscosityMean>(), "harmonic",
+        {"viscosity_mean", &Numerics::viscosity_mean, one_of<ViscosityMean>(), "harmonic",
          "Mean of two viscosities where fluids of unlike viscosity meet."},
-        {"density_diffusion", &Accuracy::density_diffusion, number(between(0, 1)), "0.1",
+        {"density_diffusion", &Numerics::density_diffusion, number(between(0, 1)), "0.1",
          "Strength delta of the density diffusion; 0 switches it off, as density = \"summation\" does."},
-        {"shifting", &Accuracy::shifting, number(not_negative), ByQuality{"3.0", "4.0", "6.0"},
+        {"shifting", &Numerics::shifting, number(not_negative), ByQuality{"3.0", "4.0", "6.0"},
          "Strength of the particle shifting; 0 switches it off, as transport_velocity = true does."},
-        {"transport_velocity", &Accuracy::transport_velocity, boolean(), "false",
+        {"transport_velocity", &Numerics::transport_velocity, boolean(), "false",
          "Whether particles move with a transport velocity that spreads them evenly, instead of shifting."},
-        {"step_factor", &Accuracy::step_factor, number(fraction), ByQuality{"0.4", "0.3", "0.15"},
+        {"step_factor", &Numerics::step_factor, number(fraction), ByQuality{"0.4", "0.3", "0.15"},
          "Fluid step: speed of sound * step / support radius."},
-        {"viscosity_stepping", &Accuracy::viscosity_stepping, word_of<ViscosityStepping>(), "explicit",
+        {"viscosity_stepping", &Numerics::viscosity_stepping, one_of<ViscosityStepping>(), "explicit",
          "Viscous forces of velocities as they were, which limits the step, or as they will be, solved for in each step."},
-        {"viscosity_tolerance", &Accuracy::viscosity_tolerance, number(between(1e-14, 0.01)), "1e-6",
+        {"viscosity_tolerance", &Numerics::viscosity_tolerance, number(between(1e-14, 0.01)), "1e-6",
          "Implicit viscosity: when a solve ends, as the velocities' error by its residual over the velocities."},
-        {"spring_stepping", &Accuracy::spring_stepping, word_of<SpringStepping>(), "implicit",
+        {"spring_stepping", &Numerics::spring_stepping, one_of<SpringStepping>(), "implicit",
          "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},
-        {"spring_step_factor", &Accuracy::spring_step_factor, number(fraction), "0.5",
+        {"spring_step_factor", &Numerics::spring_step_factor, number(fraction), "0.5",
          "Explicit spring step as a fraction of the largest stable one."},
-        {"species_stepping", &Accuracy::species_stepping, word_of<SpeciesStepping>(), "explicit",
+        {"species_stepping", &Numerics::species_stepping, one_of<SpeciesStepping>(), "explicit",
          "Diffusion of species by concentrations as they were, which limits the step, or as they will be, solved for in each step."},
-        {"species_tolerance", &Accuracy::species_tolerance, number(between(1e-14, 0.01)), "1e-8",
+        {"species_tolerance", &Numerics::species_tolerance, number(between(1e-14, 0.01)), "1e-8",
          "Implicit diffusion: when a solve ends, as the concentrations' error by its residual over the concentrations."},
-        {"steps_per_contact", &Accuracy::steps_per_contact, number(at_least(5)), ByQuality{"10", "20", "50"},
+        {"steps_per_contact", &Numerics::steps_per_contact, number(at_least(5)), ByQuality{"10", "20", "50"},
          "Spheres: time steps in the shortest elastic impact, where contact_step is \"auto\"."},
-        {"contact_step", &Accuracy::contact_step, quantity_or_auto("1 ns"), "auto", "Spheres: the time step."},
+        {"contact_step", &Numerics::contact_step, quantity_or_auto("1 ns"), "auto", "Spheres: the time step."},
     };
 }
 
@@ -242,7 +242,7 @@ std::vector<Key<Run>> run_keys() {
     return {
         {"duration", &Run::duration, quantity("4 s", positive), required, "Simulated time."},
         {"threads", &Run::threads, integer(not_negative), "0", "Threads to run on; 0 takes all the machine has."},
-        {"until_still", &Run::until_still, quantity("10 us", not_negative), "0 s",
+        {"until_steady", &Run::until_steady, quantity("10 us", not_negative), "0 s",
          "Spheres: end the run once nothing has changed for this time, no contact and hardly the kinetic energy; 0: do not."},
     };
 }
@@ -250,13 +250,13 @@ std::vector<Key<Run>> run_keys() {
 std::vector<Key<Output>> output_keys() {
     return {
         {"every", &Output::every, quantity("20 ms", positive), required, "Time between frames."},
-        {"fields", &Output::fields, list_of_words<FluidField>(), "['velocity', 'pressure', 'shear_stress']",
+        {"fields", &Output::fields, list_of<FluidField>(), "['velocity', 'pressure', 'shear_stress']",
          "Fields of each particle in the frames."},
         {"measure_every", &Output::measure_every, quantity_or_auto("5 ms"), "auto",
          "Time between rows of measures.csv; \"auto\" is a quarter of output.every."},
         {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are drawn."},
-        {"picture_field", &Output::picture_field, word_of<FluidField>(), "velocity", "Field the pictures show."},
-        {"solid_fields", &Output::solid_fields, list_of_words<SolidField>(),
+        {"picture_field", &Output::picture_field, one_of<FluidField>(), "velocity", "Field the pictures show."},
+        {"solid_fields", &Output::solid_fields, list_of<SolidField>(),
          "['velocity', 'displacement', 'strain', 'force']",
          "Fields of spring bodies in the frames; strain and force are of each bond."},
         {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
@@ -294,7 +294,7 @@ Schema whole_schema() {
     add_section(schema.scene, "box", &Scene::box, box_keys());
     add_section(schema.scene, "flow", &Scene::flow, flow_keys());
     add_section(schema.scene, "contact", &Scene::contact, contact_keys());
-    add_section(schema.scene, "accuracy", &Scene::accuracy, accuracy_keys());
+    add_section(schema.scene, "numerics", &Scene::numerics, numerics_keys());
     add_section(schema.scene, "run", &Scene::run, run_keys());
     add_section(schema.scene, "output", &Scene::output, output_keys());
     auto parts = part_keys();

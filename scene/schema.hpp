@@ -58,11 +58,11 @@ struct KeyFacts {
 namespace detail {
 
 template <class T>
-void assign(Value<T>& member, T value, const Place& place) {
-    member = {std::move(value), place};
+void assign(Value<T>& member, T value, const SourceLocation& location) {
+    member = {std::move(value), location};
 }
 template <class T>
-void assign(T& member, T value, const Place& /*a plain member keeps no place*/) {
+void assign(T& member, T value, const SourceLocation& /*a plain member keeps no place*/) {
     member = std::move(value);
 }
 
@@ -112,7 +112,7 @@ struct Key {
         const Default& fallback, std::string meaning)
         : facts{std::move(name), std::move(type), fallback, std::move(kinds), std::move(meaning)},
           read([member, type_for](Owner& owner, const TomlNode& node, const std::string& path) {
-              detail::assign(owner.*member, type_for(owner).read(node, path), node.place);
+              detail::assign(owner.*member, type_for(owner).read(node, path), node.location);
           }),
           write([member, type_for, optional = fallback.presence == not_given](const Owner& owner) {
               const auto& type_now = type_for(owner);
@@ -154,7 +154,7 @@ const std::vector<std::string>& item_lists();
 /// The word of an item's kind; "" for items without kinds.
 template <class Item>
 std::string kind_of(const Item& item) {
-    if constexpr (requires { item.kind; }) return word(*item.kind);
+    if constexpr (requires { item.kind; }) return to_string(*item.kind);
     return {};
 }
 

@@ -24,9 +24,9 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
     else if (!*part->enabled)
         problem += "part '" + *name + "' is not enabled";
     else
-        problem += "part '" + *name + "' is of kind '" + word(*part->kind) + "', expected " + expected;
+        problem += "part '" + *name + "' is of kind '" + to_string(*part->kind) + "', expected " + expected;
     const auto nearest = nearest_name(*name, names);
-    throw InputError(name.place, problem,
+    throw InputError(name.location, problem,
                      names.empty()     ? "add one"
                      : nearest.empty() ? "the scene has " + quoted_list(names)
                                        : "did you mean '" + nearest + "'?");
@@ -39,15 +39,15 @@ void check_liquid(const Scene& scene, const Solidify& rule) {
     if (!is_one_of(*rule.liquid, liquids))
         refuse_name(scene, rule.liquid, "liquid", named(rule), "a fluid part", liquids);
     if (const Part* same = scene.part_named(rule.name))
-        throw InputError(rule.name.place,
-                         "there is already a part called '" + *rule.name + "', at " + same->name.place.text(),
+        throw InputError(rule.name.location,
+                         "there is already a part called '" + *rule.name + "', at " + same->name.location.text(),
                          "give what turns solid a name of its own");
 }
 
 void check_region_name(const Scene& scene, const Solidify& rule, const Value<std::string>& region,
                        const std::string& key, const Value<double>& residence, const std::string& residence_key) {
     if (residence.given() && !region.given())
-        throw InputError(residence.place,
+        throw InputError(residence.location,
                          residence_key + " of " + named(rule) + " is a time in a region, and there is no " + key,
                          "add " + key + ", the name of a [[region]]");
     if (!region.given()) return;
@@ -55,7 +55,7 @@ void check_region_name(const Scene& scene, const Solidify& rule, const Value<std
     for (const ResidenceRegion& each : scene.regions) names.push_back(*each.name);
     if (is_one_of(*region, names)) return;
     const auto nearest = nearest_name(*region, names);
-    throw InputError(region.place, key + " of " + named(rule) + ": the scene has no region '" + *region + "'",
+    throw InputError(region.location, key + " of " + named(rule) + ": the scene has no region '" + *region + "'",
                      names.empty()     ? "add a [[region]] with that name and the corners from and to"
                      : nearest.empty() ? "its regions are " + quoted_list(names)
                                        : "did you mean '" + nearest + "'?");
@@ -66,19 +66,19 @@ void check_seeds(const Scene& scene, const Solidify& rule) {
         rule.seed_region.given() || rule.seed_stress_above.given() || rule.seed_residence_above.given();
     if (!rule.seed_part.given()) {
         if (of_liquid) return;
-        throw InputError(rule.name.place, named(rule) + " has no seeds: nothing would ever turn solid",
+        throw InputError(rule.name.location, named(rule) + " has no seeds: nothing would ever turn solid",
                          "add seed_part, seed_region or seed_stress_above");
     }
     if (of_liquid)
-        throw InputError(rule.seed_part.place, named(rule) + " has seeds of a part and seeds of liquid",
+        throw InputError(rule.seed_part.location, named(rule) + " has seeds of a part and seeds of liquid",
                          "leave out seed_part, or write a [[solidify]] for each");
     auto solids = scene.names_of_parts(PartKind::rigid);
-    for (const auto& name : scene.names_of_parts(PartKind::springs)) solids.push_back(name);
+    for (const auto& name : scene.names_of_parts(PartKind::elastic)) solids.push_back(name);
     if (!is_one_of(*rule.seed_part, solids))
         refuse_name(scene, rule.seed_part, "seed_part", named(rule), "a rigid or springs part", solids);
     for (const Part* wall : scene.parts_of(PartKind::rigid))
         if (*wall->name == *rule.seed_part && wall->moves())
-            throw InputError(rule.seed_part.place,
+            throw InputError(rule.seed_part.location,
                              "seed_part of " + named(rule) + ": part '" + *wall->name +
                                  "' moves, and bonds to walls hold at places that stay",
                              "take a part that rests, or a springs part");
@@ -87,12 +87,12 @@ void check_seeds(const Scene& scene, const Solidify& rule) {
 void check_activity(const Solidify& rule) {
     const bool one_in = *rule.active == SeedActivity::one_in;
     if (one_in && !rule.one_in.given())
-        throw InputError(rule.active.place, named(rule) + ": active = \"one_in\" does not say in how many events",
+        throw InputError(rule.active.location, named(rule) + ": active = \"one_in\" does not say in how many events",
                          "add one_in = 10, for example");
     if (!one_in && rule.one_in.given())
         throw InputError(
-            rule.one_in.place,
-            named(rule) + ": one_in needs active = \"one_in\", and active is \"" + word(*rule.active) + "\"",
+            rule.one_in.location,
+            named(rule) + ": one_in needs active = \"one_in\", and active is \"" + to_string(*rule.active) + "\"",
             "write active = \"one_in\", or leave one_in out");
 }
 
@@ -100,7 +100,7 @@ void check_breaking(const Scene& scene, const Breaking& rule) {
     const auto is_it = [&](const Join& join) { return *join.name == *rule.part; };
     if (std::ranges::none_of(scene.joins, is_it)) need_solid(scene, rule.part, "break", *rule.name);
     if (rule.force_above.given() == rule.strain_above.given())
-        throw InputError(rule.force_above.given() ? rule.strain_above.place : rule.name.place,
+        throw InputError(rule.force_above.given() ? rule.strain_above.location : rule.name.location,
                          "break '" + *rule.name + "' has " +
                              (rule.force_above.given() ? "two limits" : "no limit: nothing would ever break"),
                          "give force_above or strain_above");
@@ -109,7 +109,7 @@ void check_breaking(const Scene& scene, const Breaking& rule) {
 }  // namespace
 
 void need_solid(const Scene& scene, const Value<std::string>& name, const std::string& what, const std::string& whose) {
-    auto solids = scene.names_of_parts(PartKind::springs);
+    auto solids = scene.names_of_parts(PartKind::elastic);
     for (const Solidify& rule : scene.solidify) solids.push_back(*rule.name);
     if (!is_one_of(*name, solids))
         refuse_name(scene, name, "part", what + " '" + whose + "'", "a springs part or a [[solidify]]", solids);
@@ -124,19 +124,20 @@ void check_solidify(const Scene& scene) {
         check_region_name(scene, rule, rule.region, "region", rule.residence_above, "residence_above");
         check_activity(rule);
         if (!scene.flow.symmetry->empty())
-            throw InputError(rule.name.place, named(rule) + ": there are planes of symmetry, and solids have no image",
+            throw InputError(rule.name.location,
+                             named(rule) + ": there are planes of symmetry, and solids have no image",
                              "leave out flow.symmetry, and draw both sides");
     }
     if (!scene.solidify.empty() && !scene.species.empty())
         throw InputError(
-            scene.solidify.front().name.place,
+            scene.solidify.front().name.location,
             named(scene.solidify.front()) +
                 ": the scene has [[species]], and what is dissolved in liquid that turns solid would be lost",
             "species in aggregates are not there yet: leave out [[solidify]] or [[species]]");
     for (const Breaking& rule : scene.breaking) check_breaking(scene, rule);
     if (scene.changes_bodies() && scene.asks_for(SolidField::mean_displacement))
         throw InputError(
-            scene.solidify.empty() ? scene.breaking.front().name.place : scene.solidify.front().name.place,
+            scene.solidify.empty() ? scene.breaking.front().name.location : scene.solidify.front().name.location,
             "output.solid_fields asks for mean_displacement, which is of bodies that stay as they were drawn",
             "leave mean_displacement out");
 }

@@ -23,7 +23,7 @@ std::vector<Key<Solidify>> solidify_keys() {
          "Only liquid under more shear stress turns solid near a seed."},
         {"residence_above", &Solidify::residence_above, quantity("1 s", positive), not_given,
          "Only liquid that has been in the region for longer turns solid near a seed."},
-        {"rule", &Solidify::rule, word_of<SolidifyRule>(), "per_candidate",
+        {"rule", &Solidify::rule, one_of<SolidifyRule>(), "per_candidate",
          "What the dice are thrown for: each pair of a seed and liquid within reach, each liquid particle within reach of "
          "a seed, or pairs that are each other's nearest."},
         {"reach", &Solidify::reach, quantity("0.12 mm", positive), required,
@@ -31,7 +31,7 @@ std::vector<Key<Solidify>> solidify_keys() {
         {"probability", &Solidify::probability, number(fraction), required, "With which the rule binds, in one event."},
         {"from", &Solidify::from, quantity("0.5 s", not_negative), "0 s", "When the first event is."},
         {"interval", &Solidify::interval, quantity("10 ms", positive), required, "Time between events."},
-        {"active", &Solidify::active, word_of<SeedActivity>(), "always",
+        {"active", &Solidify::active, one_of<SeedActivity>(), "always",
          "When a seed acts: in every event, in its first one only, or in one of one_in events."},
         {"one_in", &Solidify::one_in, integer(at_least(1)), not_given, "N, with active = \"one_in\"."},
         {"spreads", &Solidify::spreads, boolean(), "true", "Whether what turned solid is a seed from the next event on."},
@@ -43,7 +43,7 @@ std::vector<Key<Solidify>> solidify_keys() {
          "r0 of a new bond; \"auto\" is the distance when it is made."},
         {"bond_damping", &Solidify::bond_damping, number(between(0, 1)), "0.01",
          "Dashpot along a new bond, as a fraction of critical damping."},
-        {"bond_to", &Solidify::bond_to, word_of<BondTo>(), "seed",
+        {"bond_to", &Solidify::bond_to, one_of<BondTo>(), "seed",
          "What a particle that turns solid is bonded to: its seed, or also all of the aggregate within reach."},
         {"seed", &Solidify::seed, integer(not_negative), "1", "Chooses among the random numbers."},
     };

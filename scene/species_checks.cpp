@@ -9,32 +9,35 @@ namespace dmp::scene {
 
 namespace {
 
-Place place_in(const Scene& scene, const Place& place) { return place.known() ? place : Place{scene.file, 0, 0}; }
+SourceLocation location_in(const Scene& scene, const SourceLocation& location) {
+    return location.known() ? location : SourceLocation{scene.file, 0, 0};
+}
 
 std::string named(const Species& species) { return "species '" + *species.name + "'"; }
 
 /// The part that an entry of a table is for; parts that are left out stay known.
-const Part& known_part(const Scene& scene, const std::string& table, const std::string& name, const Place& place) {
+const Part& known_part(const Scene& scene, const std::string& table, const std::string& name,
+                       const SourceLocation& location) {
     if (const Part* part = scene.part_named(name)) return *part;
     std::vector<std::string> names;
     for (const Part& part : scene.parts) names.push_back(*part.name);
     const std::string nearest = nearest_name(name, names);
-    throw InputError(place, table + ": the scene has no part '" + name + "'",
+    throw InputError(location, table + ": the scene has no part '" + name + "'",
                      nearest.empty() ? "its parts are " + quoted_list(names) : "did you mean '" + nearest + "'?");
 }
 
 void need_no_time(const std::string& key, const Value<Expression>& formula) {
     if (!formula->depends_on_time()) return;
-    throw InputError(formula.place, key + " depends on t: \"" + formula->text() + "\"",
+    throw InputError(formula.location, key + " depends on t: \"" + formula->text() + "\"",
                      "write a formula of x, y and z; a start has no time");
 }
 
 void check_diffusivity(const Scene& scene, const Species& species) {
     const std::string table = named(species) + ", diffusivity";
-    for (const auto& [name, value] : species.diffusivity.parts) (void)known_part(scene, table, name, value.place);
+    for (const auto& [name, value] : species.diffusivity.parts) (void)known_part(scene, table, name, value.location);
     for (const Part* fluid : scene.parts_of(PartKind::fluid))
         if (species.diffusivity.of(*fluid->name) == nullptr)
-            throw InputError(species.name.place, table + ": the fluid '" + *fluid->name + "' is missing",
+            throw InputError(species.name.location, table + ": the fluid '" + *fluid->name + "' is missing",
                              "give its diffusivity too; 0 where the species goes along with the fluid alone");
 }
 
@@ -43,10 +46,10 @@ void check_start(const Scene& scene, const Species& species) {
     if (species.concentration.all) need_no_time(table, *species.concentration.all);
     for (const auto& [name, value] : species.concentration.parts) {
         need_no_time(table, value);
-        const Part& part = known_part(scene, table, name, value.place);
+        const Part& part = known_part(scene, table, name, value.location);
         if (species.diffusivity_in(part) != nullptr) continue;
-        throw InputError(value.place,
-                         table + ": the part '" + name + "' of kind '" + word(*part.kind) +
+        throw InputError(value.location,
+                         table + ": the part '" + name + "' of kind '" + to_string(*part.kind) +
                              "' holds nothing of the species, as it has no diffusivity",
                          "add it to the species' diffusivity, or leave it out here");
     }
@@ -56,23 +59,23 @@ void check_start(const Scene& scene, const Species& species) {
 void check_walls(const Scene& scene, const Species& species, const ByPart<Expression>& walls, const std::string& key) {
     const std::string table = named(species) + ", " + key;
     if (walls.all)
-        throw InputError(walls.all->place, table + ": it does not say of which parts",
+        throw InputError(walls.all->location, table + ": it does not say of which parts",
                          "write a table of rigid parts, " + key + " = { wall = ... }");
     for (const auto& [name, value] : walls.parts) {
-        const Part& part = known_part(scene, table, name, value.place);
+        const Part& part = known_part(scene, table, name, value.location);
         if (*part.kind != PartKind::rigid)
-            throw InputError(value.place,
-                             table + ": '" + name + "' is of kind '" + word(*part.kind) + "', expected 'rigid'",
+            throw InputError(value.location,
+                             table + ": '" + name + "' is of kind '" + to_string(*part.kind) + "', expected 'rigid'",
                              "name rigid parts only");
         if (species.diffusivity_in(part) != nullptr)
-            throw InputError(value.place, table + ": '" + name + "' conducts the species, as it has a diffusivity",
+            throw InputError(value.location, table + ": '" + name + "' conducts the species, as it has a diffusivity",
                              "leave it out of one of the two");
     }
 }
 
 void check_one(const Scene& scene, const Species& species) {
     if (scene.parts_of(PartKind::fluid).empty())
-        throw InputError(species.name.place, named(species) + ": there is no fluid that it could be dissolved in",
+        throw InputError(species.name.location, named(species) + ": there is no fluid that it could be dissolved in",
                          "add a [[part]] with kind = \"fluid\", or leave the species out");
     check_diffusivity(scene, species);
     check_start(scene, species);
@@ -80,7 +83,8 @@ void check_one(const Scene& scene, const Species& species) {
     check_walls(scene, species, species.wall_flux, "wall_flux");
     for (const auto& [name, value] : species.wall_flux.parts)
         if (species.wall_concentration.parts.contains(name))
-            throw InputError(value.place, named(species) + ": '" + name + "' has a wall_concentration and a wall_flux",
+            throw InputError(value.location,
+                             named(species) + ": '" + name + "' has a wall_concentration and a wall_flux",
                              "leave out one of them");
 }
 
@@ -100,26 +104,26 @@ void need_species(const Scene& scene, const Measure& measure) {
     const std::string what = "measure '" + *measure.name + "'";
     const auto names = names_of(scene.species);
     if (names.empty())
-        throw InputError(measure.kind.place, what + " is about a species, and the scene has none",
+        throw InputError(measure.kind.location, what + " is about a species, and the scene has none",
                          "add a [[species]], or leave the measure out");
     if (measure.species->empty() && names.size() > 1)
-        throw InputError(measure.name.place, what + " does not say of which species it is",
+        throw InputError(measure.name.location, what + " does not say of which species it is",
                          "write species = one of " + quoted_list(names));
     if (measure.species->empty() || std::ranges::find(names, *measure.species) != names.end()) return;
     const std::string nearest = nearest_name(*measure.species, names);
-    throw InputError(measure.species.place, what + ": the scene has no species '" + *measure.species + "'",
+    throw InputError(measure.species.location, what + ": the scene has no species '" + *measure.species + "'",
                      nearest.empty() ? "it has " + quoted_list(names) : "did you mean '" + nearest + "'?");
 }
 
 void check_box(const Scene& scene, const Measure& measure) {
     if (measure.from.given() != measure.to.given())
-        throw InputError(measure.from.given() ? measure.from.place : measure.to.place,
+        throw InputError(measure.from.given() ? measure.from.location : measure.to.location,
                          "measure '" + *measure.name + "' has one corner of a box",
                          "give both from and to, or neither");
     if (!measure.from.given()) return;
     for (int axis = 0; axis < scene.dimension; ++axis)
         if ((*measure.from)[axis] == (*measure.to)[axis])
-            throw InputError(measure.to.place,
+            throw InputError(measure.to.location,
                              "the corners of measure '" + *measure.name + "' have the same " + "xyz"[axis] +
                                  ": there is nothing between them",
                              "give two opposite corners of a box");
@@ -131,13 +135,13 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
         std::vector<std::string> held;
         for (const auto& [name, value] : species.wall_concentration.parts) held.push_back(name);
         throw InputError(
-            measure.part.place,
+            measure.part.location,
             "measure '" + *measure.name + "': '" + *measure.part + "' is no wall that " + named(species) +
                 " is held at a concentration at",
             held.empty() ? "add the part to the species' wall_concentration" : "such walls are " + quoted_list(held));
     }
     if (measure.length.given() != measure.area.given())
-        throw InputError(measure.length.given() ? measure.length.place : measure.area.place,
+        throw InputError(measure.length.given() ? measure.length.location : measure.area.location,
                          "measure '" + *measure.name + "': a Sherwood number needs a length and an area",
                          "give both, or neither");
 }
@@ -145,7 +149,7 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
 void check_species_measure(const Scene& scene, const Measure& measure) {
     using enum MeasureKind;
     if (*measure.kind == probe && *measure.field == FluidField::concentration && scene.species.empty())
-        throw InputError(measure.field.place,
+        throw InputError(measure.field.location,
                          "the probe '" + *measure.name +
                              "' reads a concentration, and the scene "
                              "has no species",
@@ -156,19 +160,19 @@ void check_species_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind == mean_concentration || *measure.kind == profile || *measure.kind == spread)
         check_box(scene, measure);
     if (scene.dimension == 2 && *measure.axis == Axis::z)
-        throw InputError(measure.axis.place, "measure '" + *measure.name + "': a scene in the plane has no axis 'z'",
+        throw InputError(measure.axis.location, "measure '" + *measure.name + "': a scene in the plane has no axis 'z'",
                          "take x or y");
 }
 
 void check_output(const Scene& scene) {
     const bool pictured = *scene.output.picture_field == FluidField::concentration;
     if (pictured && scene.species.size() > 1)
-        throw InputError(place_in(scene, scene.output.picture_field.place),
+        throw InputError(location_in(scene, scene.output.picture_field.location),
                          "output.picture_field = \"concentration\": there are several species, and one array for each",
                          "leave one [[species]], or picture another field");
     const bool listed = std::ranges::find(scene.output.fields, FluidField::concentration) != scene.output.fields.end();
     if (scene.species.empty() && (pictured || listed))
-        throw InputError(place_in(scene, scene.output.picture_field.place),
+        throw InputError(location_in(scene, scene.output.picture_field.location),
                          "'concentration' is asked for, and the scene has no species",
                          "add a [[species]], or leave the field out");
 }

@@ -13,35 +13,35 @@ namespace {
 
 std::string part_of(const Part& part) { return "part '" + *part.name + "'"; }
 
-const Place* place_of(const TomlNode& document, const char* path) {
+const SourceLocation* position_of(const TomlNode& document, const char* path) {
     const TomlNode* node = document.find(path);
-    return node == nullptr ? nullptr : &node->place;
+    return node == nullptr ? nullptr : &node->location;
 }
 
 /// The place where one of these is given, else that of the fallback.
-Place first_given(std::initializer_list<const Place*> places, const Place& fallback) {
-    for (const Place* place : places)
-        if (place->known()) return *place;
+SourceLocation first_given(std::initializer_list<const SourceLocation*> places, const SourceLocation& fallback) {
+    for (const SourceLocation* location : places)
+        if (location->known()) return *location;
     return fallback;
 }
 
 void need_room_for_spheres(const Scene& scene) {
     const Part& first = *scene.parts_of(PartKind::spheres).front();
     if (scene.dimension != 3)
-        throw InputError(scene.dimension.given() ? scene.dimension.place : first.kind.place,
+        throw InputError(scene.dimension.given() ? scene.dimension.location : first.kind.location,
                          part_of(first) + " is of spheres, which live in space, and the scene has 2 dimensions",
                          "write dimension = 3");
-    for (const PartKind kind : {PartKind::fluid, PartKind::springs, PartKind::rigid}) {
+    for (const PartKind kind : {PartKind::fluid, PartKind::elastic, PartKind::rigid}) {
         const auto others = scene.parts_of(kind);
         if (others.empty()) continue;
-        throw InputError(others.front()->kind.place,
-                         "spheres ('" + *first.name + "') and parts of kind '" + word(kind) + "' ('" +
+        throw InputError(others.front()->kind.location,
+                         "spheres ('" + *first.name + "') and parts of kind '" + to_string(kind) + "' ('" +
                              *others.front()->name + "') do not act on each other",
                          kind == PartKind::rigid ? "give spheres walls of kind 'plane' or 'surface'"
                                                  : "leave one of them out of the scene");
     }
     if (!scene.flow.symmetry->empty())
-        throw InputError(scene.flow.symmetry.place, "flow.symmetry: spheres know no planes of symmetry",
+        throw InputError(scene.flow.symmetry.location, "flow.symmetry: spheres know no planes of symmetry",
                          "leave out flow.symmetry");
 }
 
@@ -51,15 +51,15 @@ void check_box(const Scene& scene, const TomlNode& document) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!*scene.flow.periodic[axis]) continue;
         if (!box.from.given() || !box.to.given()) {
-            const Place* place = place_of(document, "box");
-            throw InputError(place != nullptr ? *place : scene.flow.periodic[axis].place,
+            const SourceLocation* location = position_of(document, "box");
+            throw InputError(location != nullptr ? *location : scene.flow.periodic[axis].location,
                              std::string("the scene repeats itself along ") + "xyz"[axis] +
                                  ", and does not say how long a period is",
                              R"(add [box] with from = [0, 0, 0] and to = ["1 mm", "1 mm", "1 mm"])");
         }
         const auto along = static_cast<Eigen::Index>(axis);
         if ((*box.from)[along] >= (*box.to)[along])
-            throw InputError(box.to.place,
+            throw InputError(box.to.location,
                              std::string("box.to is not beyond box.from along ") + "xyz"[axis] + ", a periodic axis",
                              "give the low corner as from and the high one as to");
     }
@@ -74,77 +74,79 @@ void need_one_placement(const Part& part) {
     if (part.around.given()) given.emplace_back("around");
     if (fills) given.emplace_back("fill_from and fill_to");
     if (given.size() != 1)
-        throw InputError(part.name.place,
+        throw InputError(part.name.location,
                          given.empty() ? part_of(part) + " does not say where its spheres are"
                                        : part_of(part) + " says in " + std::to_string(given.size()) +
                                              " ways where its spheres are: " + quoted_list(given),
                          "give one of centres, positions, around, or fill_from and fill_to");
     if (fills) {
         if (!part.fill_from.given() || !part.fill_to.given())
-            throw InputError(first_given({&part.fill_from.place, &part.fill_to.place}, part.name.place),
+            throw InputError(first_given({&part.fill_from.location, &part.fill_to.location}, part.name.location),
                              part_of(part) + ": a box to fill has two corners", "give fill_from and fill_to");
         for (Eigen::Index axis = 0; axis < 3; ++axis)
             if ((*part.fill_from)[axis] >= (*part.fill_to)[axis])
-                throw InputError(part.fill_to.place,
+                throw InputError(part.fill_to.location,
                                  part_of(part) + ": fill_to is not beyond fill_from along " + "xyz"[axis],
                                  "give the low corner as fill_from and the high one as fill_to");
     }
     const auto need_one = [&](const Value<double>& share, const char* name, bool applies) {
         if (share.given() && !applies)
-            throw InputError(share.place, part_of(part) + ": " + name + " does not go with " + given.front(),
+            throw InputError(share.location, part_of(part) + ": " + name + " does not go with " + given.front(),
                              "leave it out");
         if (!applies || part.count.given() != share.given()) return;
         throw InputError(
-            part.count.given() ? share.place : part.name.place,
+            part.count.given() ? share.location : part.name.location,
             part_of(part) + (part.count.given() ? " gives both count and " : " gives neither count nor ") + name,
             std::string("give count or ") + name);
     };
     need_one(part.coverage, "coverage", part.around.given());
     need_one(part.volume_fraction, "volume_fraction", fills);
     if (part.count.given() && !part.around.given() && !fills)
-        throw InputError(part.count.place, part_of(part) + ": count does not go with " + given.front(), "leave it out");
+        throw InputError(part.count.location, part_of(part) + ": count does not go with " + given.front(),
+                         "leave it out");
 }
 
 void check_radius_and_mass(const Part& part) {
     if (!part.radius.given() && !part.positions.given())
-        throw InputError(part.name.place, part_of(part) + ": radius is missing", R"(add radius = "1 mm")");
+        throw InputError(part.name.location, part_of(part) + ": radius is missing", R"(add radius = "1 mm")");
     if (part.radius->size() > 1 && part.radius->size() != part.centres->size())
-        throw InputError(part.radius.place,
+        throw InputError(part.radius.location,
                          part_of(part) + " has " + std::to_string(part.radius->size()) + " radii" +
                              (part.centres.given() ? " and " + std::to_string(part.centres->size()) + " centres"
                                                    : ", and a list of them goes with centres only"),
                          "give one radius for all, or one for each of the centres");
     if (part.density.given() == part.mass.given())
-        throw InputError(part.mass.given() ? part.mass.place : part.name.place,
+        throw InputError(part.mass.given() ? part.mass.location : part.name.location,
                          part_of(part) + (part.mass.given() ? " has both a density and a mass"
                                                             : " has neither a density nor a mass"),
                          "give density, or mass of each sphere");
 }
 
-InputError unknown_part(const Scene& scene, const Place& place, const std::string& name, bool spheres_only) {
+InputError unknown_part(const Scene& scene, const SourceLocation& location, const std::string& name,
+                        bool spheres_only) {
     std::vector<std::string> names;
     for (const Part& part : scene.parts)
         if (!spheres_only || *part.kind == PartKind::spheres) names.push_back(*part.name);
     const std::string nearest = nearest_name(name, names);
-    return {place, "the scene has no part '" + name + "'",
+    return {location, "the scene has no part '" + name + "'",
             nearest.empty() ? "the scene has " + quoted_list(names) : "did you mean '" + nearest + "'?"};
 }
 
 void check_around(const Scene& scene, const Part& part) {
     if (!part.around.given()) return;
     const Part* inner = scene.part_named(part.around);
-    if (inner == nullptr) throw unknown_part(scene, part.around.place, part.around, true);
+    if (inner == nullptr) throw unknown_part(scene, part.around.location, part.around, true);
     if (*inner->kind != PartKind::spheres || inner == &part || !*inner->enabled)
         throw InputError(
-            part.around.place,
+            part.around.location,
             part_of(part) + ": its spheres cannot sit on " +
                 (inner == &part     ? "themselves"
                  : !*inner->enabled ? "'" + *part.around + "', which is not enabled"
-                                    : "'" + *part.around + "', which is of kind '" + word(*inner->kind) + "'"),
+                                    : "'" + *part.around + "', which is of kind '" + to_string(*inner->kind) + "'"),
             "name an enabled part of one sphere");
     if (!inner->around.given() && inner->centres->size() == 1) return;
     if (inner->positions.given()) return;  // the mesher knows how many there are
-    throw InputError(part.around.place,
+    throw InputError(part.around.location,
                      part_of(part) + ": its spheres sit around one sphere, and '" + *part.around + "' has more",
                      "name a part with one centre");
 }
@@ -153,7 +155,7 @@ void need_start_without_time(const Part& part) {
     const auto need = [&](const char* key, const Value<std::array<Expression, 3>>& formulas) {
         for (const Expression& formula : *formulas)
             if (formula.depends_on_time())
-                throw InputError(formulas.place,
+                throw InputError(formulas.location,
                                  std::string(key) + " of '" + *part.name + "' depends on t: \"" + formula.text() + "\"",
                                  "write formulas of x, y and z; a start has no time");
     };
@@ -162,11 +164,11 @@ void need_start_without_time(const Part& part) {
 }
 
 void check_wall(const Part& wall) {
-    if (std::ranges::any_of(*wall.velocity, &Expression::depends_on_place))
-        throw InputError(wall.velocity.place, "velocity of '" + *wall.name + "' depends on x, y or z: it would bend",
+    if (std::ranges::any_of(*wall.velocity, &Expression::depends_on_position))
+        throw InputError(wall.velocity.location, "velocity of '" + *wall.name + "' depends on x, y or z: it would bend",
                          "give formulas of t");
     if (wall.youngs_modulus.given() != wall.poisson_ratio.given())
-        throw InputError(first_given({&wall.youngs_modulus.place, &wall.poisson_ratio.place}, wall.name.place),
+        throw InputError(first_given({&wall.youngs_modulus.location, &wall.poisson_ratio.location}, wall.name.location),
                          part_of(wall) + " has " +
                              (wall.youngs_modulus.given() ? "a youngs_modulus" : "a poisson_ratio") + " and no " +
                              (wall.youngs_modulus.given() ? "poisson_ratio" : "youngs_modulus"),
@@ -186,14 +188,14 @@ void check_names(const Scene& scene, const ContactPair& pair) {
         if (name == "any" || (part != nullptr && *part->kind == PartKind::spheres)) ++spheres;
         if (name == "any" || (part != nullptr && (*part->kind == PartKind::spheres || part->is_wall_for_spheres())))
             continue;
-        if (part == nullptr) throw unknown_part(scene, pair.parts.place, name, false);
-        throw InputError(
-            pair.parts.place,
-            "'" + name + "' is of kind '" + word(*part->kind) + "', and contact pairs are of spheres and their walls",
-            "name parts of kind 'spheres', 'plane' or 'surface'");
+        if (part == nullptr) throw unknown_part(scene, pair.parts.location, name, false);
+        throw InputError(pair.parts.location,
+                         "'" + name + "' is of kind '" + to_string(*part->kind) +
+                             "', and contact pairs are of spheres and their walls",
+                         "name parts of kind 'spheres', 'plane' or 'surface'");
     }
     if (spheres == 0)
-        throw InputError(pair.parts.place, of_pair(pair) + ": both are walls, which do not touch each other",
+        throw InputError(pair.parts.location, of_pair(pair) + ": both are walls, which do not touch each other",
                          "name at least one part of spheres");
     for (const ContactPair& other : scene.contact_pairs) {
         if (&other == &pair) return;
@@ -201,38 +203,40 @@ void check_names(const Scene& scene, const ContactPair& pair) {
         const auto& [c, d] = *pair.parts;
         if ((a == c && b == d) || (a == d && b == c))
             throw InputError(
-                pair.parts.place,
-                "there is already a [[contact_pair]] of '" + c + "' and '" + d + "', at " + other.parts.place.text(),
+                pair.parts.location,
+                "there is already a [[contact_pair]] of '" + c + "' and '" + d + "', at " + other.parts.location.text(),
                 "leave one of them out");
     }
 }
 
 void check_law(const ContactPair& pair) {
-    const Place& at = pair.parts.place;
+    const SourceLocation& at = pair.parts.location;
     if (*pair.law == ContactLawKind::none) return;
     const bool damped = pair.normal_damping.given() || pair.tangential_damping.given();
     if (pair.restitution.given() && damped)
-        throw InputError(first_given({&pair.normal_damping.place, &pair.tangential_damping.place}, at),
+        throw InputError(first_given({&pair.normal_damping.location, &pair.tangential_damping.location}, at),
                          of_pair(pair) + " has its damping twice: as a restitution, at " +
-                             pair.restitution.place.text() + ", and as coefficients",
+                             pair.restitution.location.text() + ", and as coefficients",
                          "give restitution, or normal_damping and tangential_damping");
     if (!pair.restitution.given() && !pair.normal_damping.given())
         throw InputError(at, of_pair(pair) + " does not say how much of an impact it gives back",
                          "give restitution (1: elastic), or normal_damping and tangential_damping");
     if (!pair.friction.given())
         throw InputError(
-            at, of_pair(pair) + ": friction is missing, and the law '" + word(*pair.law) + "' has a tangential force",
+            at,
+            of_pair(pair) + ": friction is missing, and the law '" + to_string(*pair.law) + "' has a tangential force",
             "add friction = 0.3 (Coulomb's coefficient), or friction = 0 for spheres that slide freely");
 }
 
 void check_adhesion(const ContactPair& pair) {
-    const Place& at = pair.adhesion.given() ? pair.adhesion.place : pair.parts.place;
+    const SourceLocation& at = pair.adhesion.given() ? pair.adhesion.location : pair.parts.location;
     const bool bradley = *pair.adhesion == AdhesionKind::bradley, none = *pair.adhesion == AdhesionKind::none;
     const auto refuse = [&](const Value<double>& value, const char* name, const std::string& advice) {
         if (value.given())
             throw InputError(
-                value.place,
-                of_pair(pair) + ": " + name + " does not go with adhesion = \"" + word(*pair.adhesion) + "\"", advice);
+                value.location,
+                of_pair(pair) + ": " + name + " does not go with adhesion = \"" + to_string(*pair.adhesion) + "\"",
+                advice);
     };
     if (none) {
         const std::string advice = R"(write adhesion = "bradley" or "jkr", or leave it out)";
@@ -252,7 +256,7 @@ void check_adhesion(const ContactPair& pair) {
                          R"(add equilibrium_distance = "0.4 nm")");
     } else if (pair.adhesion_cutoff.given() && *pair.adhesion_cutoff <= *pair.equilibrium_distance) {
         throw InputError(
-            pair.adhesion_cutoff.place,
+            pair.adhesion_cutoff.location,
             of_pair(pair) + ": adhesion_cutoff is not more than equilibrium_distance, where the force is largest",
             "give some tens of equilibrium distances");
     }
@@ -271,7 +275,7 @@ void need_contact_of_all(const Scene& scene) {
             const std::string &a = *spheres[i]->name, &b = *others[j]->name;
             if (i == j && !has_several(*spheres[i])) continue;
             if (scene.contact_between(a, b) != nullptr) continue;
-            throw InputError(others[j]->name.place,
+            throw InputError(others[j]->name.location,
                              i == j ? "spheres of '" + a + "' can touch each other, and no [[contact_pair]] says how"
                                     : "'" + a + "' and '" + b + "' can touch, and no [[contact_pair]] says how",
                              "add a [[contact_pair]] with parts = [\"" + a + "\", \"" + b +
@@ -292,7 +296,7 @@ void check_spheres(const Scene& scene, const TomlNode& document) {
     for (const PartKind kind : {PartKind::plane, PartKind::surface})
         for (const Part* wall : scene.parts_of(kind)) {
             if (spheres.empty())
-                throw InputError(wall->kind.place, part_of(*wall) + " is a wall for spheres, and the scene has none",
+                throw InputError(wall->kind.location, part_of(*wall) + " is a wall for spheres, and the scene has none",
                                  "draw walls of a fluid and give them kind = \"rigid\"");
             check_wall(*wall);
         }
@@ -315,20 +319,20 @@ void check_sphere_measure(const Scene& scene, const Measure& measure) {
     const bool of_spheres = kind == MeasureKind::velocity || kind == MeasureKind::spin ||
                             kind == MeasureKind::wall_force || kind == MeasureKind::detached;
     if (of_spheres != has_spheres)
-        throw InputError(measure.kind.place,
-                         "measure '" + *measure.name + "': '" + word(kind) + "' is of " +
+        throw InputError(measure.kind.location,
+                         "measure '" + *measure.name + "': '" + to_string(kind) + "' is of " +
                              (of_spheres ? "spheres, and the scene has none"
                                          : "a fluid and what is in it, and the scene is of spheres"),
                          "leave it out, or choose another kind");
     if (!of_spheres || kind == MeasureKind::wall_force) return;
     const Part* part = scene.part_named(measure.part);
-    if (part == nullptr) throw unknown_part(scene, measure.part.place, measure.part, true);
+    if (part == nullptr) throw unknown_part(scene, measure.part.location, measure.part, true);
     if (*part->kind != PartKind::spheres)
-        throw InputError(measure.part.place,
-                         "part '" + *part->name + "' is of kind '" + word(*part->kind) + "', expected 'spheres'",
+        throw InputError(measure.part.location,
+                         "part '" + *part->name + "' is of kind '" + to_string(*part->kind) + "', expected 'spheres'",
                          "name a part of spheres");
     if (kind == MeasureKind::detached && has_several(*part))
-        throw InputError(measure.part.place,
+        throw InputError(measure.part.location,
                          "'" + *part->name + "' has several spheres, and what detaches is counted from one",
                          "name a part of one sphere");
 }

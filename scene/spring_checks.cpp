@@ -9,16 +9,17 @@ namespace {
 void need_one_stiffness(const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     if (part.shear_stiffness.given() && part.cross_bonds)
-        throw InputError(part.cross_bonds.place,
-                         part_name + " has cross_bonds and shear_stiffness, at " + part.shear_stiffness.place.text() +
+        throw InputError(part.cross_bonds.location,
+                         part_name + " has cross_bonds and shear_stiffness, at " +
+                             part.shear_stiffness.location.text() +
                              ", which decides itself how much of the shear cross bonds take",
                          "leave out cross_bonds");
     const bool as_strip = part.bending_stiffness.given() || part.axial_stiffness.given();
     const bool as_material = part.youngs_modulus.given() || part.thickness.given() || part.poisson_ratio.given();
-    const auto first = [](const auto& a, const auto& b) { return a.given() ? a.place : b.place; };
+    const auto first = [](const auto& a, const auto& b) { return a.given() ? a.location : b.location; };
     if (as_strip && as_material)
         throw InputError(
-            part.youngs_modulus.given() ? part.youngs_modulus.place : first(part.thickness, part.poisson_ratio),
+            part.youngs_modulus.given() ? part.youngs_modulus.location : first(part.thickness, part.poisson_ratio),
             part_name + " has its stiffness twice: as a strip, at " +
                 first(part.bending_stiffness, part.axial_stiffness).text() + ", and as a material",
             "give bending_stiffness and axial_stiffness, or youngs_modulus, thickness and poisson_ratio");
@@ -26,7 +27,7 @@ void need_one_stiffness(const Part& part) {
     if (part.youngs_modulus.given() && part.thickness.given()) return;
     const char* missing = as_strip ? (part.bending_stiffness.given() ? "axial_stiffness" : "bending_stiffness")
                                    : (part.youngs_modulus.given() ? "thickness" : "youngs_modulus");
-    throw InputError(part.name.place,
+    throw InputError(part.name.location,
                      as_strip || as_material ? part_name + ": " + missing + " is missing"
                                              : part_name + " does not say how stiff it is",
                      as_strip      ? "add " + std::string(missing) + ", or give youngs_modulus and thickness instead"
@@ -40,18 +41,19 @@ void check_bonds_within(const Scene& scene, const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     const bool is_strip = scene.dimension == 2 && !part.density.given();
     if (is_strip || part.thickness.given())
-        throw InputError(part.bonds_within.place,
+        throw InputError(part.bonds_within.location,
                          part_name + ": bonds_within is of a solid, and this is a " + (is_strip ? "strip" : "shell"),
                          "leave it out, or draw " + std::string(scene.dimension == 2 ? "an area" : "a volume"));
     if (part.poisson_ratio.given() && *part.poisson_ratio != 0.25)
-        throw InputError(part.poisson_ratio.place,
+        throw InputError(part.poisson_ratio.location,
                          part_name + ": bonds between all that is near give a Poisson ratio of 0.25 and no other",
                          "write poisson_ratio = 0.25, or leave out bonds_within");
 }
 
 void refuse_what_strips_have(const Part& part, const std::string& why, const std::string& what_to_do) {
     const auto refuse = [&](const auto& value, const char* key) {
-        if (value.given()) throw InputError(value.place, "part '" + *part.name + "': " + key + " " + why, what_to_do);
+        if (value.given())
+            throw InputError(value.location, "part '" + *part.name + "': " + key + " " + why, what_to_do);
     };
     refuse(part.mass_per_length, "mass_per_length");
     refuse(part.bending_stiffness, "bending_stiffness");
@@ -67,20 +69,20 @@ void need_what_an_area_is_made_of(const Part& part) {
         "give an area density, youngs_modulus and poisson_ratio; a curve mass_per_length and no density";
     refuse_what_strips_have(part, why, what_to_do);
     if (part.thickness.given())
-        throw InputError(part.thickness.place, "part '" + *part.name + "': thickness " + why, what_to_do);
+        throw InputError(part.thickness.location, "part '" + *part.name + "': thickness " + why, what_to_do);
     if (!part.youngs_modulus.given())
-        throw InputError(part.name.place, "part '" + *part.name + "': youngs_modulus is missing",
+        throw InputError(part.name.location, "part '" + *part.name + "': youngs_modulus is missing",
                          "add youngs_modulus, such as youngs_modulus = \"2 MPa\"");
 }
 
 /// In the plane a springs part is a strip, or an area of a material; in space a body of a material.
-void need_what_springs_are_made_of(const Scene& scene, const Part& part) {
+void check_elastic_material(const Scene& scene, const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     if (scene.dimension == 2) {
         if (part.density.given()) return need_what_an_area_is_made_of(part);
         if (!part.mass_per_length.given())
             throw InputError(
-                part.name.place, part_name + ": mass_per_length is missing",
+                part.name.location, part_name + ": mass_per_length is missing",
                 "add mass_per_length, such as mass_per_length = \"0.4 kg/m\": of a strip 1 m deep; or, for "
                 "an area of the drawing, density");
         return need_one_stiffness(part);
@@ -89,7 +91,7 @@ void need_what_springs_are_made_of(const Scene& scene, const Part& part) {
                             "give density, youngs_modulus and poisson_ratio, and of a surface its thickness");
     const auto need = [&](bool given, const char* key, const char* example) {
         if (!given)
-            throw InputError(part.name.place, part_name + ": " + key + " is missing",
+            throw InputError(part.name.location, part_name + ": " + key + " is missing",
                              std::string("add ") + key + ", such as " + key + " = \"" + example + "\"");
     };
     need(part.density.given(), "density", "1100 kg/m^3");
@@ -98,11 +100,11 @@ void need_what_springs_are_made_of(const Scene& scene, const Part& part) {
 
 }  // namespace
 
-void check_springs(const Scene& scene) {
+void check_elastic(const Scene& scene) {
     for (const Part& part : scene.parts)
-        if (*part.kind == PartKind::springs) {
+        if (*part.kind == PartKind::elastic) {
             check_bonds_within(scene, part);
-            need_what_springs_are_made_of(scene, part);
+            check_elastic_material(scene, part);
         }
 }
 

@@ -7,6 +7,6 @@ namespace dmp::scene {
 
 /// Whether each springs part says once what it is made of: in the plane a strip, in space a material. Throws
 /// InputError.
-void check_springs(const Scene& scene);
+void check_elastic(const Scene& scene);
 
 }  // namespace dmp::scene

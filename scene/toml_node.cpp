@@ -22,7 +22,7 @@ class Source {
         }
     }
 
-    [[nodiscard]] Place place(const toml::source_position& position) const {
+    [[nodiscard]] SourceLocation location(const toml::source_position& position) const {
         return {file_, static_cast<int>(position.line), static_cast<int>(position.column)};
     }
 
@@ -51,12 +51,12 @@ class Source {
 };
 
 WrittenText written_text(const std::string& value, const toml::source_position& begin, const Source& source) {
-    WrittenText text{value, source.place(begin), {}};
+    WrittenText text{value, source.location(begin), {}};
     const auto raw = source.from(begin);
     for (const std::string_view quote : {"\"\"\"", "'''", "\"", "'"}) {
         if (!raw.starts_with(quote)) continue;
         auto inside = raw.substr(quote.size());
-        Place first = text.place;
+        SourceLocation first = text.location;
         if (quote.size() == 3 && inside.starts_with("\n")) {  // TOML drops a newline after the opening quotes
             inside.remove_prefix(1);
             ++first.line;
@@ -73,17 +73,18 @@ WrittenText written_text(const std::string& value, const toml::source_position& 
 
 TomlNode convert(const toml::node& value, const Source& source) {
     TomlNode node;
-    node.place = source.place(value.source().begin);
+    node.location = source.location(value.source().begin);
     if (const auto* table = value.as_table()) {
         node.kind = TomlNode::Kind::table;
         for (const auto& [key, entry] : *table) {
             TomlNode child = convert(entry, source);
             child.key = std::string(key.str());
-            child.key_place = source.place(key.source().begin);
+            child.key_location = source.location(key.source().begin);
             node.children.push_back(std::move(child));
         }
         std::stable_sort(node.children.begin(), node.children.end(), [](const TomlNode& a, const TomlNode& b) {
-            return std::pair(a.key_place.line, a.key_place.column) < std::pair(b.key_place.line, b.key_place.column);
+            return std::pair(a.key_location.line, a.key_location.column) <
+                   std::pair(b.key_location.line, b.key_location.column);
         });
         return node;
     }
@@ -114,11 +115,11 @@ TomlNode convert(const toml::node& value, const Source& source) {
     return node;
 }
 
-void put_everywhere(TomlNode& node, const Place& place) {
-    node.place = node.key_place = place;
-    node.text.place = place;
+void put_everywhere(TomlNode& node, const SourceLocation& location) {
+    node.location = node.key_location = location;
+    node.text.location = location;
     node.text.first_character = {};
-    for (auto& child : node.children) put_everywhere(child, place);
+    for (auto& child : node.children) put_everywhere(child, location);
 }
 
 }  // namespace
@@ -163,7 +164,7 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
     } catch (const toml::parse_error& error) {
         const std::string_view fault = error.description();
         const bool repeated = fault.find("redefine") != std::string_view::npos;
-        throw InputError(source.place(error.source().begin), "this is not valid TOML: " + std::string(fault),
+        throw InputError(source.location(error.source().begin), "this is not valid TOML: " + std::string(fault),
                          repeated
                              ? "write each key and table once; only [[part]] and [[measure]], in double brackets, "
                                "may stand several times"
@@ -171,11 +172,11 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
     }
 }
 
-TomlNode parse_toml_value(std::string_view text, const Place& place) {
+TomlNode parse_toml_value(std::string_view text, const SourceLocation& location) {
     std::optional<TomlNode> value;
     try {
         const std::string document = "value = " + std::string(text);
-        const Source source(document, place.file);
+        const Source source(document, location.file);
         TomlNode root = convert(toml::parse(document), source);
         if (root.children.size() == 1 && root.children[0].key == "value") value = std::move(root.children[0]);
     } catch (const toml::parse_error&) {
@@ -187,7 +188,7 @@ TomlNode parse_toml_value(std::string_view text, const Place& place) {
         value->text.text = text;
     }
     value->key.clear();
-    put_everywhere(*value, place);
+    put_everywhere(*value, location);
     return std::move(*value);
 }
 

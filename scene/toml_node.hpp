@@ -15,11 +15,11 @@ struct TomlNode {
     enum class Kind { table, array, text, integer, number, boolean, date };
 
     Kind kind = Kind::table;
-    std::string key;      ///< its name in the table that holds it; empty in an array
-    Place key_place;      ///< where that name stands
-    Place place;          ///< where the value starts
-    std::string written;  ///< numbers, booleans and dates: as the user wrote them
-    WrittenText text;     ///< texts
+    std::string key;              ///< its name in the table that holds it; empty in an array
+    SourceLocation key_location;  ///< where that name stands
+    SourceLocation location;      ///< where the value starts
+    std::string written;          ///< numbers, booleans and dates: as the user wrote them
+    WrittenText text;             ///< texts
     std::int64_t integer = 0;
     double number = 0;  ///< integers too
     bool boolean = false;
@@ -44,7 +44,7 @@ struct TomlNode {
 TomlNode parse_toml(std::string_view text, const std::string& file);
 
 /// One value, as it would stand after "key = "; what is no TOML value is taken as text. Every place in it is `place`.
-TomlNode parse_toml_value(std::string_view text, const Place& place);
+TomlNode parse_toml_value(std::string_view text, const SourceLocation& location);
 
 /// `text` as a TOML string, quotes and escapes included.
 std::string toml_quoted(std::string_view text);

@@ -11,16 +11,16 @@ namespace dmp::scene {
 template <class T>
 struct Value {
     T value{};
-    Place place;
+    SourceLocation location;
 
     Value() = default;
     Value(T v) : value(std::move(v)) {}  // NOLINT(google-explicit-constructor): defaults read as plain values
-    Value(T v, Place p) : value(std::move(v)), place(std::move(p)) {}
+    Value(T v, SourceLocation p) : value(std::move(v)), location(std::move(p)) {}
 
     operator const T&() const { return value; }  // NOLINT(google-explicit-constructor): reads as the value itself
     [[nodiscard]] const T& operator*() const { return value; }
     [[nodiscard]] const T* operator->() const { return &value; }
-    [[nodiscard]] bool given() const { return place.known(); }
+    [[nodiscard]] bool given() const { return location.known(); }
 };
 
 }  // namespace dmp::scene

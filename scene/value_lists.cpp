@@ -17,7 +17,7 @@ ValueType<std::vector<double>> quantity_or_list(const std::string& example, cons
                 }
                 for (const auto& item : node.children) values.push_back(one.read(item, path));
                 if (values.empty())
-                    throw InputError(node.place, path + ": found an empty list",
+                    throw InputError(node.location, path + ": found an empty list",
                                      "give " + one.description + ", or a list of them");
                 return values;
             },
@@ -37,7 +37,8 @@ ValueType<std::vector<Vec>> points() {
                 std::vector<Vec> values;
                 for (const auto& item : detail::list_items(node, path, description))
                     values.push_back(point().read(item, path));
-                if (values.empty()) throw InputError(node.place, path + ": found an empty list", "give " + description);
+                if (values.empty())
+                    throw InputError(node.location, path + ": found an empty list", "give " + description);
                 return values;
             },
             [](const std::vector<Vec>& values) {
@@ -50,25 +51,26 @@ ValueType<std::vector<Vec>> points() {
 
 ValueType<Vec> direction() {
     const std::string description = "a direction of three numbers such as [0, 0, 1]";
-    return {
-        description,
-        [description](const TomlNode& node, const std::string& path) {
-            const auto& items = detail::list_items(node, path, description);
-            if (items.size() != 3)
-                throw InputError(
-                    node.place, path + ": found a list of " + std::to_string(items.size()) + ", expected three numbers",
-                    "write " + last_word(path) + " = [x, y, z], such as [0, 0, 1]");
-            Vec value;
-            for (std::size_t i = 0; i < 3; ++i) value[static_cast<Eigen::Index>(i)] = number().read(items[i], path);
-            if (value.norm() == 0)
-                throw InputError(node.place, path + ": found [0, 0, 0], which points nowhere", "give " + description);
-            return value;
-        },
-        [](const Vec& value) {
-            std::vector<std::string> items;
-            for (const double component : value) items.push_back(number().write(component));
-            return detail::toml_list(items);
-        }};
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                const auto& items = detail::list_items(node, path, description);
+                if (items.size() != 3)
+                    throw InputError(
+                        node.location,
+                        path + ": found a list of " + std::to_string(items.size()) + ", expected three numbers",
+                        "write " + last_word(path) + " = [x, y, z], such as [0, 0, 1]");
+                Vec value;
+                for (std::size_t i = 0; i < 3; ++i) value[static_cast<Eigen::Index>(i)] = number().read(items[i], path);
+                if (value.norm() == 0)
+                    throw InputError(node.location, path + ": found [0, 0, 0], which points nowhere",
+                                     "give " + description);
+                return value;
+            },
+            [](const Vec& value) {
+                std::vector<std::string> items;
+                for (const double component : value) items.push_back(number().write(component));
+                return detail::toml_list(items);
+            }};
 }
 
 ValueType<std::vector<std::string>> names() {
@@ -78,8 +80,9 @@ ValueType<std::vector<std::string>> names() {
                 std::vector<std::string> values;
                 for (const auto& item : detail::list_items(node, path, description))
                     values.push_back(name().read(item, path));
-                if (values.empty()) throw InputError(node.place, path + ": found an empty list", "give " + description);
-                detail::refuse_repeated_words(node, path);
+                if (values.empty())
+                    throw InputError(node.location, path + ": found an empty list", "give " + description);
+                detail::refuse_repeated_names(node, path);
                 return values;
             },
             [](const std::vector<std::string>& values) {
@@ -97,7 +100,8 @@ ValueType<std::array<std::string, 2>> two_names() {
                 const auto& items = detail::list_items(node, path, description);
                 if (items.size() != 2)
                     throw InputError(
-                        node.place, path + ": found a list of " + std::to_string(items.size()) + ", expected two names",
+                        node.location,
+                        path + ": found a list of " + std::to_string(items.size()) + ", expected two names",
                         "name both parts; for contacts within one part name it twice");
                 return std::array<std::string, 2>{name().read(items[0], path), name().read(items[1], path)};
             },

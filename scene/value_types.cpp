@@ -36,7 +36,7 @@ std::string in_words(TomlNode::Kind kind) {
 
 void need_in_range(double value, const TomlNode& node, const std::string& path, const Range& range) {
     if (range.contains(value)) return;
-    throw InputError(node.place, path + ": found " + node.shown() + ", expected " + range.text(),
+    throw InputError(node.location, path + ": found " + node.shown() + ", expected " + range.text(),
                      range.advice.empty() ? "give a value that is " + range.text() : std::string(range.advice));
 }
 
@@ -45,7 +45,7 @@ double read_quantity_node(const TomlNode& node, const std::string& path, const E
     if (node.is_text()) return expected.read(node.text, path);
     if (!node.is_number()) throw wrong_kind(node, path, expected.phrase());
     if (node.number == 0) return 0;
-    throw expected.missing_unit(node.place, node.shown(), path);
+    throw expected.missing_unit(node.location, node.shown(), path);
 }
 
 std::string write_quantity(double si, const Expected& expected) {
@@ -105,7 +105,7 @@ std::string Range::text() const {
 
 InputError wrong_kind(const TomlNode& node, const std::string& path, const std::string& expected,
                       const std::string& advice) {
-    return {node.place, path + ": found " + node.shown() + in_words(node.kind) + ", expected " + expected,
+    return {node.location, path + ": found " + node.shown() + in_words(node.kind) + ", expected " + expected,
             advice.empty() ? "give " + last_word(path) + " " + expected : advice};
 }
 
@@ -178,7 +178,7 @@ ValueType<std::string> text() {
 ValueType<std::string> text_not_empty() {
     return checked_text("text", [](const TomlNode& node, const std::string& path) {
         if (node.text.text.find_first_not_of(" \t\r\n") == std::string::npos) {
-            throw InputError(node.place, path + ": found \"\", expected text", "name it, or remove the key");
+            throw InputError(node.location, path + ": found \"\", expected text", "name it, or remove the key");
         }
     });
 }
@@ -190,7 +190,7 @@ ValueType<std::string> name() {
                           std::all_of(name.begin(), name.end(),
                                       [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
         if (!good) {
-            throw InputError(node.place,
+            throw InputError(node.location,
                              path + ": found " + node.shown() +
                                  ", expected a name of letters, digits and '_' that starts with a letter",
                              "write a name such as \"inner_wall\"");
@@ -206,7 +206,7 @@ ValueType<Vec> point() {
                 const auto& items = detail::list_items(node, path, description);
                 if (items.size() < 2 || items.size() > 3) {
                     throw InputError(
-                        node.place,
+                        node.location,
                         path + ": found a list of " + std::to_string(items.size()) + ", expected two or three lengths",
                         "write " + last_word(path) + " = [x, y], such as [\"1 mm\", 0]");
                 }
@@ -232,7 +232,7 @@ ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
                 const auto& items = detail::list_items(node, path, description);
                 if (items.empty() || items.size() > 3) {
                     throw InputError(
-                        node.place,
+                        node.location,
                         path + ": found a list of " + std::to_string(items.size()) + ", expected one to three formulas",
                         "write " + last_word(path) + " = [x, y], such as [\"" + example + "\", 0]");
                 }
@@ -270,9 +270,9 @@ ValueType<std::array<Value<bool>, 3>> axes() {
             [=](const TomlNode& node, const std::string& path) {
                 std::array<Value<bool>, 3> value;
                 for (const auto& item : detail::list_items(node, path, description)) {
-                    value.at(detail::index_of_word(item, path, {"x", "y", "z"})) = {true, item.place};
+                    value.at(detail::index_of_name(item, path, {"x", "y", "z"})) = {true, item.location};
                 }
-                detail::refuse_repeated_words(node, path);
+                detail::refuse_repeated_names(node, path);
                 return value;
             },
             [](const std::array<Value<bool>, 3>& value) {
@@ -297,7 +297,7 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit) {
                     if (entry.is_text()) {
                         const Quantity found = parse_quantity(entry.text);
                         if (!found.dimension.none() && found.dimension != length) {
-                            throw InputError(entry.place,
+                            throw InputError(entry.location,
                                              entry_path + ": found " + entry.shown() + " (" + found.dimension.name() +
                                                  "), expected a length, an angle or a plain number",
                                              "a drawing knows no other units: give a length such as \"2 mm\"");
@@ -306,7 +306,7 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit) {
                     } else {
                         value = read_number(entry, entry_path, any_number, "a length, an angle or a plain number");
                     }
-                    values[entry.key] = {value, entry.place};
+                    values[entry.key] = {value, entry.location};
                 }
                 return values;
             },
@@ -320,7 +320,7 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit) {
 }
 
 ValueType<Expression> concentration_formula(SpeciesUnit unit) {
-    return formula_or_number(unit == SpeciesUnit::none ? "1" : "1 " + word(unit));
+    return formula_or_number(unit == SpeciesUnit::none ? "1" : "1 " + to_string(unit));
 }
 
 ValueType<Expression> flux_formula(SpeciesUnit unit) {
@@ -344,13 +344,13 @@ std::string bare_key_or_quoted(const std::string& key) {
     return bare ? key : toml_quoted(key);
 }
 
-std::size_t index_of_word(const TomlNode& node, const std::string& path, const std::vector<std::string>& words) {
+std::size_t index_of_name(const TomlNode& node, const std::string& path, const std::vector<std::string>& words) {
     const std::string expected = "one of " + quoted_list(words);
     if (!node.is_text()) throw wrong_kind(node, path, expected);
     const auto found = std::find(words.begin(), words.end(), node.text.text);
     if (found == words.end()) {
         const std::string nearest = nearest_name(node.text.text, words);
-        throw InputError(node.place, path + ": found " + node.shown() + ", expected " + expected,
+        throw InputError(node.location, path + ": found " + node.shown() + ", expected " + expected,
                          nearest.empty() ? "write one of these words" : "did you mean \"" + nearest + "\"?");
     }
     return static_cast<std::size_t>(found - words.begin());
@@ -362,12 +362,12 @@ const std::vector<TomlNode>& list_items(const TomlNode& node, const std::string&
     return node.children;
 }
 
-void refuse_repeated_words(const TomlNode& list, const std::string& path) {
+void refuse_repeated_names(const TomlNode& list, const std::string& path) {
     const auto& items = list.children;
     for (std::size_t i = 1; i < items.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (items[i].text.text == items[j].text.text) {
-                throw InputError(items[i].place, path + ": " + items[i].shown() + " stands twice",
+                throw InputError(items[i].location, path + ": " + items[i].shown() + " stands twice",
                                  "remove one of them");
             }
         }

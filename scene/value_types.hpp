@@ -11,12 +11,12 @@
 
 #include "base/nearest_name.hpp"
 #include "base/vec.hpp"
+#include "scene/choices.hpp"
 #include "scene/expression.hpp"
 #include "scene/items.hpp"
 #include "scene/quantity.hpp"
 #include "scene/toml_node.hpp"
 #include "scene/value.hpp"
-#include "scene/words.hpp"
 
 namespace dmp::scene {
 
@@ -101,17 +101,15 @@ namespace detail {
 
 /// A key as TOML wants it.
 std::string bare_key_or_quoted(const std::string& key);
-/// The position in `words` of the word in `node`.
-std::size_t index_of_word(const TomlNode& node, const std::string& path, const std::vector<std::string>& words);
+/// The number in `names` of the name in `node`.
+std::size_t index_of_name(const TomlNode& node, const std::string& path, const std::vector<std::string>& names);
 const std::vector<TomlNode>& list_items(const TomlNode& node, const std::string& path, const std::string& expected);
-void refuse_repeated_words(const TomlNode& list, const std::string& path);
+void refuse_repeated_names(const TomlNode& list, const std::string& path);
 std::string toml_list(const std::vector<std::string>& items);
 
 template <class Enumeration>
-std::vector<std::string> word_list() {
-    std::vector<std::string> words;
-    for (const auto& [value, text] : words_of<Enumeration>()) words.push_back(text);
-    return words;
+std::vector<std::string> name_list() {
+    return {enum_names<Enumeration>.begin(), enum_names<Enumeration>.end()};
 }
 
 }  // namespace detail
@@ -123,11 +121,11 @@ ValueType<ByPart<T>> by_part(const ValueType<T>& one) {
             [one](const TomlNode& node, const std::string& path) {
                 ByPart<T> value;
                 if (!node.is_table()) {
-                    value.all = Value<T>(one.read(node, path), node.place);
+                    value.all = Value<T>(one.read(node, path), node.location);
                     return value;
                 }
                 for (const auto& entry : node.children)
-                    value.parts[entry.key] = Value<T>(one.read(entry, path + "." + entry.key), entry.key_place);
+                    value.parts[entry.key] = Value<T>(one.read(entry, path + "." + entry.key), entry.key_location);
                 return value;
             },
             [one](const ByPart<T>& value) {
@@ -140,34 +138,34 @@ ValueType<ByPart<T>> by_part(const ValueType<T>& one) {
             }};
 }
 
-/// One word of an enumeration's words.
+/// One name of an enumeration.
 template <class Enumeration>
-ValueType<Enumeration> word_of() {
-    return {"one of " + quoted_list(detail::word_list<Enumeration>()),
+ValueType<Enumeration> one_of() {
+    return {"one of " + quoted_list(detail::name_list<Enumeration>()),
             [](const TomlNode& node, const std::string& path) {
-                const auto index = detail::index_of_word(node, path, detail::word_list<Enumeration>());
-                return words_of<Enumeration>()[index].first;
+                const auto index = detail::index_of_name(node, path, detail::name_list<Enumeration>());
+                return static_cast<Enumeration>(index);
             },
-            [](const Enumeration& value) { return toml_quoted(word(value)); }};
+            [](const Enumeration& value) { return toml_quoted(to_string(value)); }};
 }
 
-/// A list of different words of an enumeration.
+/// A list of different names of an enumeration.
 template <class Enumeration>
-ValueType<std::vector<Enumeration>> list_of_words() {
-    const std::string description = "a list out of " + quoted_list(detail::word_list<Enumeration>());
+ValueType<std::vector<Enumeration>> list_of() {
+    const std::string description = "a list out of " + quoted_list(detail::name_list<Enumeration>());
     return {description,
             [description](const TomlNode& node, const std::string& path) {
                 std::vector<Enumeration> values;
                 for (const auto& item : detail::list_items(node, path, description)) {
-                    values.push_back(word_of<Enumeration>().read(item, path));
+                    values.push_back(one_of<Enumeration>().read(item, path));
                 }
-                detail::refuse_repeated_words(node, path);
+                detail::refuse_repeated_names(node, path);
                 return values;
             },
             [](const std::vector<Enumeration>& values) {
                 std::vector<std::string> words;
                 words.reserve(values.size());
-                for (const auto value : values) words.push_back(toml_quoted(word(value)));
+                for (const auto value : values) words.push_back(toml_quoted(to_string(value)));
                 return detail::toml_list(words);
             }};
 }

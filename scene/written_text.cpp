@@ -5,9 +5,9 @@
 
 namespace dmp::scene {
 
-Place WrittenText::at(std::size_t offset) const {
-    if (!first_character.known() || first_character.line == 0) return place;
-    Place found = first_character;
+SourceLocation WrittenText::at(std::size_t offset) const {
+    if (!first_character.known() || first_character.line == 0) return location;
+    SourceLocation found = first_character;
     for (std::size_t i = 0; i < std::min(offset, text.size()); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
         if (byte == '\n') {

@@ -11,11 +11,11 @@ namespace dmp::scene {
 /// A text the user wrote and where its characters stand, so that an error can point into it.
 struct WrittenText {
     std::string text;
-    Place place;            ///< of the whole value: its opening quote
-    Place first_character;  ///< not known where escapes make columns meaningless
+    SourceLocation location;         ///< of the whole value: its opening quote
+    SourceLocation first_character;  ///< not known where escapes make columns meaningless
 
     /// The place of the character at byte `offset`; that of the whole value where the text's columns are not known.
-    [[nodiscard]] Place at(std::size_t offset) const;
+    [[nodiscard]] SourceLocation at(std::size_t offset) const;
 };
 
 }  // namespace dmp::scene

@@ -20,13 +20,13 @@ struct SpherePoint {
 /// Two spheres that meet, or a sphere and a wall: i is the one acted upon, j the other or the wall.
 template <class T>
 struct Contact {
-    T overlap;             ///< d = R_i + R_j - r, or R_i less the distance to the wall; below 0: a gap [m]
-    Vector<T, 3> normal;   ///< n: the unit vector from j to i
-    T radius;              ///< R* = R_i R_j / (R_i + R_j); R_i at a wall [m]
-    T mass;                ///< m* = m_i m_j / (m_i + m_j); m_i at a wall [kg]
-    T parting;             ///< (v_i - v_j) . n: above 0 while they part [m/s]
-    Vector<T, 3> slip;     ///< of i's surface over j's, across n [m/s]
-    Vector<T, 3> turning;  ///< omega_i - omega_j [1/s]; rolling friction alone looks at it
+    T overlap;                   ///< d = R_i + R_j - r, or R_i less the distance to the wall; below 0: a gap [m]
+    Vector<T, 3> normal;         ///< n: the unit vector from j to i
+    T radius;                    ///< R* = R_i R_j / (R_i + R_j); R_i at a wall [m]
+    T mass;                      ///< m* = m_i m_j / (m_i + m_j); m_i at a wall [kg]
+    T normal_velocity;           ///< (v_i - v_j) . n: above 0 while they part [m/s]
+    Vector<T, 3> slip;           ///< of i's surface over j's, across n [m/s]
+    Vector<T, 3> relative_spin;  ///< omega_i - omega_j [1/s]; rolling friction alone looks at it
 };
 
 /// What the contact does to i; j takes the opposite force and the opposite rolling torque.
@@ -61,12 +61,12 @@ Contact<T> contact_of_spheres(const SpherePoint<T>& i, const SpherePoint<T>& j, 
     const T radius = i.radius * j.radius / (i.radius + j.radius);
     const Vector<T, 3> normal = (T(1.0) / distance) * separation;
     const Vector<T, 3> relative = i.velocity - j.velocity;
-    const T parting = dot(relative, normal);
+    const T normal_velocity = dot(relative, normal);
     const Levers<T> arm{Law::lever(i.radius, radius, overlap), Law::lever(j.radius, radius, overlap)};
     const Vector<T, 3> around = arm.i * i.spin + arm.j * j.spin;
-    return {overlap,        normal,
-            radius,         i.mass * j.mass / (i.mass + j.mass),
-            parting,        relative - parting * normal - cross(around, normal),
+    return {overlap,         normal,
+            radius,          i.mass * j.mass / (i.mass + j.mass),
+            normal_velocity, relative - normal_velocity * normal - cross(around, normal),
             i.spin - j.spin};
 }
 
@@ -77,9 +77,10 @@ Contact<T> contact_with_wall(const SpherePoint<T>& i, const Vector<T, 3>& normal
                              const Vector<T, 3>& velocity, const Vector<T, 3>& spin) {
     const T overlap = i.radius - distance;
     const Vector<T, 3> relative = i.velocity - velocity;
-    const T parting = dot(relative, normal);
+    const T normal_velocity = dot(relative, normal);
     const Vector<T, 3> around = Law::lever(i.radius, i.radius, overlap) * i.spin;
-    return {overlap,      normal, i.radius, i.mass, parting, relative - parting * normal - cross(around, normal),
+    return {overlap,      normal,          i.radius,
+            i.mass,       normal_velocity, relative - normal_velocity * normal - cross(around, normal),
             i.spin - spin};
 }
 

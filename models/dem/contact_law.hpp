@@ -68,12 +68,12 @@ struct ContactLaw {
         const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
         const auto press = [&](const T& ends) {
             const T dashpot = pair.normal_dashpot * (ends * root) + pair.normal_rate * mass_touch;
-            const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.parting;
+            const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.normal_velocity;
             return where_less(damped, least, least, damped);
         };
         T pressing = press(T(1.0));
         if constexpr (counts_ends) {
-            const T part = contact.parting, slow = T(dt) * where_less(part, zero, -part, part);
+            const T part = contact.normal_velocity, slow = T(dt) * where_less(part, zero, -part, part);
             const T deep = where_less(zero, contact.overlap, contact.overlap, T(1e300));
             if (any_less(deep, T(2.0) * slow)) {
                 // The way of the step that led here, or of the next one where they part.
@@ -81,18 +81,18 @@ struct ContactLaw {
                 pressing = press(DashpotEnds::weight(deep, where_less(part, zero, slow, next)));
             }
         }
-        const T gripping = Tangential::gripping(pressing + normal.grip);
+        const T normal_load = Tangential::normal_load(pressing + normal.adhesive_force);
 
         const ShearContact<T> shear{normal.touch, T(pair.tangential_stiffness),
                                     pair.tangential_dashpot * root + pair.tangential_rate * mass_touch,
-                                    pair.friction * gripping};
+                                    pair.friction * normal_load};
         const Shear<T> sheared = Tangential::law(contact, shear, vector_of(history, 0), dt);
         ContactForce<T> force{pressing, sheared.force, Vector<T, 3>::zero()};
         if (dt > 0) keep(history, 0, sheared.kept, normal.touch);
 
         if constexpr (model.rolling != RollingFriction::none) {
             using Law = std::conditional_t<model.rolling == RollingFriction::spring, RollingSpring, ConstantRolling>;
-            const RollingContact<T> rolling{pair.normal_stiffness * normal.touch, gripping};
+            const RollingContact<T> rolling{pair.normal_stiffness * normal.touch, normal_load};
             const Vector<T, 3> angle = vector_of(history, std::size_t{history_vectors} - 1);
             const Rolling<T> rolled = Law::law(contact, pair, rolling, angle, dt);
             force.rolling = rolled.torque;

@@ -11,9 +11,9 @@ namespace dmp::models {
 /// How two bodies press on each other along the normal, without dashpots.
 template <class T>
 struct NormalContact {
-    T touch;  ///< radius a of the circle in which they touch [m]
-    T force;  ///< above 0: apart [N]
-    T grip;   ///< added to the force of the contact in Coulomb's bound, as adhesion presses them together [N]
+    T touch;           ///< radius a of the circle in which they touch [m]
+    T force;           ///< above 0: apart [N]
+    T adhesive_force;  ///< added to the force of the contact in Coulomb's bound, as adhesion presses them together [N]
 };
 
 /// Two elastic spheres (Hertz 1882; Johnson, Contact Mechanics, 1985, 4.2):

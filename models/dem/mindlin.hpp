@@ -68,7 +68,7 @@ struct RescaledHistory {
 
     /// Friction rests on what presses the surfaces together.
     template <class T>
-    static T gripping(const T& normal_force) {
+    static T normal_load(const T& normal_force) {
         return where_less(T(0.0), normal_force, normal_force, T(0.0));
     }
 
@@ -124,7 +124,7 @@ struct PlainHistory {
     }
     /// As there, friction also rests on a dashpot that pulls.
     template <class T>
-    static T gripping(const T& normal_force) {
+    static T normal_load(const T& normal_force) {
         return where_less(normal_force, T(0.0), -normal_force, normal_force);
     }
 };

@@ -23,7 +23,7 @@ struct RollingContact {
 /// The part of omega_i - omega_j across the normal; about the normal itself nothing resists.
 template <class T>
 Vector<T, 3> rolling_rate(const Contact<T>& contact) {
-    return contact.turning - dot(contact.turning, contact.normal) * contact.normal;
+    return contact.relative_spin - dot(contact.relative_spin, contact.normal) * contact.normal;
 }
 
 /// A torque of fixed size against the rolling (Zhou et al. 1999; model A of Ai et al., Powder Technol. 206, 2011):

@@ -1,6 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "base/enum_names.hpp"
 #include <cstdint>
 
 namespace dmp::models {
@@ -28,3 +32,11 @@ struct Activity {
 };
 
 }  // namespace dmp::models
+
+namespace dmp {
+
+template <>
+inline constexpr auto enum_names<models::SeedActivity> =
+    std::to_array<std::string_view>({"always", "once", "one_in"});
+
+}  // namespace dmp

@@ -12,8 +12,8 @@ namespace dmp::models {
 struct MutuallyClosest {
     double probability;  ///< p of two that chose each other, in one event [-]
 
-    [[nodiscard]] bool binds(const Encounter& encounter, const Dice& dice) const {
-        return encounter.nearest_seed && encounter.nearest_liquid && dice.of_pair(encounter) < probability;
+    [[nodiscard]] bool binds(const BondCandidate& candidate, const RandomTrial& trial) const {
+        return candidate.nearest_seed && candidate.nearest_liquid && trial.of_pair(candidate) < probability;
     }
 };
 

@@ -10,8 +10,8 @@ namespace dmp::models {
 struct PerCandidate {
     double probability;  ///< p of one liquid particle in one event [-]
 
-    [[nodiscard]] bool binds(const Encounter& encounter, const Dice& dice) const {
-        return encounter.nearest_seed && dice.of_liquid(encounter) < probability;
+    [[nodiscard]] bool binds(const BondCandidate& candidate, const RandomTrial& trial) const {
+        return candidate.nearest_seed && trial.of_liquid(candidate) < probability;
     }
 };
 

@@ -11,8 +11,8 @@ namespace dmp::models {
 struct PerPair {
     double probability;  ///< p of one pair in one event [-]
 
-    [[nodiscard]] bool binds(const Encounter& encounter, const Dice& dice) const {
-        return dice.of_pair(encounter) < probability;
+    [[nodiscard]] bool binds(const BondCandidate& candidate, const RandomTrial& trial) const {
+        return trial.of_pair(candidate) < probability;
     }
 };
 

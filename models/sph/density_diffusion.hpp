@@ -25,11 +25,11 @@ struct DensityDiffusion {
 /// nor at a free surface or a wall, where the plain term would wear the stratification down:
 ///   drho_i/dt = 2 delta h c0 SUM_j V_j [(p_i - p_j) - (rho_i + rho_j)/2 g . x_ij] / c0^2 (1/r dW/dr)
 template <int D>
-struct StratifiedDiffusion {
+struct HydrostaticDiffusion {
     double coefficient;              ///< 2 delta h / c0 [s]
     Vector<double, D> acceleration;  ///< g, of axes that are not periodic [m/s^2]
 
-    StratifiedDiffusion(double delta, double support, double sound_speed, const Vector<double, D>& g)
+    HydrostaticDiffusion(double delta, double support, double sound_speed, const Vector<double, D>& g)
         : coefficient(delta * support / sound_speed), acceleration(g) {}
 
     template <class P>

@@ -1,6 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "base/enum_names.hpp"
 #include "models/sph/linear_state.hpp"
 #include "models/sph/tait.hpp"
 
@@ -38,3 +42,11 @@ struct LiquidState {
 };
 
 }  // namespace dmp::models
+
+namespace dmp {
+
+template <>
+inline constexpr auto enum_names<models::EquationOfState> =
+    std::to_array<std::string_view>({"tait", "linear"});
+
+}  // namespace dmp

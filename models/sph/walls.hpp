@@ -11,7 +11,7 @@ namespace dmp::models {
 
 /// A particle of the same liquid at the solid's place: the solid's velocity and volume, the fluid's own state.
 template <int D, class F, class S>
-auto liquid_in_place_of(const S& solid, const F& fluid) {
+auto image_fluid_of(const S& solid, const F& fluid) {
     using T = Wider<decltype(fluid.density), decltype(solid.volume)>;
     FluidPoint<T, D> liquid;
     for (int a = 0; a < D; ++a) {
@@ -50,7 +50,7 @@ struct ExtrapolatedSolid {
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
-        auto liquid = liquid_in_place_of<D>(wall, fluid);
+        auto liquid = image_fluid_of<D>(wall, fluid);
         using T = decltype(liquid.density);
         const T distance = max_of(T(dot(from_wall, wall.normal) - wall.depth), T(nearest));
         const T ratio = wall.depth / distance;
@@ -73,7 +73,7 @@ struct ExtrapolatedSolid {
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto springs(const F& fluid, const S& body, const Separation& /*from_body*/) const {
-        return liquid_in_place_of<D>(body, fluid);
+        return image_fluid_of<D>(body, fluid);
     }
 
     /// What the density rate sees of a wall that may let the fluid slip: where it does, the wall's particles go along
@@ -112,7 +112,7 @@ struct PlainSolid {
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation& /*from_solid*/) const {
-        auto liquid = liquid_in_place_of<D>(solid, fluid);
+        auto liquid = image_fluid_of<D>(solid, fluid);
         liquid.density = solid.density;
         liquid.pressure = solid.pressure;
         return liquid;

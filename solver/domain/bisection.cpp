@@ -54,7 +54,7 @@ void check(int result, const char* step) {
 }
 
 /// Zoltan writes infinity as the largest double.
-double place(double bound) {
+double position(double bound) {
     constexpr double most = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
     return bound >= most ? infinity : bound <= -most ? -infinity : bound;
 }
@@ -102,8 +102,8 @@ std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points) {
         check(Zoltan_RCB_Box(zoltan.get(), rank++, &dimension, low, low + 1, low + 2, high, high + 1, high + 2),
               "boxes");
         for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = place(box.low[axis]);
-            box.high[axis] = place(box.high[axis]);
+            box.low[axis] = position(box.low[axis]);
+            box.high[axis] = position(box.high[axis]);
         }
     }
     return boxes;

@@ -32,10 +32,10 @@ Box everything(const ParticleSpace& space) {
     return box;
 }
 
-std::array<double, 3> place_of(const ParticleGroup& group, std::size_t i) {
-    std::array<double, 3> place{};
-    for (int axis = 0; axis < group.dimension(); ++axis) place[axis] = group.data(Field::position, axis)[i];
-    return place;
+std::array<double, 3> position_of(const ParticleGroup& group, std::size_t i) {
+    std::array<double, 3> position{};
+    for (int axis = 0; axis < group.dimension(); ++axis) position[axis] = group.data(Field::position, axis)[i];
+    return position;
 }
 
 std::string lost(const ParticleGroup& group, std::size_t i) {
@@ -77,10 +77,10 @@ void Domain::divide(const GroupList& groups, const KindWeights& weights) {
 }
 
 int Domain::owner(const Vec& point) const {
-    std::array<double, 3> place{};
+    std::array<double, 3> position{};
     for (int axis = 0; axis < dimension_; ++axis)
-        place[axis] = periodic_[axis] ? wrapped(point[axis], space_.low[axis], space_.high[axis]) : point[axis];
-    return regions_.owner(place);
+        position[axis] = periodic_[axis] ? wrapped(point[axis], space_.low[axis], space_.high[axis]) : point[axis];
+    return regions_.owner(position);
 }
 
 /// A particle and its image change places, which changes nothing: where one is lies the other.
@@ -104,7 +104,7 @@ void Domain::mirror_back(ParticleGroup& fluid) const {
 void Domain::move_into_box(const GroupList& groups) const {
     std::string trouble;
     for (ParticleGroup* group : groups)
-        if (group->kind() == ParticleKind::fluid) mirror_back(*group);
+        if (group->kind() == PartKind::fluid) mirror_back(*group);
     for (ParticleGroup* group : groups)
         for (int axis = 0; axis < dimension_; ++axis) {
             double* x = group->data(Field::position, axis);
@@ -151,7 +151,7 @@ void Domain::migrate(const GroupList& groups) const {
                 return inside == 0;
             });
         for (const std::int32_t i : outside)
-            if (const int rank = regions_.owner(place_of(*group, i)); rank != ranks_.rank()) {
+            if (const int rank = regions_.owner(position_of(*group, i)); rank != ranks_.rank()) {
                 leaving.particles.push_back(i);
                 leaving.to.push_back(rank);
             }

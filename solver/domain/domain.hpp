@@ -18,9 +18,9 @@ using GroupList = std::vector<ParticleGroup*>;
 /// What a particle of each kind costs, compared with the others; above 0.
 struct KindWeights {
     double fluid = 1, rigid = 1, springs = 1, spheres = 1;
-    [[nodiscard]] double of(ParticleKind kind) const {
-        if (kind == ParticleKind::spheres) return spheres;
-        return kind == ParticleKind::fluid ? fluid : kind == ParticleKind::rigid ? rigid : springs;
+    [[nodiscard]] double of(PartKind kind) const {
+        if (kind == PartKind::spheres) return spheres;
+        return kind == PartKind::fluid ? fluid : kind == PartKind::rigid ? rigid : springs;
     }
 };
 

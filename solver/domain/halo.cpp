@@ -36,7 +36,7 @@ void Halo::build(ParticleGroup& group, const Domain& domain, double reach) {
     group.resize(group.owned(), 0);
     own_ = {ranks_.rank(), {}, {}, {}};
     outgoing_.clear();
-    for (Outgoing& wanted : wanted_copies(group, domain, reach))
+    for (Outgoing& wanted : wanted_ghosts(group, domain, reach))
         if (wanted.rank == ranks_.rank())
             own_ = std::move(wanted);
         else
@@ -46,7 +46,7 @@ void Halo::build(ParticleGroup& group, const Domain& domain, double reach) {
 }
 
 /// What each rank needs of this one's particles; nothing for ranks that need none.
-std::vector<Halo::Outgoing> Halo::wanted_copies(const ParticleGroup& group, const Domain& domain, double reach) const {
+std::vector<Halo::Outgoing> Halo::wanted_ghosts(const ParticleGroup& group, const Domain& domain, double reach) const {
     std::vector<Outgoing> all;
     const HaloTargets targets(domain, ranks_, space_, reach);
     if (targets.list().empty()) return all;
@@ -194,10 +194,10 @@ void Halo::copy_rows(const Outgoing& outgoing, const double* rows, std::size_t w
     }
 }
 
-double Halo::copies_per_owned() const {
+double Halo::ghosts_per_owned() const {
     const std::int64_t owned = ranks_.sum(static_cast<std::int64_t>(owned_));
-    const std::int64_t copies = ranks_.sum(static_cast<std::int64_t>(total_ - owned_));
-    return owned > 0 ? static_cast<double>(copies) / static_cast<double>(owned) : 0;
+    const std::int64_t ghosts = ranks_.sum(static_cast<std::int64_t>(total_ - owned_));
+    return owned > 0 ? static_cast<double>(ghosts) / static_cast<double>(owned) : 0;
 }
 
 }  // namespace dmp::solver

@@ -22,7 +22,7 @@ struct HaloTraffic {
 
 /// The copies of one group of particles: those of other ranks' particles, of periodic images and of mirror images at
 /// planes of symmetry, that lie near the rank's own part of space. A group has a Halo of its own.
-/// build(), exchange(), start(), finish() and copies_per_owned() must be called by all ranks together, for several
+/// build(), exchange(), start(), finish() and ghosts_per_owned() must be called by all ranks together, for several
 /// groups in the same order. One rank alone calls no MPI.
 class Halo {
   public:
@@ -57,9 +57,9 @@ class Halo {
     /// Of values, since it was made; making copies known is not counted.
     [[nodiscard]] const HaloTraffic& traffic() const { return traffic_; }
     /// This rank's copies at the last build().
-    [[nodiscard]] std::size_t copies() const { return total_ - owned_; }
+    [[nodiscard]] std::size_t ghosts() const { return total_ - owned_; }
     /// The same over all ranks, for each of all their particles; 0 without particles.
-    [[nodiscard]] double copies_per_owned() const;
+    [[nodiscard]] double ghosts_per_owned() const;
 
   private:
     /// Consecutive sources of an Outgoing, up to `end`, that appear in the same image.
@@ -81,7 +81,7 @@ class Halo {
     };
     struct Requests;
 
-    [[nodiscard]] std::vector<Outgoing> wanted_copies(const ParticleGroup& group, const Domain& domain,
+    [[nodiscard]] std::vector<Outgoing> wanted_ghosts(const ParticleGroup& group, const Domain& domain,
                                                       double reach) const;
     void make_room(ParticleGroup& group);
     void post_receives(std::size_t arrays);

@@ -14,7 +14,7 @@ namespace dmp::solver {
 struct HaloImage {
     std::array<double, 3> shift{};  ///< whole periods, or twice the plane's place [m]
     std::array<bool, 3> mirrored{};
-    [[nodiscard]] double place(double x, int axis) const { return (mirrored[axis] ? -x : x) + shift[axis]; }
+    [[nodiscard]] double position(double x, int axis) const { return (mirrored[axis] ? -x : x) + shift[axis]; }
 };
 
 /// A rank that may need copies of this rank's particles, as they appear in `image`.
@@ -45,7 +45,7 @@ class HaloTargets {
     [[nodiscard]] bool needs(const HaloTarget& target, const std::array<const double*, 3>& x, std::size_t i) const {
         double squared = 0;
         for (int axis = 0; axis < dimension_; ++axis) {
-            const double moved = target.image.place(x[axis][i], axis);  // exact; moving the box might not be
+            const double moved = target.image.position(x[axis][i], axis);  // exact; moving the box might not be
             const double outside = std::max({0.0, target.box.low[axis] - moved, moved - target.box.high[axis]});
             squared += outside * outside;
         }

@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Split {
     int axis = 0;
-    double place = 0;
+    double position = 0;
     std::size_t below = 0;  ///< how many boxes
 };
 
@@ -55,7 +55,7 @@ bool Regions::cut(std::span<const Box> boxes, int first, int depth, int& part) {
     if (!found) return false;
     Cut here;
     here.axis = found->axis;
-    here.place[0] = found->place;
+    here.position[0] = found->position;
     here.share_below = static_cast<double>(found->below) / static_cast<double>(boxes.size());
     if (!cut(boxes.first(found->below), first, depth + 1, here.below)) return false;
     if (!cut(boxes.subspan(found->below), first + static_cast<int>(found->below), depth + 1, here.above)) return false;
@@ -71,7 +71,7 @@ void Regions::set_boxes(int part, const Box& box) {
     }
     const Cut& cut = cuts_[static_cast<std::size_t>(part)];
     Box below = box, above = box;
-    below.high[cut.axis] = above.low[cut.axis] = std::clamp(cut.place[0], box.low[cut.axis], box.high[cut.axis]);
+    below.high[cut.axis] = above.low[cut.axis] = std::clamp(cut.position[0], box.low[cut.axis], box.high[cut.axis]);
     set_boxes(cut.below, below);
     set_boxes(cut.above, above);
 }
@@ -99,8 +99,8 @@ void Regions::divide_ties(const Ranks& ranks, const WeightedPoints& points) {
             const Cut& cut = cuts_[part];
             const std::int64_t weight = std::llround(points.weights[k] * unit);
             all[part] += weight;
-            if (point[cut.axis] < cut.place[0]) below[part] += weight;
-            if (point[cut.axis] == cut.place[0])
+            if (point[cut.axis] < cut.position[0]) below[part] += weight;
+            if (point[cut.axis] == cut.position[0])
                 tied.push_back({part, point[(cut.axis + 1) % 3], point[(cut.axis + 2) % 3], weight});
         }
         ranks.sum(below);
@@ -109,10 +109,12 @@ void Regions::divide_ties(const Ranks& ranks, const WeightedPoints& points) {
         std::sort(tied.begin(), tied.end());
         for (const Tied& point : tied) {
             Cut& cut = cuts_[point.cut];
-            if (cut.place[1] == -infinity) cut.place[1] = infinity;  // all of them below, but for what is found next
+            if (cut.position[1] == -infinity)
+                cut.position[1] = infinity;  // all of them below, but for what is found next
             const double wanted = cut.share_below * static_cast<double>(all[point.cut]);
             const double passed = static_cast<double>(below[point.cut]) + 0.5 * static_cast<double>(point.weight);
-            if (passed > wanted && cut.place[1] == infinity) cut.place = {cut.place[0], point.next, point.after};
+            if (passed > wanted && cut.position[1] == infinity)
+                cut.position = {cut.position[0], point.next, point.after};
             below[point.cut] += point.weight;
         }
     }

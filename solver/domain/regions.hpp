@@ -42,8 +42,8 @@ class Regions {
     struct Cut {
         int axis = 0;
         /// Along this axis; on the plane, along the next; and on that line, along the one after it (x follows z).
-        std::array<double, 3> place{0, -std::numeric_limits<double>::infinity(),
-                                    -std::numeric_limits<double>::infinity()};
+        std::array<double, 3> position{0, -std::numeric_limits<double>::infinity(),
+                                       -std::numeric_limits<double>::infinity()};
         int below = 0, above = 0;
         double share_below = 0;  ///< part of the ranks that are below
     };
@@ -52,7 +52,7 @@ class Regions {
     static int side(const Cut& cut, const std::array<double, 3>& point) {
         for (int k = 0; k < 3; ++k) {
             const double coordinate = point[(cut.axis + k) % 3];
-            if (coordinate != cut.place[k]) return coordinate < cut.place[k] ? cut.below : cut.above;
+            if (coordinate != cut.position[k]) return coordinate < cut.position[k] ? cut.below : cut.above;
         }
         return cut.above;
     }

@@ -44,7 +44,7 @@ class Graph {
     bool bond(const BodyChange::Bond& bond) {
         const int a = number_.at(bond.a), b = number_.at(bond.b);
         if (bonded_.contains(in_order(a, b)) || !bring_together(a, b)) return false;
-        const double distance = (all_.nodes[a].place - all_.nodes[b].place).norm();
+        const double distance = (all_.nodes[a].position - all_.nodes[b].position).norm();
         const Spring spring(bond.stiffness, bond.damping, reduced_mass(all_.nodes[a].mass, all_.nodes[b].mass));
         all_.bonds.push_back({{a, b},
                               bond.rest_length > 0 ? bond.rest_length : distance,
@@ -94,18 +94,18 @@ class Graph {
         std::ranges::sort(by_id, {}, [&](int node) { return all_.nodes[node].id; });
         std::unordered_map<std::size_t, std::size_t> piece_of_root;
         std::vector<BodyParts> pieces;
-        std::vector<std::pair<std::size_t, int>> place_of(count);  // piece, and number in it
+        std::vector<std::pair<std::size_t, int>> position_of(count);  // piece, and number in it
         for (const int node : by_id) {
             const auto [known, is_new] = piece_of_root.try_emplace(together.find(node), pieces.size());
             if (is_new) pieces.emplace_back();
             BodyParts& piece = pieces[known->second];
-            place_of[node] = {known->second, static_cast<int>(piece.nodes.size())};
+            position_of[node] = {known->second, static_cast<int>(piece.nodes.size())};
             piece.nodes.push_back(all_.nodes[node]);
         }
         const auto hand_out = [&](const auto& springs, auto BodyParts::*member) {
             for (auto spring : springs) {
-                auto& piece = pieces[place_of[spring.node[0]].first];
-                for (int& node : spring.node) node = place_of[node].second;
+                auto& piece = pieces[position_of[spring.node[0]].first];
+                for (int& node : spring.node) node = position_of[node].second;
                 (piece.*member).push_back(spring);
             }
         };
@@ -113,8 +113,9 @@ class Graph {
         hand_out(all_.hinges, &BodyParts::hinges);
         hand_out(all_.dihedrals, &BodyParts::dihedrals);
         for (const auto& [a, b] : held_apart_)
-            if (place_of[a].first == place_of[b].first)
-                pieces[place_of[a].first].held_apart.push_back(in_order(place_of[a].second, place_of[b].second));
+            if (position_of[a].first == position_of[b].first)
+                pieces[position_of[a].first].held_apart.push_back(
+                    in_order(position_of[a].second, position_of[b].second));
         for (BodyParts& piece : pieces) std::ranges::sort(piece.held_apart);
         // A wall's particle to which nothing is bonded any more is the wall's alone.
         std::erase_if(pieces, [](const BodyParts& piece) {
@@ -150,7 +151,7 @@ class Graph {
     /// Makes two nodes part of one body, in the images in which they are nearest. False where they are in one body
     /// already, in other images.
     bool bring_together(int a, int b) {
-        const Vec apart = all_.nodes[b].place - all_.nodes[a].place, nearest = nearest_image(apart, space_);
+        const Vec apart = all_.nodes[b].position - all_.nodes[a].position, nearest = nearest_image(apart, space_);
         Vec shift = Vec::Zero();
         for (int axis = 0; axis < space_.dimension; ++axis) {
             if (!space_.periodic[axis]) continue;
@@ -162,9 +163,9 @@ class Graph {
         const bool moves_a = of_a.size() < of_b.size();
         for (const int node : moves_a ? of_a : of_b) {
             const Vec way = moves_a ? Vec(-shift) : shift;
-            for (Vec BodyParts::Node::*place :
-                 {&BodyParts::Node::place, &BodyParts::Node::place_before, &BodyParts::Node::place_at_rest})
-                all_.nodes[node].*place += way;
+            for (Vec BodyParts::Node::*position :
+                 {&BodyParts::Node::position, &BodyParts::Node::position_before, &BodyParts::Node::rest_position})
+                all_.nodes[node].*position += way;
         }
         std::vector<int> joined = std::move(of_b);
         of_b.clear();

@@ -13,17 +13,17 @@ namespace dmp::solver {
 
 std::vector<std::string> body_names(const Scene& scene) {
     std::vector<std::string> names;
-    for (const Part* part : scene.parts_of(PartKind::springs)) names.push_back(*part->name);
+    for (const Part* part : scene.parts_of(PartKind::elastic)) names.push_back(*part->name);
     for (const Solidify& rule : scene.solidify) names.push_back(*rule.name);
     for (const Join* join : scene.joins_of_enabled()) names.push_back(*join->name);
     return names;
 }
 
-DrawnSprings::DrawnSprings(const ParticleSet& set, const Scene& scene) : of_part(set.parts.size()) {
-    const auto parts = scene.parts_of(PartKind::springs);
+InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_part(set.parts.size()) {
+    const auto parts = scene.parts_of(PartKind::elastic);
     for (std::size_t number = 0; number < set.parts.size(); ++number) {
         const auto& [name, kind] = set.parts[number];
-        if (kind != ParticleKind::springs) continue;
+        if (kind != PartKind::elastic) continue;
         const auto part = std::ranges::find(parts, name, [](const Part* each) { return *each->name; });
         if (part == parts.end())
             throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
@@ -39,7 +39,7 @@ DrawnSprings::DrawnSprings(const ParticleSet& set, const Scene& scene) : of_part
     for (const Join* join : joins) of_join.push_back({before + static_cast<int>(of_join.size()), join->damping, 0});
 }
 
-DrawnSprings::DrawnSprings(const ParticleSet& set, const Part& part)
+InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
     : of_part(set.parts.size(), {0, part.bond_damping, part.drag}) {}
 
 namespace {
@@ -60,13 +60,13 @@ std::vector<int> nodes_of(const ParticleSet& set, int body) {
 
 }  // namespace
 
-BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body, double contact_range) {
+BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range) {
     BodyParts parts;
     std::unordered_map<int, int> local;
-    std::vector<Vec> places;
+    std::vector<Vec> positions;
     for (const int id : nodes_of(set, body)) {
         local[id] = static_cast<int>(parts.nodes.size());
-        const DrawnSprings::Source& source = drawn.of_part[set.part[id]];
+        const InitialSprings::Source& source = drawn.of_part[set.part[id]];
         BodyParts::Node node;
         node.id = id;
         node.of_wall = set.body[id] < 0;
@@ -74,15 +74,15 @@ BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body
         node.origin = source.origin;
         node.mass = set.mass[id];
         node.drag = source.drag;
-        node.place = node.place_before = node.place_at_rest = set.position[id];
+        node.location = node.position_before = node.rest_position = set.position[id];
         parts.nodes.push_back(node);
-        places.push_back(set.position[id]);
+        positions.push_back(set.position[id]);
     }
 
     double longest = 0;
     for (const Bond& bond : set.bonds) {
         if (set.body[bond.a] != body && set.body[bond.b] != body) continue;
-        const DrawnSprings::Source& source =
+        const InitialSprings::Source& source =
             bond.join >= 0 ? drawn.of_join.at(bond.join) : drawn.of_part[set.part[bond.a]];
         const Spring spring(bond.stiffness, source.damping, reduced_mass(set.mass[bond.a], set.mass[bond.b]));
         parts.bonds.push_back(
@@ -94,7 +94,7 @@ BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body
         const auto inertia = [&](int end) {
             return set.mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
         };
-        const DrawnSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
+        const InitialSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
         const Spring spring(hinge.stiffness, source.damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
         parts.hinges.push_back({{local.at(hinge.a), local.at(hinge.centre), local.at(hinge.b)},
                                 hinge.rest_angle,
@@ -112,7 +112,7 @@ BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body
         const auto inertia = [&](int end) {
             return set.mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
         };
-        const DrawnSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
+        const InitialSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
         const Spring spring(dihedral.stiffness, source.damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));
         parts.dihedrals.push_back(
             {{local.at(dihedral.a), local.at(dihedral.b), local.at(dihedral.c), local.at(dihedral.d)},
@@ -122,7 +122,7 @@ BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body
              source.origin});
     }
     if (contact_range > 0)
-        parts.held_apart = pairs_within(places, set.dimension, neighbourhood_of_contact(contact_range, longest));
+        parts.held_apart = pairs_within(positions, set.dimension, neighbourhood_of_contact(contact_range, longest));
     return parts;
 }
 
@@ -192,7 +192,8 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             through(node.origin);
             through(node.mass);
             through(node.drag);
-            for (Vec* vector : {&node.place, &node.velocity, &node.place_before, &node.place_at_rest}) through(*vector);
+            for (Vec* vector : {&node.location, &node.velocity, &node.position_before, &node.rest_position})
+                through(*vector);
         });
         springs(body.bonds);
         springs(body.hinges);

@@ -22,7 +22,7 @@ struct BodyParts {
         int origin = 0;        ///< what it came from: number of a springs part or [[solidify]] (body_names)
         double mass = 0;       ///< [kg]
         double drag = 0;       ///< lab-frame drag [kg/s]
-        Vec place = Vec::Zero(), velocity = Vec::Zero(), place_before = Vec::Zero(), place_at_rest = Vec::Zero();
+        Vec position = Vec::Zero(), velocity = Vec::Zero(), position_before = Vec::Zero(), rest_position = Vec::Zero();
     };
     /// A bond, hinge or dihedral: nodes as in Bond, Hinge and Dihedral.
     template <int N>
@@ -48,7 +48,7 @@ struct BodyParts {
 std::vector<std::string> body_names(const Scene& scene);
 
 /// What a scene says of the springs that were drawn for it.
-struct DrawnSprings {
+struct InitialSprings {
     struct Source {
         int origin = 0;      ///< body_names
         double damping = 0;  ///< dashpots, fraction of critical [-]
@@ -58,14 +58,14 @@ struct DrawnSprings {
     std::vector<Source> of_join;  ///< by Bond::join
 
     /// Throws InputError for particles of a springs part that the scene does not have.
-    DrawnSprings(const ParticleSet& set, const Scene& scene);
+    InitialSprings(const ParticleSet& set, const Scene& scene);
     /// Of a set whose springs are all of one part.
-    DrawnSprings(const ParticleSet& set, const Part& part);
+    InitialSprings(const ParticleSet& set, const Part& part);
 };
 
 /// The body of this number as it was drawn, with the springs among its nodes and those of walls that bonds join it to.
 /// `contact_range` [m], 0: none. Throws InputError for one in the plane that has dihedrals.
-BodyParts drawn_body(const ParticleSet& set, const DrawnSprings& drawn, int body, double contact_range);
+BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range);
 
 /// Bodies on their way into a checkpoint or out of one.
 void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bodies);

@@ -13,38 +13,38 @@ namespace dmp::solver {
 namespace {
 
 template <int D>
-using Place = std::array<double, D>;
+using Point = std::array<double, D>;
 
 /// Positions of a group, axis by axis.
 template <int D>
-struct Places {
+struct Positions {
     std::array<const double*, D> axis;
 
-    explicit Places(const ParticleGroup& group) {
+    explicit Positions(const ParticleGroup& group) {
         for (int a = 0; a < D; ++a) axis[a] = group.data(Field::position, a);
     }
-    [[nodiscard]] Place<D> operator[](std::int32_t i) const {
-        Place<D> place;
-        for (int a = 0; a < D; ++a) place[a] = axis[a][i];
-        return place;
+    [[nodiscard]] Point<D> operator[](std::int32_t i) const {
+        Point<D> position;
+        for (int a = 0; a < D; ++a) position[a] = axis[a][i];
+        return position;
     }
 };
 
 template <int D>
 struct Bounds {
-    Place<D> low, high;
+    Point<D> low, high;
 
-    Bounds(const Places<D>& places, const Cluster& cluster) : low(places[cluster.first]), high(low) {
+    Bounds(const Positions<D>& positions, const Cluster& cluster) : low(positions[cluster.first]), high(low) {
         for (std::int32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i)
             for (int a = 0; a < D; ++a) {
-                low[a] = std::min(low[a], places.axis[a][i]);
-                high[a] = std::max(high[a], places.axis[a][i]);
+                low[a] = std::min(low[a], positions.axis[a][i]);
+                high[a] = std::max(high[a], positions.axis[a][i]);
             }
     }
-    [[nodiscard]] double distance_square(const Place<D>& place) const {
+    [[nodiscard]] double distance_square(const Point<D>& position) const {
         double square = 0;
         for (int a = 0; a < D; ++a) {
-            const double beyond = std::max({0.0, low[a] - place[a], place[a] - high[a]});
+            const double beyond = std::max({0.0, low[a] - position[a], position[a] - high[a]});
             square += beyond * beyond;
         }
         return square;
@@ -52,7 +52,7 @@ struct Bounds {
 };
 
 template <int D>
-double distance_square(const Place<D>& a, const Place<D>& b) {
+double distance_square(const Point<D>& a, const Point<D>& b) {
     double square = 0;
     for (int axis = 0; axis < D; ++axis) square += (a[axis] - b[axis]) * (a[axis] - b[axis]);
     return square;
@@ -61,22 +61,22 @@ double distance_square(const Place<D>& a, const Place<D>& b) {
 /// Calls visit(node, kind, other, square of their distance, the smaller range) for the pairs of a cluster that touch.
 template <int D, class Visit>
 void for_each_contact(const ParticleStore& particles, const ClusterList& list, std::size_t number, const Visit& visit) {
-    const ParticleGroup& nodes = particles.of(ParticleKind::springs);
-    const Cluster& cluster = list.clusters(ParticleKind::springs)[number];
-    const Places<D> place_of_node(nodes);
-    const Bounds<D> bounds(place_of_node, cluster);
-    for (const ParticleKind kind : all_kinds) {
-        const auto near = list.neighbours(ParticleKind::springs, number, kind);
+    const ParticleGroup& nodes = particles.of(PartKind::elastic);
+    const Cluster& cluster = list.clusters(PartKind::elastic)[number];
+    const Positions<D> position_of_node(nodes);
+    const Bounds<D> bounds(position_of_node, cluster);
+    for (const PartKind kind : all_kinds) {
+        const auto near = list.neighbours(PartKind::elastic, number, kind);
         if (near.empty()) continue;
         const ParticleGroup& others = particles.of(kind);
-        const Field field = kind == ParticleKind::rigid ? Field::wall_contact_range : Field::contact_range;
-        const Places<D> place_of(others);
+        const Field field = kind == PartKind::rigid ? Field::wall_contact_range : Field::contact_range;
+        const Positions<D> position_of(others);
         const double *range_of_node = nodes.data(field), *range_of = others.data(field);
         for (const std::int32_t other : near) {
-            const Place<D> place = place_of[other];
-            if (bounds.distance_square(place) >= range_of[other] * range_of[other]) continue;
+            const Point<D> position = position_of[other];
+            if (bounds.distance_square(position) >= range_of[other] * range_of[other]) continue;
             for (std::int32_t node = cluster.first; node < cluster.first + cluster.count; ++node) {
-                const double square = distance_square<D>(place, place_of_node[node]);
+                const double square = distance_square<D>(position, position_of_node[node]);
                 const double range = std::min(range_of_node[node], range_of[other]);
                 if (square < range * range) visit(node, kind, other, square, range);
             }
@@ -102,22 +102,22 @@ double SpringBodies::largest_contact_rate(const ParticleStore& particles, const 
     }
     if (largest_inverse_mass == 0) return 0;
     // Terms of up to some 10^6 times those at touch add up exactly.
-    const OrderFree order_free(1e6 * 12 * contact_.repulsion.strength / (contact_.range * contact_.range) *
-                               largest_inverse_mass);
+    const ReproducibleSum rounding(1e6 * 12 * contact_.repulsion.strength / (contact_.range * contact_.range) *
+                                   largest_inverse_mass);
 
     const double* mass_of_fluid = particles.fluid().data(Field::mass);
-    const auto clusters = list.clusters(ParticleKind::springs);
+    const auto clusters = list.clusters(PartKind::elastic);
     const auto count = static_cast<std::ptrdiff_t>(clusters.size());
     double largest = 0;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(max : largest)
     for (std::ptrdiff_t c = 0; c < count; ++c) {
         const auto number = static_cast<std::size_t>(c);
         std::array<double, cluster_size> rate{};
-        const auto add = [&](std::int32_t node, ParticleKind kind, std::int32_t other, double square, double range) {
-            const double of_other = kind == ParticleKind::rigid   ? 0
-                                    : kind == ParticleKind::fluid ? 1 / mass_of_fluid[other]
+        const auto add = [&](std::int32_t node, PartKind kind, std::int32_t other, double square, double range) {
+            const double of_other = kind == PartKind::rigid   ? 0
+                                    : kind == PartKind::fluid ? 1 / mass_of_fluid[other]
                                                                   : inverse_mass(nodes_[other]);
-            rate[node - clusters[number].first] += order_free(contact_rate(
+            rate[node - clusters[number].first] += rounding(contact_rate(
                 contact_stiffness(contact_.repulsion, square, range), inverse_mass(nodes_[node]), of_other));
         };
         if (dimension_ == 3) {

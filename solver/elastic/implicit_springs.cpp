@@ -69,7 +69,7 @@ void SpringNetwork<D>::advance_in_parts(double dt, int halvings_left, Impulses& 
         throw DivergenceError("a spring body near (" + std::to_string(position_[0][0]) + ", " +
                                   std::to_string(position_[0][1]) +
                                   ") m is loaded so hard that its next position cannot be found",
-                              "the fluid around it is likely diverging: lower accuracy.step_factor or check the drive");
+                              "the fluid around it is likely diverging: lower numerics.step_factor or check the drive");
     advance_in_parts(dt / 2, halvings_left - 1, impulses);
     advance_in_parts(dt / 2, halvings_left - 1, impulses);
 }

@@ -88,7 +88,7 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
     }
     if (solver_.info() != Eigen::Success)
         throw DivergenceError("the stiffness of a spring body is no longer finite",
-                              "lower accuracy.step_factor or check the drive");
+                              "lower numerics.step_factor or check the drive");
 }
 
 template <int D>

@@ -17,10 +17,10 @@ constexpr double skin = 0.4;  ///< beyond the range, in ranges
 
 std::vector<std::pair<int, int>> pairs_within(const std::vector<Vec>& points, int dimension, double distance) {
     std::vector<std::pair<int, int>> pairs;
-    Coordinates places;
+    Coordinates positions;
     for (int axis = 0; axis < dimension; ++axis)
-        for (const Vec& point : points) places[axis].push_back(point[axis]);
-    const CellGrid grid(places, points.size(), dimension, distance);
+        for (const Vec& point : points) positions[axis].push_back(point[axis]);
+    const CellGrid grid(positions, points.size(), dimension, distance);
     for (int i = 0; i < static_cast<int>(points.size()); ++i)
         grid.for_each_near({points[i][0], points[i][1], points[i][2]}, distance, [&](int j) {
             if (j > i && (points[i] - points[j]).squaredNorm() <= distance * distance) pairs.emplace_back(i, j);
@@ -31,19 +31,19 @@ std::vector<std::pair<int, int>> pairs_within(const std::vector<Vec>& points, in
 
 template <int D>
 bool SelfContact<D>::moved_far(const Vectors& position) const {
-    if (looked_at_.size() != position.size()) return true;
+    if (pruned_at_.size() != position.size()) return true;
     const double least = 0.5 * skin * contact_.range;
     for (std::size_t n = 0; n < position.size(); ++n) {
-        const auto way = position[n] - looked_at_[n];
+        const auto way = position[n] - pruned_at_[n];
         if (!(dot(way, way) < least * least)) return true;  // no number: true too
     }
     return false;
 }
 
 template <int D>
-void SelfContact<D>::look_around(const Vectors& position) {
+void SelfContact<D>::search_around(const Vectors& position) {
     pairs_.clear();
-    looked_at_ = position;
+    pruned_at_ = position;
     Coordinates points;
     for (int axis = 0; axis < D; ++axis)
         for (const auto& at : position) {
@@ -69,7 +69,7 @@ void SelfContact<D>::look_around(const Vectors& position) {
 
 template <int D>
 void SelfContact<D>::add_forces(const Vectors& position, Vectors& force) {
-    if (moved_far(position)) look_around(position);
+    if (moved_far(position)) search_around(position);
     for (const auto& [i, j] : pairs_) {
         const auto apart = position[i] - position[j];
         if (!(dot(apart, apart) < contact_.range * contact_.range)) continue;
@@ -81,7 +81,7 @@ void SelfContact<D>::add_forces(const Vectors& position, Vectors& force) {
 
 template <int D>
 double SelfContact<D>::rate(const Vectors& position, const std::vector<double>& inverse_mass) {
-    if (moved_far(position)) look_around(position);
+    if (moved_far(position)) search_around(position);
     std::vector<double> sum(pairs_.empty() ? 0 : position.size(), 0);
     for (const auto& [i, j] : pairs_) {
         const auto apart = position[i] - position[j];

@@ -57,13 +57,13 @@ class SelfContact {
   private:
     [[nodiscard]] bool moved_far(const Vectors& position) const;
     /// Lists the pairs that repel or may before nodes have moved by half the skin.
-    void look_around(const Vectors& position);
+    void search_around(const Vectors& position);
 
     SpringContact contact_;
     std::vector<std::pair<int, int>> held_apart_;
     std::vector<std::uint8_t> left_out_;
     std::vector<std::pair<int, int>> pairs_;  ///< sorted
-    Vectors looked_at_;                       ///< where nodes were then
+    Vectors pruned_at_;                       ///< where nodes were then
 };
 
 }  // namespace dmp::solver

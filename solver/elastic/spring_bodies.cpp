@@ -18,12 +18,12 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
       names_(body_names(scene)),
       tally_(names_.size()),
       changes_(scene.changes_bodies()),
-      implicit_(scene.accuracy.spring_stepping.value == SpringStepping::implicit),
-      step_factor_(scene.accuracy.spring_step_factor) {
+      implicit_(scene.numerics.spring_stepping.value == SpringStepping::implicit),
+      step_factor_(scene.numerics.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
-    const DrawnSprings drawn(set, scene);
+    const InitialSprings drawn(set, scene);
     for (int body = 0; body < count; ++body)
-        bodies_.push_back(made_of(drawn_body(set, drawn, body, contact.on() ? contact.range : 0)));
+        bodies_.push_back(made_of(initial_body(set, drawn, body, contact.on() ? contact.range : 0)));
     note_step_limits();
     number_nodes();
 }
@@ -91,7 +91,7 @@ void SpringBodies::change(const BodyChange& change, const ParticleSpace& space) 
 }
 
 void SpringBodies::number_particles(ParticleStore& particles) const {
-    for (ParticleTag& tag : particles.of(ParticleKind::springs).tags()) tag.body = by_id_.at(tag.id).body;
+    for (ParticleTag& tag : particles.of(PartKind::elastic).tags()) tag.body = by_id_.at(tag.id).body;
 }
 
 int SpringBodies::substeps(double dt) const {
@@ -122,7 +122,7 @@ void SpringBodies::archive(Archive& file) {
 
 void SpringBodies::find_nodes(const ParticleStore& particles) {
     nodes_.clear();
-    for (const ParticleTag& tag : particles.of(ParticleKind::springs).tags()) nodes_.push_back(by_id_.at(tag.id));
+    for (const ParticleTag& tag : particles.of(PartKind::elastic).tags()) nodes_.push_back(by_id_.at(tag.id));
 }
 
 std::vector<Vec> SpringBodies::collected(const ParticleStore& particles, Field field) const {
@@ -130,7 +130,7 @@ std::vector<Vec> SpringBodies::collected(const ParticleStore& particles, Field f
         std::size_t node;
         std::array<double, 3> value;
     };
-    const ParticleGroup& group = particles.of(ParticleKind::springs);
+    const ParticleGroup& group = particles.of(PartKind::elastic);
     std::vector<OfNode> owned(group.owned());
     for (std::size_t i = 0; i < owned.size(); ++i) {
         owned[i] = {first_node_[nodes_[i].body] + nodes_[i].index, {}};
@@ -142,7 +142,7 @@ std::vector<Vec> SpringBodies::collected(const ParticleStore& particles, Field f
 }
 
 void SpringBodies::show_in(ParticleStore& particles, Field field, const std::vector<Vec>& values) const {
-    ParticleGroup& group = particles.of(ParticleKind::springs);
+    ParticleGroup& group = particles.of(PartKind::elastic);
     for (std::size_t i = 0; i < group.total(); ++i)
         for (int axis = 0; axis < dimension_; ++axis)
             group.data(field, axis)[i] = values[first_node_[nodes_[i].body] + nodes_[i].index][axis];
@@ -150,7 +150,7 @@ void SpringBodies::show_in(ParticleStore& particles, Field field, const std::vec
 
 template <class ValueOf>
 void SpringBodies::show(ParticleStore& particles, Field field, const ValueOf& value_of) const {
-    ParticleGroup& group = particles.of(ParticleKind::springs);
+    ParticleGroup& group = particles.of(PartKind::elastic);
     for (std::size_t i = 0; i < group.total(); ++i) {
         const Vec value = value_of(*bodies_[nodes_[i].body], static_cast<std::size_t>(nodes_[i].index));
         for (int axis = 0; axis < dimension_; ++axis) {
@@ -174,7 +174,7 @@ SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int th
             sum.of_drag[axis] += impulse.of_drag[axis];
         }
     show(particles, Field::velocity, [dt](const SpringBody& body, std::size_t node) {
-        return Vec((1 / dt) * (body.place(node) - body.place_before(node)));
+        return Vec((1 / dt) * (body.position(node) - body.position_before(node)));
     });
     return sum;
 }
@@ -184,7 +184,7 @@ double SpringBodies::show_positions(ParticleStore& particles) const {
     double farthest = 0;
     // The store's positions may have been moved by whole periods: hand on the displacement.
     show(particles, Field::position, [&](const SpringBody& body, std::size_t node) {
-        const Vec now = body.place(node), before = body.place_before(node);
+        const Vec now = body.position(node), before = body.position_before(node);
         Vec way = Vec::Zero();
         for (int axis = 0; axis < dimension_; ++axis)
             way[axis] = quantum.round(now[axis]) - quantum.round(before[axis]);
@@ -192,7 +192,7 @@ double SpringBodies::show_positions(ParticleStore& particles) const {
     });
     for (const auto& body : bodies_)
         for (std::size_t node = 0; node < body->nodes(); ++node)
-            farthest = std::max(farthest, (body->place(node) - body->place_before(node)).squaredNorm());
+            farthest = std::max(farthest, (body->position(node) - body->position_before(node)).squaredNorm());
     return std::sqrt(farthest);
 }
 

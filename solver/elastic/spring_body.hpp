@@ -59,9 +59,9 @@ class SpringBody {
     /// liquid: without its drag a light body's step has no solution to be found.
     virtual void expect(std::span<const Vec> w) = 0;
 
-    [[nodiscard]] virtual Vec place(std::size_t node) const = 0;          ///< now [m]
-    [[nodiscard]] virtual Vec place_before(std::size_t node) const = 0;   ///< before the last advance [m]
-    [[nodiscard]] virtual Vec place_at_rest(std::size_t node) const = 0;  ///< where it was drawn [m]
+    [[nodiscard]] virtual Vec position(std::size_t node) const = 0;         ///< now [m]
+    [[nodiscard]] virtual Vec position_before(std::size_t node) const = 0;  ///< before the last advance [m]
+    [[nodiscard]] virtual Vec rest_position(std::size_t node) const = 0;    ///< where it was drawn [m]
 
     [[nodiscard]] virtual double free_mass() const = 0;    ///< of the free nodes [kg]
     [[nodiscard]] virtual Vec total_momentum() const = 0;  ///< of the free nodes [kg m/s]
@@ -91,10 +91,10 @@ class SpringBody {
     [[nodiscard]] bool fixed(std::size_t node) const { return fixed_[node] != 0; }
     [[nodiscard]] double mass(std::size_t node) const { return mass_[node]; }  ///< [kg]
     /// From where it was drawn [m].
-    [[nodiscard]] Vec displacement(std::size_t node) const { return place(node) - place_at_rest(node); }
+    [[nodiscard]] Vec displacement(std::size_t node) const { return position(node) - rest_position(node); }
     /// How much longer a bond of this body is now than at rest [m].
     [[nodiscard]] double stretch(const Bond& bond) const {
-        return (place(bond.a) - place(bond.b)).norm() - bond.rest_length;
+        return (position(bond.a) - position(bond.b)).norm() - bond.rest_length;
     }
 
   protected:

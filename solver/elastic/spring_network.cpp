@@ -22,7 +22,7 @@ std::unique_ptr<SpringBody> SpringBody::make(const BodyParts& parts, const std::
 
 template <int D>
 SpringNetwork<D>::SpringNetwork(const ParticleSet& set, const Part& part, int body, const SpringContact& contact)
-    : SpringNetwork(drawn_body(set, DrawnSprings(set, part), body, contact.on() ? contact.range : 0), part.name,
+    : SpringNetwork(initial_body(set, InitialSprings(set, part), body, contact.on() ? contact.range : 0), part.name,
                     set.spacing, contact) {}
 
 template <int D>
@@ -36,10 +36,10 @@ SpringNetwork<D>::SpringNetwork(const BodyParts& parts, const std::string& name,
         origin_.push_back(node.origin);
         mass_.push_back(node.mass);
         drag_.push_back(node.drag);
-        position_.push_back(of_space(node.place));
+        position_.push_back(of_space(node.position));
         velocity_.push_back(of_space(node.velocity));
-        position_before_.push_back(of_space(node.place_before));
-        position_at_rest_.push_back(of_space(node.place_at_rest));
+        position_before_.push_back(of_space(node.position_before));
+        position_at_rest_.push_back(of_space(node.rest_position));
     }
     force_.assign(ids_.size(), {});
     for (const auto& bond : parts.bonds) {

@@ -89,9 +89,9 @@ class SpringNetwork final : public SpringBody {
     /// ... and where it was.
     [[nodiscard]] const Vectors& positions_before() const { return position_before_; }
 
-    [[nodiscard]] Vec place(std::size_t node) const override { return in_space(position_[node]); }
-    [[nodiscard]] Vec place_before(std::size_t node) const override { return in_space(position_before_[node]); }
-    [[nodiscard]] Vec place_at_rest(std::size_t node) const override { return in_space(position_at_rest_[node]); }
+    [[nodiscard]] Vec position(std::size_t node) const override { return in_space(position_[node]); }
+    [[nodiscard]] Vec position_before(std::size_t node) const override { return in_space(position_before_[node]); }
+    [[nodiscard]] Vec rest_position(std::size_t node) const override { return in_space(position_at_rest_[node]); }
 
     [[nodiscard]] Point momentum() const;  ///< of the free nodes [kg m/s]
     [[nodiscard]] Vec total_momentum() const override { return in_space(momentum()); }

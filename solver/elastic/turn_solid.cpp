@@ -12,9 +12,9 @@ namespace {
 /// [m].
 double distance_to_walls(const ParticleStore& particles, const ClusterList& list, std::size_t cluster, std::int32_t i,
                          double range) {
-    const ParticleGroup &fluid = particles.fluid(), &walls = particles.of(ParticleKind::rigid);
+    const ParticleGroup &fluid = particles.fluid(), &walls = particles.of(PartKind::rigid);
     double least = range * range;
-    for (const std::int32_t j : list.neighbours(ParticleKind::fluid, cluster, ParticleKind::rigid)) {
+    for (const std::int32_t j : list.neighbours(PartKind::fluid, cluster, PartKind::rigid)) {
         double square = 0;
         for (int axis = 0; axis < particles.dimension(); ++axis)
             square += std::pow(fluid.data(Field::position, axis)[i] - walls.data(Field::position, axis)[j], 2);
@@ -25,12 +25,13 @@ double distance_to_walls(const ParticleStore& particles, const ClusterList& list
 
 }  // namespace
 
-void turn_solid(ParticleStore& particles, std::span<const std::int64_t> ids, double ahead, const ClusterList& list) {
-    ParticleGroup &fluid = particles.fluid(), &springs = particles.of(ParticleKind::springs);
+void solidify_particles(ParticleStore& particles, std::span<const std::int64_t> ids, double ahead,
+                        const ClusterList& list) {
+    ParticleGroup &fluid = particles.fluid(), &springs = particles.of(PartKind::elastic);
     const bool contact = springs.has(Field::wall_contact_range);
     std::vector<std::int32_t> turning, staying;
     std::vector<double> wall_range;
-    const auto clusters = list.clusters(ParticleKind::fluid);
+    const auto clusters = list.clusters(PartKind::fluid);
     for (std::size_t c = 0; c < clusters.size(); ++c)
         for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
             if (!std::ranges::binary_search(ids, fluid.tags()[i].id)) {

@@ -12,6 +12,7 @@ namespace dmp::solver {
 /// mass, velocity, volume and density stay what they are; they stand `ahead` [s] of their velocity further on, as the
 /// nodes of spring bodies do. Walls repel them from no farther than where they stand. The list must be up to date.
 /// Copies go, and neighbours have to be found anew.
-void turn_solid(ParticleStore& particles, std::span<const std::int64_t> ids, double ahead, const ClusterList& list);
+void solidify_particles(ParticleStore& particles, std::span<const std::int64_t> ids, double ahead,
+                        const ClusterList& list);
 
 }  // namespace dmp::solver

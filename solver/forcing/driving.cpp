@@ -46,13 +46,13 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     for (const ForceOnPart& force : scene.forces) {
         const int part = number_of(set, force.part);
         const PartForce law{*force.amount == ForceAmount::total, counts_[static_cast<std::size_t>(part)]};
-        const bool by_place = std::ranges::any_of(*force.force, &Expression::depends_on_place);
-        forces_.push_back({part, force.force, law, window_of(force), by_place});
+        const bool by_position = std::ranges::any_of(*force.force, &Expression::depends_on_position);
+        forces_.push_back({part, force.force, law, window_of(force), by_position});
     }
     for (const MovingShape& shape : scene.moving_shapes) {
         const ShapeSide side = side_of(shape.side);
         Shape made{std::vector<std::uint8_t>(set.parts.size()),
-                   shape.place,
+                   shape.position,
                    {},
                    {shape.strength, shape.range},
                    infinity,
@@ -82,7 +82,7 @@ FromShape Driving::from(const Shape& shape, const Vec& x, double t) const {
     Vec apart;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        apart[axis] = x[axis] - shape.place.at(a)(t);
+        apart[axis] = x[axis] - shape.position.at(a)(t);
         if (!space_.periodic.at(a)) continue;
         const double period = space_.box.extent()[axis];
         apart[axis] = wrapped(apart[axis], -0.5 * period, 0.5 * period);
@@ -93,18 +93,18 @@ FromShape Driving::from(const Shape& shape, const Vec& x, double t) const {
 Vec Driving::uniform(int part, double t) const {
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && !force.depends_on_place) sum += force.at(t, Vec::Zero());
+        if (force.part == part && !force.depends_on_position) sum += force.at(t, Vec::Zero());
     return sum;
 }
 
-Vec Driving::by_place(int part, const Vec& place, double t) const {
-    Vec x = place;
+Vec Driving::by_position(int part, const Vec& position, double t) const {
+    Vec x = position;
     for (int axis = 0; axis < 3; ++axis)
         if (space_.periodic.at(static_cast<std::size_t>(axis)))
             x[axis] = wrapped(x[axis], space_.box.low[axis], space_.box.high[axis]);
     Vec sum = Vec::Zero();
     for (const OnPart& force : forces_)
-        if (force.part == part && force.depends_on_place) sum += force.at(t, x);
+        if (force.part == part && force.depends_on_position) sum += force.at(t, x);
     for (const Shape& shape : shapes_) {
         if (shape.felt_by[static_cast<std::size_t>(part)] == 0 || !shape.window.acts(t)) continue;
         const FromShape found = from(shape, x, t);
@@ -113,10 +113,10 @@ Vec Driving::by_place(int part, const Vec& place, double t) const {
     return sum;
 }
 
-Vec Driving::force(int part, const Vec& x, double t) const { return uniform(part, t) + by_place(part, x, t); }
+Vec Driving::force(int part, const Vec& x, double t) const { return uniform(part, t) + by_position(part, x, t); }
 
 bool Driving::pushes(int part) const {
-    return depends_on_place(part) || std::ranges::find(forces_, part, &OnPart::part) != forces_.end();
+    return depends_on_position(part) || std::ranges::find(forces_, part, &OnPart::part) != forces_.end();
 }
 
 double Driving::energy(int part, const Vec& x, double t) const {
@@ -127,9 +127,9 @@ double Driving::energy(int part, const Vec& x, double t) const {
     return sum;
 }
 
-bool Driving::depends_on_place(int part) const {
+bool Driving::depends_on_position(int part) const {
     return std::ranges::any_of(forces_,
-                               [&](const OnPart& force) { return force.part == part && force.depends_on_place; }) ||
+                               [&](const OnPart& force) { return force.part == part && force.depends_on_position; }) ||
            std::ranges::any_of(shapes_,
                                [&](const Shape& shape) { return shape.felt_by[static_cast<std::size_t>(part)] != 0; });
 }
@@ -147,10 +147,11 @@ void Driving::add_uniform(ParticleGroup& group, int part, const Vec& force, int 
     }
 }
 
-void Driving::add_by_place(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum) {
+void Driving::add_by_position(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum) {
     std::vector<std::uint8_t> driven;
     for (std::size_t part = 0; part < space_.parts.size(); ++part)
-        driven.push_back(space_.parts[part].kind == group.kind() && depends_on_place(static_cast<int>(part)) ? 1 : 0);
+        driven.push_back(space_.parts[part].kind == group.kind() && depends_on_position(static_cast<int>(part)) ? 1
+                                                                                                                : 0);
     if (std::ranges::find(driven, 1) == driven.end()) return;
     for (std::size_t i = 0; i < group.owned(); ++i) {
         const std::size_t part = group.tags()[i].part;
@@ -160,7 +161,7 @@ void Driving::add_by_place(ParticleGroup& group, double t, std::array<ExactSum, 
         // Beyond a plane of symmetry the image is driven.
         Vec seen = x;
         for (int axis = 0; axis < group.dimension(); ++axis) seen[axis] = space_.mirrored_back(x[axis], axis);
-        Vec force = by_place(static_cast<int>(part), seen, t);
+        Vec force = by_position(static_cast<int>(part), seen, t);
         if (force.isZero(0)) continue;
         for (int axis = 0; axis < group.dimension(); ++axis) {
             if (seen[axis] != x[axis]) force[axis] = -force[axis];
@@ -174,7 +175,7 @@ void Driving::add_by_place(ParticleGroup& group, double t, std::array<ExactSum, 
 std::array<double, 3> Driving::add_forces(ParticleStore& particles, const Ranks& ranks, double t, int threads) {
     std::array<ExactSum, 3> sum;
     largest_acceleration_ = 0;
-    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::springs}) {
+    for (const PartKind kind : {PartKind::fluid, PartKind::elastic}) {
         ParticleGroup& group = particles.of(kind);
         for (std::size_t part = 0; part < space_.parts.size(); ++part) {
             if (space_.parts[part].kind != kind) continue;
@@ -186,7 +187,7 @@ std::array<double, 3> Driving::add_forces(ParticleStore& particles, const Ranks&
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     sum.at(axis).add(static_cast<double>(counts_[part]) * same[static_cast<Eigen::Index>(axis)]);
         }
-        add_by_place(group, t, sum);
+        add_by_position(group, t, sum);
     }
     largest_acceleration_ = ranks.largest(largest_acceleration_);
     ranks.sum(sum);

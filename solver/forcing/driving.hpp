@@ -41,7 +41,7 @@ class Driving {
     std::array<double, 3> add_forces(ParticleStore& particles, const Ranks& ranks, double t, int threads);
 
     /// For particles that are kept elsewhere: their forces by `force`, and the largest acceleration among them [m/s^2].
-    void take_note(double largest_acceleration) { largest_acceleration_ = largest_acceleration; }
+    void update_max(double largest_acceleration) { largest_acceleration_ = largest_acceleration; }
 
     /// Longest step at time t, by the accelerations of then and of the last forces added, and by the shapes' softness,
     /// of particles that see over `length` [m]; infinite where nothing limits it [s].
@@ -57,12 +57,12 @@ class Driving {
         std::array<Expression, 3> force;  ///< [N]
         PartForce law;
         ScheduleWindow window;
-        bool depends_on_place = false;
+        bool depends_on_position = false;
         [[nodiscard]] Vec at(double t, const Vec& x) const;
     };
     struct Shape {
-        std::vector<std::uint8_t> felt_by;  ///< by part
-        std::array<Expression, 3> place;    ///< of the vertex or centre [m]
+        std::vector<std::uint8_t> felt_by;   ///< by part
+        std::array<Expression, 3> position;  ///< of the vertex or centre [m]
         std::variant<ParabolaArc, Circle> curve;
         SoftRepulsion law;
         double lightest = 0;  ///< of the particles that feel it [kg]
@@ -72,10 +72,10 @@ class Driving {
     [[nodiscard]] FromShape from(const Shape& shape, const Vec& x, double t) const;
     /// The part of the force that is the same at any place; the rest of it.
     [[nodiscard]] Vec uniform(int part, double t) const;
-    [[nodiscard]] Vec by_place(int part, const Vec& x, double t) const;
-    [[nodiscard]] bool depends_on_place(int part) const;
+    [[nodiscard]] Vec by_position(int part, const Vec& x, double t) const;
+    [[nodiscard]] bool depends_on_position(int part) const;
     void add_uniform(ParticleGroup& group, int part, const Vec& force, int threads) const;
-    void add_by_place(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum);
+    void add_by_position(ParticleGroup& group, double t, std::array<ExactSum, 3>& sum);
 
     ParticleSpace space_;
     std::vector<OnPart> forces_;

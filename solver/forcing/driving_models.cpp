@@ -12,11 +12,11 @@ void add_driving_models(std::vector<ModelUse>& models, const Scene& scene) {
         models.push_back({"force on '" + *force.part + "'",
                           *force.amount == ForceAmount::total ? "total, spread evenly over its particles"
                                                               : "on each of its particles",
-                          "force '" + *force.name + "' at " + force.name.place.text()});
+                          "force '" + *force.name + "' at " + force.name.location.text()});
     for (const MovingShape& shape : scene.moving_shapes)
-        models.push_back({"moving " + word(*shape.kind),
+        models.push_back({"moving " + to_string(*shape.kind),
                           "f = K (1 + cos(pi d / r*)), felt by " + quoted_list(*shape.parts),
-                          "moving_shape '" + *shape.name + "' at " + shape.name.place.text()});
+                          "moving_shape '" + *shape.name + "' at " + shape.name.location.text()});
 }
 
 }  // namespace dmp::solver

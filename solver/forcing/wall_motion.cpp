@@ -54,7 +54,7 @@ WallMotion::WallMotion(const Scene& scene, const ParticleSet& set, ParticleStore
             moving_.push_back(std::move(moving));
         }
     if (!moving_.empty())
-        particles.of(ParticleKind::rigid).declare({Field::drawn_position, Field::wall_normal, Field::drawn_normal});
+        particles.of(PartKind::rigid).declare({Field::initial_position, Field::wall_normal, Field::initial_normal});
 }
 
 bool WallMotion::moves(std::uint16_t part) const {
@@ -85,17 +85,17 @@ double WallMotion::move_to_end(ParticleStore& particles) { return move(particles
 
 /// By the difference of two places in whole quanta, which leaves alone how often a particle was moved by a period.
 double WallMotion::move(ParticleStore& particles, WallPose Moving::*pose) {
-    ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    ParticleGroup& walls = particles.of(PartKind::rigid);
     const PositionQuantum& quantum = particles.quantum();
     double farthest = 0;
     for (Moving& part : moving_) {
         const WallPose from = part.shown, to = part.*pose;
         const Turn turn_from(from.angle), turn_to(to.angle);
         for_each_of(walls, part.part, [&](std::size_t i) {
-            const Vec arm = at(walls, Field::drawn_position, i) - part.centre;
+            const Vec arm = at(walls, Field::initial_position, i) - part.centre;
             const Vec before = part.centre + from.displacement + turn_from(arm);
             const Vec now = part.centre + to.displacement + turn_to(arm);
-            const Vec normal = turn_to(at(walls, Field::drawn_normal, i));
+            const Vec normal = turn_to(at(walls, Field::initial_normal, i));
             for (int axis = 0; axis < walls.dimension(); ++axis) {
                 walls.data(Field::position, axis)[i] += quantum.round(now[axis]) - quantum.round(before[axis]);
                 if (part.turns) walls.data(Field::wall_normal, axis)[i] = normal[axis];
@@ -115,8 +115,8 @@ void WallMotion::add_motion(Of what, const Moving& part, ParticleGroup& walls, c
     const double spin = part.turns ? part.spin(t) : 0;
     const Turn turn(pose.angle);
     for_each_of(walls, part.part, [&](std::size_t i) {
-        Vec drawn = at(walls, Field::drawn_position, i);
-        if (what == Of::surface) drawn += walls.data(Field::wall_distance)[i] * at(walls, Field::drawn_normal, i);
+        Vec drawn = at(walls, Field::initial_position, i);
+        if (what == Of::surface) drawn += walls.data(Field::wall_distance)[i] * at(walls, Field::initial_normal, i);
         const Vec arm = turn(drawn - part.centre);
         const Vec here = velocity + spin * Vec(-arm[1], arm[0], 0);
         for (int axis = 0; axis < walls.dimension(); ++axis) walls.data(to, axis)[i] += factor * here[axis];
@@ -125,7 +125,7 @@ void WallMotion::add_motion(Of what, const Moving& part, ParticleGroup& walls, c
 
 FieldList WallMotion::show_surfaces(ParticleStore& particles) const {
     if (moving_.empty() && sliding_.empty()) return {};
-    ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    ParticleGroup& walls = particles.of(PartKind::rigid);
     const bool continues_pressure = walls.has(Field::wall_acceleration);
     for (int axis = 0; axis < walls.dimension(); ++axis) {
         std::fill_n(walls.data(Field::velocity, axis), walls.owned(), 0.0);
@@ -151,7 +151,7 @@ FieldList WallMotion::show_surfaces(ParticleStore& particles) const {
 
 void WallMotion::show_velocities(ParticleStore& particles) const {
     if (moving_.empty() && sliding_.empty()) return;
-    ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    ParticleGroup& walls = particles.of(PartKind::rigid);
     for (int axis = 0; axis < walls.dimension(); ++axis)
         std::fill_n(walls.data(Field::velocity, axis), walls.owned(), 0.0);
     for (const Moving& part : moving_) add_motion(Of::particles, part, walls, part.end, t_ + dt_, Field::velocity, 1);
@@ -163,7 +163,7 @@ double WallMotion::largest_speed(double t) const {
         largest =
             std::max(largest, part.velocity_at(t).norm() + (part.turns ? part.radius * std::abs(part.spin(t)) : 0));
     for (const Sliding& part : sliding_) {
-        if (std::ranges::any_of(part.velocity, &Expression::depends_on_place)) continue;
+        if (std::ranges::any_of(part.velocity, &Expression::depends_on_position)) continue;
         largest = std::max(largest, Vec(part.velocity[0](t), part.velocity[1](t), part.velocity[2](t)).norm());
     }
     return largest;

@@ -46,10 +46,10 @@ void ImplicitViscosity::add_forces(ParticleStore& particles, const ClusterList& 
 void ImplicitViscosity::give_up(double error, long iterations) const {
     std::ostringstream problem;
     problem << "implicit viscosity: the velocities' error is still " << error << " of them after " << iterations
-            << " iterations, more than accuracy.viscosity_tolerance = " << tolerance_;
+            << " iterations, more than numerics.viscosity_tolerance = " << tolerance_;
     throw UnsolvedViscosity(problem.str(),
-                            "raise accuracy.viscosity_tolerance (rounding alone leaves about 1e-15 times the step "
-                            "over the explicit limit), or lower accuracy.step_factor");
+                            "raise numerics.viscosity_tolerance (rounding alone leaves about 1e-15 times the step "
+                            "over the explicit limit), or lower numerics.step_factor");
 }
 
 void ImplicitViscosity::archive(Archive& file) {

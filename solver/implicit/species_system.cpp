@@ -26,7 +26,7 @@ SpeciesSystem::SpeciesSystem(const Around& around, const SpeciesSums& sums) : on
     for (ParticleGroup* group : groups_) {
         const Arrays a = arrays_of(*group);
         for (std::size_t i = 0; i < group->owned(); ++i) {
-            if (a.diffusivity != nullptr && group->kind() != ParticleKind::fluid && a.diffusivity[i] == 0) continue;
+            if (a.diffusivity != nullptr && group->kind() != PartKind::fluid && a.diffusivity[i] == 0) continue;
             largest[0] = std::max(largest[0], a.diagonal[i]);
             largest[1] = std::max(largest[1], a.diagonal[i] / on_.rest_volume(*group, i));
         }
@@ -51,7 +51,7 @@ std::array<double, Count> SpeciesSystem::sums_over_unknowns(const Visit& visit) 
     std::array<ExactSum, Count> all;
     for (ParticleGroup* group : groups_) {
         const Arrays a = arrays_of(*group);
-        const bool is_fluid = group->kind() == ParticleKind::fluid;
+        const bool is_fluid = group->kind() == PartKind::fluid;
         const auto of_group = sums_over<Count>(*group, on_.threads, [&](std::ptrdiff_t i, auto& sums) {
             if (!is_fluid && a.diffusivity[i] == 0) return;
             visit(a, i, on_.rest_volume(*group, static_cast<std::size_t>(i)), sums);
@@ -68,7 +68,7 @@ template <class Visit>
 void SpeciesSystem::for_each_unknown(const Visit& visit) {
     for (ParticleGroup* group : groups_) {
         const Arrays a = arrays_of(*group);
-        const bool is_fluid = group->kind() == ParticleKind::fluid;
+        const bool is_fluid = group->kind() == PartKind::fluid;
         const auto count = static_cast<std::ptrdiff_t>(group->owned());
 #pragma omp parallel for num_threads(on_.threads) schedule(static)
         for (std::ptrdiff_t i = 0; i < count; ++i)

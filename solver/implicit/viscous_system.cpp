@@ -32,10 +32,10 @@ ViscousSystem::ViscousSystem(const Around& around, double dt, const std::array<d
     for (std::size_t i = 0; i < fluid_.owned(); ++i)
         for (int axis = 0; axis < fluid_.dimension(); ++axis)
             worst = std::max(worst, diagonal[axis][i] * dt_ / mass[i]);
-    const ParticleGroup& walls = on_.particles.of(ParticleKind::rigid);
+    const ParticleGroup& walls = on_.particles.of(PartKind::rigid);
     std::array<double, 3> largest_of_all{
         std::max(largest(fluid_, Field::viscous_diagonal),
-                 largest(on_.particles.of(ParticleKind::springs), Field::viscous_diagonal)),
+                 largest(on_.particles.of(PartKind::elastic), Field::viscous_diagonal)),
         largest(walls, Field::velocity), worst};
     on_.ranks.largest(largest_of_all);
     largest_diagonal_ = largest_of_all[0];

@@ -35,7 +35,8 @@ double largest_strain(const SpringBodies& springs) {
     double largest = 0;
     for (const auto& body : springs.bodies())
         for (const Bond& bond : body->bonds()) {
-            const double strain = std::abs((body->place(bond.a) - body->place(bond.b)).norm() / bond.rest_length - 1);
+            const double strain =
+                std::abs((body->position(bond.a) - body->position(bond.b)).norm() / bond.rest_length - 1);
             if (!(strain <= largest)) largest = strain;
             if (!std::isfinite(strain)) return std::numeric_limits<double>::infinity();
         }
@@ -44,25 +45,26 @@ double largest_strain(const SpringBodies& springs) {
 
 }  // namespace
 
-bool Watch::fluid_is_well(const FluidExtremes& extremes) const {
+bool StabilityMonitor::fluid_is_well(const FluidExtremes& extremes) const {
     return extremes.largest_speed < sound_speed_ && extremes.density_low > lowest_density &&
            extremes.density_high < highest_density;
 }
 
-std::optional<Watch::Finding> Watch::look(const ParticleStore& particles, const FluidStep& step,
-                                          const FluidExtremes& extremes, double t) const {
-    std::optional<Misdeed> found;
+std::optional<StabilityMonitor::Finding> StabilityMonitor::check(const ParticleStore& particles, const FluidStep& step,
+                                                                 const FluidExtremes& extremes, double t) const {
+    std::optional<Violation> found;
     const bool well = fluid_is_well(extremes);
     if (!well) found = worst_of_fluid(particles.fluid());
-    if (!found && well) found = worst_of_springs(particles.of(ParticleKind::springs));
+    if (!found && well) found = worst_of_elastic(particles.of(PartKind::elastic));
     if (!found && well) found = first_that_left(particles, step.neighbours().list());
     if (!found) return std::nullopt;
     return describe(*found, particles, step, t);
 }
 
-std::optional<Watch::Finding> Watch::stuck_springs(const ParticleStore& particles, const FluidStep& step,
-                                                   const std::string& reason, double t) const {
-    const ParticleGroup& springs = particles.of(ParticleKind::springs);
+std::optional<StabilityMonitor::Finding> StabilityMonitor::stuck_elastic(const ParticleStore& particles,
+                                                                         const FluidStep& step,
+                                                                         const std::string& reason, double t) const {
+    const ParticleGroup& springs = particles.of(PartKind::elastic);
     if (springs.owned() == 0) return std::nullopt;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < springs.owned(); ++i)
@@ -70,67 +72,69 @@ std::optional<Watch::Finding> Watch::stuck_springs(const ParticleStore& particle
     return describe({&springs, worst, "is the fastest node, and " + reason, false, true}, particles, step, t);
 }
 
-std::optional<Watch::Misdeed> Watch::worst_of_fluid(const ParticleGroup& fluid) const {
+std::optional<StabilityMonitor::Violation> StabilityMonitor::worst_of_fluid(const ParticleGroup& fluid) const {
     std::size_t worst = 0;
     double worst_speed = -1;
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         const double speed = speed_of(fluid, i), density = fluid.data(Field::density)[i];
-        if (!std::isfinite(speed) || !std::isfinite(density)) return Misdeed{&fluid, i, "is not finite"};
+        if (!std::isfinite(speed) || !std::isfinite(density)) return Violation{&fluid, i, "is not finite"};
         const double relative = density / rest_density_[fluid.tags()[i].part];
         if (relative <= lowest_density || relative >= highest_density)
-            return Misdeed{&fluid, i, "has a density outside 0.5 to 1.5 times the rest density"};
+            return Violation{&fluid, i, "has a density outside 0.5 to 1.5 times the rest density"};
         if (speed > worst_speed) {
             worst = i;
             worst_speed = speed;
         }
     }
     if (!(worst_speed >= sound_speed_)) return std::nullopt;  // another rank has it
-    return Misdeed{&fluid, worst, "is faster than sound"};
+    return Violation{&fluid, worst, "is faster than sound"};
 }
 
-std::optional<Watch::Misdeed> Watch::worst_of_springs(const ParticleGroup& springs) const {
+std::optional<StabilityMonitor::Violation> StabilityMonitor::worst_of_elastic(const ParticleGroup& springs) const {
     for (std::size_t i = 0; i < springs.owned(); ++i) {
         const double speed = speed_of(springs, i);
-        if (!std::isfinite(speed)) return Misdeed{&springs, i, "is not finite"};
-        if (speed >= sound_speed_) return Misdeed{&springs, i, "is faster than sound"};
-        if (outside_box(springs, i)) return Misdeed{&springs, i, "has left the domain"};
+        if (!std::isfinite(speed)) return Violation{&springs, i, "is not finite"};
+        if (speed >= sound_speed_) return Violation{&springs, i, "is faster than sound"};
+        if (outside_box(springs, i)) return Violation{&springs, i, "has left the domain"};
     }
     return std::nullopt;
 }
 
-std::optional<Watch::Misdeed> Watch::first_that_left(const ParticleStore& particles, const ClusterList& list) const {
-    std::optional<Misdeed> found;
+std::optional<StabilityMonitor::Violation> StabilityMonitor::first_that_left(const ParticleStore& particles,
+                                                                             const ClusterList& list) const {
+    std::optional<Violation> found;
     for_those_that_left(particles, list, [&](std::size_t i, double depth) {
         std::string limit = "has left the domain";
         if (depth > 0)
             limit += ": it is " + text_of(depth) + " m behind the wall's surface, more than the spacing of " +
                      text_of(space_.spacing) + " m";
-        found.emplace(Misdeed{&particles.fluid(), i, limit, true});
+        found.emplace(Violation{&particles.fluid(), i, limit, true});
         return false;
     });
     return found;
 }
 
-Watch::Finding Watch::describe(const Misdeed& misdeed, const ParticleStore& particles, const FluidStep& step,
-                               double t) const {
-    const ParticleGroup& group = *misdeed.group;
-    const std::size_t i = misdeed.particle;
+StabilityMonitor::Finding StabilityMonitor::describe(const Violation& violation, const ParticleStore& particles,
+                                                     const FluidStep& step, double t) const {
+    const ParticleGroup& group = *violation.group;
+    const std::size_t i = violation.particle;
     const ParticleTag& tag = group.tags()[i];
     std::ostringstream text;
     text << "particle " << tag.id << " of '" << space_.parts[tag.part].name << "' at (";
     for (int axis = 0; axis < group.dimension(); ++axis)
         text << (axis > 0 ? ", " : "") << group.data(Field::position, axis)[i] << " m";
-    text << ") " << misdeed.limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_ << " m/s";
+    text << ") " << violation.limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_
+         << " m/s";
     if (group.has(Field::density)) text << ", density " << group.data(Field::density)[i] << " kg/m^3";
-    return {text.str(), likely_causes(misdeed, particles.fluid(), step, t) + "\nThe last frame shows the state"};
+    return {text.str(), likely_causes(violation, particles.fluid(), step, t) + "\nThe last frame shows the state"};
 }
 
 /// Those that this scene can have, the likeliest first, judged by what was set and by the state of all particles.
-std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid, const FluidStep& step,
-                                 double t) const {
+std::string StabilityMonitor::likely_causes(const Violation& violation, const ParticleGroup& fluid,
+                                            const FluidStep& step, double t) const {
     const SpringBodies& springs = step.springs();
-    const auto& accuracy = scene_.accuracy;
-    const decltype(Scene::accuracy) usual;
+    const auto& numerics = scene_.numerics;
+    const decltype(Scene::numerics) usual;
     std::vector<std::pair<double, std::string>> causes;  // with how likely each is
 
     // A run that breaks is slow in most places. All of it fast: that is the drive.
@@ -141,8 +145,8 @@ std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fl
         if (!(speed_of(fluid, i) <= 1.5 * expected)) ++fast;
     const bool all_fast = 5 * fast > fluid.owned();
     causes.emplace_back(all_fast ? 5 : 1,
-                        accuracy.sound_speed > 0
-                            ? setting("accuracy.sound_speed", accuracy.sound_speed) +
+                        numerics.sound_speed > 0
+                            ? setting("numerics.sound_speed", numerics.sound_speed) +
                                   " m/s is not ten times the speed that the drive produces"
                             : setting("flow.largest_speed", scene_.flow.largest_speed) +
                                   " m/s is below what the drive produces (the sound speed follows it)");
@@ -150,19 +154,19 @@ std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fl
     const auto drive = step.body_acceleration(t);
     if (!std::ranges::all_of(drive, [](double axis) { return std::isfinite(axis); }))
         causes.emplace_back(8, "flow.acceleration gives no number at that time");
-    if (misdeed.left || outside_box(*misdeed.group, misdeed.particle))
-        causes.emplace_back(misdeed.left ? 4 : 2, "a wall there has a hole or is too thin");
-    if (accuracy.step_factor > usual.step_factor)
-        causes.emplace_back(!misdeed.left && accuracy.step_factor > 2 * usual.step_factor ? 6 : 3,
-                            setting("accuracy.step_factor", accuracy.step_factor) + " is too large; the default is " +
+    if (violation.left || outside_box(*violation.group, violation.particle))
+        causes.emplace_back(violation.left ? 4 : 2, "a wall there has a hole or is too thin");
+    if (numerics.step_factor > usual.step_factor)
+        causes.emplace_back(!violation.left && numerics.step_factor > 2 * usual.step_factor ? 6 : 3,
+                            setting("numerics.step_factor", numerics.step_factor) + " is too large; the default is " +
                                 text_of(usual.step_factor));
-    if (misdeed.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
+    if (violation.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
     if (!springs.empty() && !springs.implicit()) {
         const double strain = largest_strain(springs);
-        const bool torn = misdeed.group->kind() == ParticleKind::springs || !(strain < 0.5);
-        const bool forced = accuracy.spring_step_factor > usual.spring_step_factor;
+        const bool torn = violation.group->kind() == PartKind::elastic || !(strain < 0.5);
+        const bool forced = numerics.spring_step_factor > usual.spring_step_factor;
         causes.emplace_back(torn ? (forced ? 7 : 4.5) : 0,
-                            setting("accuracy.spring_step_factor", accuracy.spring_step_factor) +
+                            setting("numerics.spring_step_factor", numerics.spring_step_factor) +
                                 " leaves the springs too large a step for how stiff and how far strained they are");
     }
 
@@ -172,7 +176,7 @@ std::string Watch::likely_causes(const Misdeed& misdeed, const ParticleGroup& fl
     return text;
 }
 
-bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
+bool StabilityMonitor::outside_box(const ParticleGroup& group, std::size_t i) const {
     for (int axis = 0; axis < group.dimension(); ++axis) {
         if (space_.periodic[axis]) continue;
         const double x = group.data(Field::position, axis)[i];
@@ -186,10 +190,10 @@ bool Watch::outside_box(const ParticleGroup& group, std::size_t i) const {
 /// beyond the support of all walls. The nearest particle of a wall says it; where that says behind, the best of those
 /// up to a spacing further away: at the edge of a body the nearest one may belong to another face than the one that the
 /// fluid is in front of.
-double Watch::in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
-                                std::int32_t i) const {
+double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
+                                           std::int32_t i) const {
     const ParticleGroup& fluid = particles.fluid();
-    const ParticleGroup& walls = particles.of(ParticleKind::rigid);
+    const ParticleGroup& walls = particles.of(PartKind::rigid);
     struct Seen {
         double square_of_distance, in_front;
     };
@@ -216,20 +220,21 @@ double Watch::in_front_of_walls(const ParticleStore& particles, std::span<const 
 }
 
 template <class Visit>
-void Watch::for_those_that_left(const ParticleStore& particles, const ClusterList& list, const Visit& visit) const {
+void StabilityMonitor::for_those_that_left(const ParticleStore& particles, const ClusterList& list,
+                                           const Visit& visit) const {
     const ParticleGroup& fluid = particles.fluid();
-    const auto clusters = list.clusters(ParticleKind::fluid);
+    const auto clusters = list.clusters(PartKind::fluid);
     for (std::size_t c = 0; c < clusters.size(); ++c)
         for (std::int32_t i = clusters[c].first; i < clusters[c].first + clusters[c].count; ++i) {
             const double in_front =
-                in_front_of_walls(particles, list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid), i);
+                in_front_of_walls(particles, list.neighbours(PartKind::fluid, c, PartKind::rigid), i);
             const auto index = static_cast<std::size_t>(i);
             const bool behind = in_front < -space_.spacing;
             if ((behind || outside_box(fluid, index)) && !visit(index, behind ? -in_front : 0.0)) return;
         }
 }
 
-std::size_t Watch::lost(const ParticleStore& particles, const ClusterList& list) const {
+std::size_t StabilityMonitor::lost(const ParticleStore& particles, const ClusterList& list) const {
     std::size_t count = 0;
     for_those_that_left(particles, list, [&](std::size_t, double) {
         ++count;

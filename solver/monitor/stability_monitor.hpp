@@ -11,10 +11,11 @@
 namespace dmp::solver {
 
 /// Watches a run and says, as soon as it leaves the region where its equations hold, which particle did and why.
-class Watch {
+class StabilityMonitor {
   public:
     /// Rest densities by part number [kg/m^3]; the scene is for naming likely causes.
-    Watch(const Scene& scene, ParticleSpace space, std::vector<double> rest_density, double sound_speed, double support)
+    StabilityMonitor(const Scene& scene, ParticleSpace space, std::vector<double> rest_density, double sound_speed,
+                     double support)
         : scene_(scene),
           space_(std::move(space)),
           rest_density_(std::move(rest_density)),
@@ -34,11 +35,11 @@ class Watch {
 
     /// Empty while all is well with this rank's particles at time t [s]. `extremes` are those of the step just done;
     /// positions are looked at as well.
-    [[nodiscard]] std::optional<Finding> look(const ParticleStore& particles, const FluidStep& step,
-                                              const FluidExtremes& extremes, double t) const;
+    [[nodiscard]] std::optional<Finding> check(const ParticleStore& particles, const FluidStep& step,
+                                               const FluidExtremes& extremes, double t) const;
 
     /// For a spring body that could not be moved, for the reason given: this rank's fastest node, if it has any.
-    [[nodiscard]] std::optional<Finding> stuck_springs(const ParticleStore& particles, const FluidStep& step,
+    [[nodiscard]] std::optional<Finding> stuck_elastic(const ParticleStore& particles, const FluidStep& step,
                                                        const std::string& reason, double t) const;
 
     /// This rank's fluid particles that lie behind the surface of their nearest wall particle by more than a spacing,
@@ -47,20 +48,21 @@ class Watch {
 
   private:
     /// What a particle was found to do.
-    struct Misdeed {
+    struct Violation {
         const ParticleGroup* group = nullptr;
         std::size_t particle = 0;
         std::string limit;   ///< the one it broke, in words
         bool left = false;   ///< the domain, while the fluid is well otherwise
         bool stuck = false;  ///< a spring body that could not be moved
     };
-    [[nodiscard]] std::optional<Misdeed> worst_of_fluid(const ParticleGroup& fluid) const;
-    [[nodiscard]] std::optional<Misdeed> worst_of_springs(const ParticleGroup& springs) const;
-    [[nodiscard]] std::optional<Misdeed> first_that_left(const ParticleStore& particles, const ClusterList& list) const;
-    [[nodiscard]] Finding describe(const Misdeed& misdeed, const ParticleStore& particles, const FluidStep& step,
+    [[nodiscard]] std::optional<Violation> worst_of_fluid(const ParticleGroup& fluid) const;
+    [[nodiscard]] std::optional<Violation> worst_of_elastic(const ParticleGroup& springs) const;
+    [[nodiscard]] std::optional<Violation> first_that_left(const ParticleStore& particles,
+                                                           const ClusterList& list) const;
+    [[nodiscard]] Finding describe(const Violation& violation, const ParticleStore& particles, const FluidStep& step,
                                    double t) const;
-    [[nodiscard]] std::string likely_causes(const Misdeed& misdeed, const ParticleGroup& fluid, const FluidStep& step,
-                                            double t) const;
+    [[nodiscard]] std::string likely_causes(const Violation& violation, const ParticleGroup& fluid,
+                                            const FluidStep& step, double t) const;
     [[nodiscard]] bool outside_box(const ParticleGroup& group, std::size_t i) const;
     [[nodiscard]] double in_front_of_walls(const ParticleStore& particles, std::span<const std::int32_t> near,
                                            std::int32_t i) const;

@@ -27,9 +27,9 @@ struct Bounds {
 };
 
 /// Kinds that clusters of `own` may have to do with: walls do not act on walls.
-bool may_meet(ParticleKind own, ParticleKind other, Pairs pairs) {
-    if (pairs == Pairs::within_solids) return own == other && own != ParticleKind::fluid;
-    return own != ParticleKind::rigid || other != ParticleKind::rigid;
+bool may_meet(PartKind own, PartKind other, Pairs pairs) {
+    if (pairs == Pairs::within_solids) return own == other && own != PartKind::fluid;
+    return own != PartKind::rigid || other != PartKind::rigid;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ void ClusterList::drop_far(const ParticleGroup& group, const Cluster& cluster, c
 }
 
 template <int D>
-void ClusterList::find_for(const ParticleStore& particles, const std::vector<SearchGrid>& grids, ParticleKind own,
+void ClusterList::find_for(const ParticleStore& particles, const std::vector<SearchGrid>& grids, PartKind own,
                            std::size_t begin, std::size_t end, double reach, Pairs pairs, Entries& entries) {
     const ParticleGroup& group = particles.of(own);
     const auto& clusters = clusters_[static_cast<std::size_t>(own)];
@@ -76,7 +76,7 @@ void ClusterList::find_for(const ParticleStore& particles, const std::vector<Sea
     for (std::size_t c = begin; c < end; ++c) {
         const Bounds bounds(group, clusters[c]);
         list.at_border[c] = 0;
-        for (const ParticleKind other : all_kinds) {
+        for (const PartKind other : all_kinds) {
             const ParticleGroup& others = particles.of(other);
             const std::size_t first = entries.size();
             if (may_meet(own, other, pairs)) {
@@ -84,7 +84,7 @@ void ClusterList::find_for(const ParticleStore& particles, const std::vector<Sea
                 drop_far<D>(group, clusters[c], others, reach, entries, first);
             }
             const auto found = [&entries, first] { return entries.begin() + static_cast<std::ptrdiff_t>(first); };
-            if (own == ParticleKind::springs && other == own) {
+            if (own == PartKind::elastic && other == own) {
                 const std::int32_t body = group.tags()[clusters[c].first].body;
                 const bool within = pairs == Pairs::within_solids;
                 const auto not_of_list = [&](std::int32_t j) { return (group.tags()[j].body == body) != within; };
@@ -106,11 +106,11 @@ template <int D>
 void ClusterList::find(const ParticleStore& particles, double reach, int threads, Pairs pairs) {
     std::vector<SearchGrid> grids;
     grids.reserve(all_kinds.size());
-    for (const ParticleKind kind : all_kinds)
+    for (const PartKind kind : all_kinds)
         grids.emplace_back(particles.of(kind), 2 * particles.space().spacing, threads);
 
     std::int32_t longest = 0;
-    for (const ParticleKind own : all_kinds) {
+    for (const PartKind own : all_kinds) {
         const std::size_t clusters = clusters_[static_cast<std::size_t>(own)].size();
         List& list = lists_[static_cast<std::size_t>(own)];
         list.of_run.resize(static_cast<std::size_t>(threads));

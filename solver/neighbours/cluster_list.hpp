@@ -25,7 +25,7 @@ enum class Pairs { meeting, within_solids };
 /// rigid ones): for each kind, every owned particle or copy within the support radius plus a
 /// skin of one of its members. Particles of the cluster's own body, and walls of a wall, are left out. Pairs beyond the
 /// support are in the list too: kernels vanish there. In no particular order: sums over neighbours do not depend on it
-/// (OrderFree).
+/// (ReproducibleSum).
 /// Of what is listed, the neighbours are those found near when they were last looked through: a list with a wide skin
 /// lasts long, and looking through it costs a tenth of making one. (After the pair lists of GROMACS, Páll & Hess 2013.)
 class ClusterList {
@@ -41,13 +41,13 @@ class ClusterList {
     void build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach, int threads,
                Pairs pairs = Pairs::meeting);
 
-    [[nodiscard]] std::span<const Cluster> clusters(ParticleKind kind) const {
+    [[nodiscard]] std::span<const Cluster> clusters(PartKind kind) const {
         return clusters_[static_cast<std::size_t>(kind)];
     }
     /// Indices into the group of `kind`, of the neighbours of cluster number `cluster` of `own_kind`: all that is
-    /// listed, after `keep_near` the near ones.
-    [[nodiscard]] std::span<const std::int32_t> neighbours(ParticleKind own_kind, std::size_t cluster,
-                                                           ParticleKind kind) const {
+    /// listed, after `prune` the near ones.
+    [[nodiscard]] std::span<const std::int32_t> neighbours(PartKind own_kind, std::size_t cluster,
+                                                           PartKind kind) const {
         const auto& own = lists_[static_cast<std::size_t>(own_kind)];
         const std::size_t k = 3 * cluster + static_cast<std::size_t>(kind);
         return {own.first[k], static_cast<std::size_t>(own.near[k])};
@@ -55,10 +55,10 @@ class ClusterList {
     /// Looks through what is listed for cluster `cluster` and makes those that is_near(index) holds for its neighbours.
     /// To be called by one thread for a cluster; `thread` is its number.
     template <class IsNear>
-    void keep_near(ParticleKind own_kind, std::size_t cluster, ParticleKind kind, const IsNear& is_near, int thread);
+    void prune(PartKind own_kind, std::size_t cluster, PartKind kind, const IsNear& is_near, int thread);
 
     /// Whether a cluster is among the chosen ones.
-    [[nodiscard]] bool chosen(ParticleKind kind, std::size_t cluster, ClusterChoice choice) const {
+    [[nodiscard]] bool chosen(PartKind kind, std::size_t cluster, ClusterChoice choice) const {
         if (choice == ClusterChoice::all) return true;
         return lists_[static_cast<std::size_t>(kind)].at_border[cluster] == (choice == ClusterChoice::border ? 1 : 0);
     }
@@ -85,7 +85,7 @@ class ClusterList {
     void find(const ParticleStore& particles, double reach, int threads, Pairs pairs);
     /// Lists what clusters [begin, end) of a kind may meet.
     template <int D>
-    void find_for(const ParticleStore& particles, const std::vector<SearchGrid>& grids, ParticleKind own,
+    void find_for(const ParticleStore& particles, const std::vector<SearchGrid>& grids, PartKind own,
                   std::size_t begin, std::size_t end, double reach, Pairs pairs, Entries& entries);
 
     bool built_ = false;
@@ -96,8 +96,8 @@ class ClusterList {
 };
 
 template <class IsNear>
-void ClusterList::keep_near(ParticleKind own_kind, std::size_t cluster, ParticleKind kind, const IsNear& is_near,
-                            int thread) {
+void ClusterList::prune(PartKind own_kind, std::size_t cluster, PartKind kind, const IsNear& is_near,
+                        int thread) {
     List& own = lists_[static_cast<std::size_t>(own_kind)];
     const std::size_t k = 3 * cluster + static_cast<std::size_t>(kind);
     const std::int32_t count = own.count[k];

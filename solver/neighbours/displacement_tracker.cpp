@@ -14,7 +14,7 @@ namespace {
 
 /// `stride` is a constant where coordinates are side by side, so that the compiler may use vectors.
 template <int D, class Stride, class Weight>
-double largest_square(const Places& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
+double largest_square(const Positions& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
                       const std::array<double, 3>& origin, Stride stride, const Weight& weight) {
     const auto count = static_cast<std::ptrdiff_t>(from_origin[0].size());
     double found = 0;
@@ -35,7 +35,7 @@ double largest_square(const Places& now, int threads, const std::array<std::vect
                 }
             }
             for (std::ptrdiff_t k = 0; k < some; ++k) square[k] *= weight(begin + k);
-            largest.look_at(square);
+            largest.update(square);
         }
         found = largest.value();
     }
@@ -43,7 +43,7 @@ double largest_square(const Places& now, int threads, const std::array<std::vect
 }
 
 template <class Weight>
-double farthest(const Places& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
+double farthest(const Positions& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
                 const std::array<double, 3>& origin, const Weight& weight) {
     if (now.count != from_origin[0].size())
         throw std::logic_error("places of " + std::to_string(now.count) + " particles, of which " +
@@ -59,18 +59,18 @@ double farthest(const Places& now, int threads, const std::array<std::vector<flo
 
 }  // namespace
 
-void PlacesThen::take(const Places& places, int threads) {
-    dimension_ = places.dimension;
+void ReferencePositions::take(const Positions& positions, int threads) {
+    dimension_ = positions.dimension;
     double largest_of_all = 0;
     for (int axis = 0; axis < dimension_; ++axis) {
         std::vector<float>& then = from_origin_[axis];
-        then.resize(places.count);
-        const double* x = places.first[axis];
-        const double origin = origin_[axis] = places.count > 0 ? *x : 0;
+        then.resize(positions.count);
+        const double* x = positions.first[axis];
+        const double origin = origin_[axis] = positions.count > 0 ? *x : 0;
         float largest = 0;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(max : largest)
-        for (std::size_t i = 0; i < places.count; ++i) {
-            then[i] = static_cast<float>(x[i * places.stride] - origin);
+        for (std::size_t i = 0; i < positions.count; ++i) {
+            then[i] = static_cast<float>(x[i * positions.stride] - origin);
             largest = std::max(largest, std::abs(then[i]));
         }
         largest_of_all = std::max(largest_of_all, static_cast<double>(largest));
@@ -79,17 +79,17 @@ void PlacesThen::take(const Places& places, int threads) {
     inexact_ = 0.51 * std::sqrt(dimension_) * largest_of_all * std::numeric_limits<float>::epsilon();
 }
 
-double PlacesThen::farthest_gone(const Places& now, int threads) const {
+double ReferencePositions::farthest_gone(const Positions& now, int threads) const {
     return farthest(now, threads, from_origin_, origin_, [](std::ptrdiff_t) { return 1.0; }) + inexact_;
 }
 
-double PlacesThen::farthest_gone(const Places& now, int threads, std::span<const float> inverse_squares,
-                                 double shortest) const {
+double ReferencePositions::farthest_gone(const Positions& now, int threads, std::span<const float> inverse_squares,
+                                         double shortest) const {
     const auto weight = [inverse_squares](std::ptrdiff_t i) { return inverse_squares[static_cast<std::size_t>(i)]; };
     return farthest(now, threads, from_origin_, origin_, weight) + inexact_ / shortest;
 }
 
-std::size_t PlacesThen::bytes() const {
+std::size_t ReferencePositions::bytes() const {
     return static_cast<std::size_t>(dimension_) * from_origin_[0].capacity() * sizeof(float);
 }
 

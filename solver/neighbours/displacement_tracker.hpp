@@ -10,7 +10,7 @@
 namespace dmp::solver {
 
 /// Where particles stand, in arrays of any layout.
-struct Places {
+struct Positions {
     std::size_t count = 0;
     int dimension = 2;
     std::array<const double*, 3> first{};  ///< by axis: of the first particle [m]
@@ -19,14 +19,14 @@ struct Places {
 };
 
 /// Where particles stood at one moment, as exact as telling how far they have gone since then needs.
-class PlacesThen {
+class ReferencePositions {
   public:
-    void take(const Places& places, int threads);
+    void take(const Positions& positions, int threads);
     /// How far the farthest has gone [m], or a little more; infinite where a place is no number.
-    [[nodiscard]] double farthest_gone(const Places& now, int threads) const;
+    [[nodiscard]] double farthest_gone(const Positions& now, int threads) const;
     /// The same in lengths of each particle's own, as 1 / length^2 [1/m^2] and the shortest of them [m]: exact to their
     /// last digits.
-    [[nodiscard]] double farthest_gone(const Places& now, int threads, std::span<const float> inverse_squares,
+    [[nodiscard]] double farthest_gone(const Positions& now, int threads, std::span<const float> inverse_squares,
                                        double shortest) const;
     [[nodiscard]] std::size_t bytes() const;
 
@@ -40,7 +40,7 @@ class PlacesThen {
 /// How far particles may have gone since a moment: a bound, by how fast the fastest one is at each time, until that
 /// says that they went too far; then it is measured, as it is seldom the same one that is the fastest, nor goes
 /// straight on.
-class Wandering {
+class DisplacementTracker {
   public:
     void start() { *this = {}; }
     /// They have gone at most this much farther [m].

@@ -15,12 +15,12 @@ constexpr double least_near_skin = 0.02;
 /// What making a list, and looking through it, costs: as much time as one step's sweeps (for the list: one step's looks
 /// through it) take longer with this much more skin [spacings]. Measured on disordered particles, in the plane and in
 /// space.
-constexpr double cost_of_a_list = 15, cost_of_a_look = 0.3;
+constexpr double cost_of_a_list = 15, cost_of_pruning = 0.3;
 
-Places places_of(const ParticleGroup& group) {
-    Places places{group.owned(), group.dimension()};
-    for (int axis = 0; axis < group.dimension(); ++axis) places.first[axis] = group.data(Field::position, axis);
-    return places;
+Positions positions_of(const ParticleGroup& group) {
+    Positions positions{group.owned(), group.dimension()};
+    for (int axis = 0; axis < group.dimension(); ++axis) positions.first[axis] = group.data(Field::position, axis);
+    return positions;
 }
 
 }  // namespace
@@ -46,20 +46,20 @@ double Neighbours::best_skin() const { return skin_for(cost_of_a_list, least_ski
 
 /// No wider than what the list still covers.
 double Neighbours::best_near_skin() const {
-    return std::min(skin_for(cost_of_a_look, least_near_skin, most_skin, least_near_skin),
+    return std::min(skin_for(cost_of_pruning, least_near_skin, most_skin, least_near_skin),
                     skin_ - 2 * since_list_.farthest());
 }
 
-void Neighbours::note_places(const ParticleStore& particles, PlacesByKind& then) const {
+void Neighbours::note_positions(const ParticleStore& particles, PositionsByKind& then) const {
     for (std::size_t kind = 0; kind < then.size(); ++kind)
-        then[kind].take(places_of(particles.groups()[kind]), threads_);
+        then[kind].take(positions_of(particles.groups()[kind]), threads_);
 }
 
 /// On all ranks.
-double Neighbours::farthest_gone(const ParticleStore& particles, const PlacesByKind& then) const {
+double Neighbours::farthest_gone(const ParticleStore& particles, const PositionsByKind& then) const {
     double farthest = 0;
     for (std::size_t kind = 0; kind < then.size(); ++kind)
-        farthest = std::max(farthest, then[kind].farthest_gone(places_of(particles.groups()[kind]), threads_));
+        farthest = std::max(farthest, then[kind].farthest_gone(positions_of(particles.groups()[kind]), threads_));
     return ranks_->largest(farthest);
 }
 
@@ -82,7 +82,7 @@ void Neighbours::renew(ParticleStore& particles) {
         weights_ = measured_weights(particles);
         imbalance_ = domain_.imbalance(groups, weights_);
     }
-    note_places(particles, listed_at_);
+    note_positions(particles, listed_at_);
     since_list_.start();
     half_steps_ = 0;
     // All that is listed is near at first; the next look narrows it.
@@ -106,22 +106,22 @@ void Neighbours::balance(const GroupList& groups) {
 
 /// A kind's share of the work is its share of the pairs.
 KindWeights Neighbours::measured_weights(const ParticleStore& particles) const {
-    const auto weight_of = [&](ParticleKind own_kind) {
+    const auto weight_of = [&](PartKind own_kind) {
         std::int64_t pairs = 0;
         for (std::size_t c = 0; c < list_.clusters(own_kind).size(); ++c)
-            for (const ParticleKind kind : all_kinds)
+            for (const PartKind kind : all_kinds)
                 pairs += static_cast<std::int64_t>(list_.neighbours(own_kind, c, kind).size());
         const std::int64_t all_pairs = ranks_->sum(pairs);
         const std::int64_t owned = ranks_->sum(static_cast<std::int64_t>(particles.of(own_kind).owned()));
         return std::max(0.05, static_cast<double>(all_pairs) / static_cast<double>(std::max<std::int64_t>(1, owned)));
     };
-    return {weight_of(ParticleKind::fluid), weight_of(ParticleKind::rigid), weight_of(ParticleKind::springs)};
+    return {weight_of(PartKind::fluid), weight_of(PartKind::rigid), weight_of(PartKind::elastic)};
 }
 
-double Neighbours::copies_per_owned(const ParticleStore& particles) const {
-    std::int64_t copies = 0;
-    for (const Halo& halo : halos_) copies += static_cast<std::int64_t>(halo.copies());
-    return static_cast<double>(ranks_->sum(copies)) /
+double Neighbours::ghosts_per_owned(const ParticleStore& particles) const {
+    std::int64_t ghosts = 0;
+    for (const Halo& halo : halos_) ghosts += static_cast<std::int64_t>(halo.ghosts());
+    return static_cast<double>(ranks_->sum(ghosts)) /
            static_cast<double>(std::max<std::int64_t>(1, ranks_->sum(static_cast<std::int64_t>(particles.owned()))));
 }
 

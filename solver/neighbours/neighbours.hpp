@@ -22,7 +22,7 @@ class Neighbours {
     /// Particles have moved by at most this much more [m] in half a step; the same on all ranks.
     void moved(double distance) {
         since_list_.add(distance);
-        since_look_.add(distance);
+        since_pruning_.add(distance);
         ++half_steps_;
     }
     /// Whether the list may miss pairs. All ranks take part.
@@ -30,20 +30,20 @@ class Neighbours {
         return list_.empty() || since_list_.beyond(skin_ / 2, [&] { return farthest_gone(particles, listed_at_); });
     }
     /// Brings the near ones among those that are listed up to date when they may miss pairs, through
-    /// `keep_near(list, reach)`. Copies must have their present positions. Returns whether it did.
+    /// `prune(list, reach)`. Copies must have their present positions. Returns whether it did.
     template <class KeepNear>
-    bool look_through(const ParticleStore& particles, const KeepNear& keep_near) {
-        if (!near_outdated(particles)) return false;
+    bool prune_list(const ParticleStore& particles, const KeepNear& prune) {
+        if (!pruned_list_outdated(particles)) return false;
         near_skin_ = best_near_skin();
-        keep_near(list_, support_ + near_skin_);
-        note_places(particles, looked_at_);
-        since_look_.start();
+        prune(list_, support_ + near_skin_);
+        note_positions(particles, pruned_at_);
+        since_pruning_.start();
         return true;
     }
-    /// Whether look_through would look. All ranks take part.
-    [[nodiscard]] bool near_outdated(const ParticleStore& particles) {
+    /// Whether prune_list would look. All ranks take part.
+    [[nodiscard]] bool pruned_list_outdated(const ParticleStore& particles) {
         return near_skin_ == 0 ||
-               since_look_.beyond(near_skin_ / 2, [&] { return farthest_gone(particles, looked_at_); });
+               since_pruning_.beyond(near_skin_ / 2, [&] { return farthest_gone(particles, pruned_at_); });
     }
     /// Particles are no longer those that were listed.
     void forget() { list_ = {}; }
@@ -66,7 +66,7 @@ class Neighbours {
     /// The busiest rank's load over the mean, as of the last list; 1 is perfect.
     [[nodiscard]] double imbalance() const { return imbalance_; }
     /// Copies for each owned particle over all ranks and kinds. All ranks take part.
-    [[nodiscard]] double copies_per_owned(const ParticleStore& particles) const;
+    [[nodiscard]] double ghosts_per_owned(const ParticleStore& particles) const;
     /// What this rank has sent.
     [[nodiscard]] HaloTraffic traffic() const;
     [[nodiscard]] const Ranks& ranks() const { return *ranks_; }
@@ -76,9 +76,9 @@ class Neighbours {
     [[nodiscard]] long renewals() const { return renewals_; }
 
   private:
-    using PlacesByKind = std::array<PlacesThen, 3>;
-    void note_places(const ParticleStore& particles, PlacesByKind& then) const;
-    [[nodiscard]] double farthest_gone(const ParticleStore& particles, const PlacesByKind& then) const;
+    using PositionsByKind = std::array<ReferencePositions, 3>;
+    void note_positions(const ParticleStore& particles, PositionsByKind& then) const;
+    [[nodiscard]] double farthest_gone(const ParticleStore& particles, const PositionsByKind& then) const;
     [[nodiscard]] double best_skin() const;
     [[nodiscard]] double best_near_skin() const;
     [[nodiscard]] double skin_for(double cost, double least, double most, double otherwise) const;
@@ -92,8 +92,8 @@ class Neighbours {
     std::array<Halo, 3> halos_;
     ClusterList list_;
     std::optional<ClusterList> within_solids_;
-    PlacesByKind listed_at_, looked_at_;
-    Wandering since_list_, since_look_;
+    PositionsByKind listed_at_, pruned_at_;
+    DisplacementTracker since_list_, since_pruning_;
     double near_skin_ = 0;  ///< with which the list was looked through [m]; 0: it was not
     long half_steps_ = 0;   ///< since the list was made
     long renewals_ = 0;

@@ -67,7 +67,7 @@ class Cells {
 Uninitialized<std::int32_t> order_by_cell(const ParticleGroup& group, const Cells& cells,
                                           const Uninitialized<std::int64_t>& cell, int threads) {
     Uninitialized<std::int32_t> order(group.owned());
-    if (group.kind() == ParticleKind::springs || cells.sparse(group.owned())) {
+    if (group.kind() == PartKind::elastic || cells.sparse(group.owned())) {
         std::iota(order.begin(), order.end(), 0);
         const auto tags = group.tags();
         std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
@@ -101,9 +101,10 @@ std::vector<Cluster> cut_strips(Uninitialized<std::int32_t>& order, std::size_t 
         // Cells come in order along x already: few places change.
         for (std::size_t k = begin + 1; k < end; ++k) {
             const std::int32_t moving = order[k];
-            std::size_t place = k;
-            for (; place > begin && x[order[place - 1]] > x[moving]; --place) order[place] = order[place - 1];
-            order[place] = moving;
+            std::size_t position = k;
+            for (; position > begin && x[order[position - 1]] > x[moving]; --position)
+                order[position] = order[position - 1];
+            order[position] = moving;
         }
         while (begin < end) {
             Cluster cluster{static_cast<std::int32_t>(begin), 0};

@@ -12,7 +12,7 @@ Eigen::Matrix3d rate_of_strain(const Eigen::Matrix3d& gradient) { return 0.5 * (
 }  // namespace
 
 bool is_shown_mirrored(const ParticleGroup& particles, const ParticleSpace& space, int axis, std::size_t i) {
-    if (particles.kind() != ParticleKind::fluid || axis >= space.dimension || !space.is_mirrored(axis)) return false;
+    if (particles.kind() != PartKind::fluid || axis >= space.dimension || !space.is_mirrored(axis)) return false;
     const double x = particles.data(Field::position, axis)[i];
     return space.mirrored_back(x, axis) != x;
 }

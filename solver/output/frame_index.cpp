@@ -22,7 +22,7 @@ constexpr const char* count = "pieces";
 FrameEntry entry_of(const nlohmann::json& json) {
     FrameEntry entry;
     const bool in_pieces = json.contains(some_pieces);
-    entry.place = json.at(in_pieces ? some_pieces : one_file);
+    entry.location = json.at(in_pieces ? some_pieces : one_file);
     if (in_pieces) entry.pieces = json.at(count);
     entry.time = json.at("time");
     entry.step = json.at("step");
@@ -31,7 +31,7 @@ FrameEntry entry_of(const nlohmann::json& json) {
 
 nlohmann::ordered_json json_of(const FrameEntry& entry) {
     nlohmann::ordered_json json;
-    json[entry.pieces > 0 ? some_pieces : one_file] = entry.place;
+    json[entry.pieces > 0 ? some_pieces : one_file] = entry.location;
     if (entry.pieces > 0) json[count] = entry.pieces;
     json["time"] = entry.time;
     json["step"] = entry.step;
@@ -41,10 +41,10 @@ nlohmann::ordered_json json_of(const FrameEntry& entry) {
 }  // namespace
 
 std::vector<fs::path> FrameEntry::files(const fs::path& folder) const {
-    if (pieces == 0) return {folder / place};
+    if (pieces == 0) return {folder / position};
     std::vector<fs::path> paths;
     paths.reserve(static_cast<std::size_t>(pieces));
-    for (int rank = 0; rank < pieces; ++rank) paths.push_back(folder / place / piece_name(rank));
+    for (int rank = 0; rank < pieces; ++rank) paths.push_back(folder / position / piece_name(rank));
     return paths;
 }
 
@@ -69,7 +69,7 @@ std::vector<FrameEntry> read_frame_index(const fs::path& folder) {
         const auto index = nlohmann::json::parse(read_file(file));
         for (const auto& entry : index.at("frames")) frames.push_back(entry_of(entry));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(Place{file.string(), 0, 0}, std::string("not an index of frames: ") + error.what(),
+        throw InputError(SourceLocation{file.string(), 0, 0}, std::string("not an index of frames: ") + error.what(),
                          "Restore it from a copy, or run the scene from its start.");
     }
     return frames;

@@ -56,10 +56,10 @@ void sort_by_id(FrameGroup& group) {
     group.position = in_order(group.position, order);
     for (FrameField& field : group.fields) field.values = in_order(field.values, order);
 
-    std::vector<std::int32_t> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::int32_t>(k);
+    std::vector<std::int32_t> position(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) position[order[k]] = static_cast<std::int32_t>(k);
     for (auto* corners : {&group.bond_ends, &group.triangles})
-        for (std::int32_t& corner : *corners) corner = place[static_cast<std::size_t>(corner)];
+        for (std::int32_t& corner : *corners) corner = position[static_cast<std::size_t>(corner)];
 }
 
 std::string add_piece(Frame& frame, Frame&& piece) {

@@ -21,7 +21,7 @@ GapMeasure::GapMeasure(const Measure& measure, const ParticleSet& set)
         if (set.part[i] == part) piece_[static_cast<int>(i)] = static_cast<int>(together.find(i));
     const auto is_first = [&](const auto& node) { return node.second == piece_.begin()->second; };
     if (std::ranges::all_of(piece_, is_first))
-        throw InputError(measure.part.place,
+        throw InputError(measure.part.location,
                          "'" + *measure.part + "' is one body, and the gap '" + *measure.name +
                              "' is measured between two of one part",
                          "leave the measure out, or draw the part as two curves");
@@ -30,20 +30,21 @@ GapMeasure::GapMeasure(const Measure& measure, const ParticleSet& set)
 double GapMeasure::smallest(const SpringBodies& springs) const {
     struct Node {
         std::pair<std::size_t, int> piece;  ///< body now, and piece as drawn
-        Vec place;
+        Vec position;
     };
     std::vector<Node> nodes;
     for (std::size_t body = 0; body < springs.bodies().size(); ++body) {
         const SpringBody& of = *springs.bodies()[body];
         for (std::size_t node = 0; node < of.nodes(); ++node)
             if (const auto found = piece_.find(of.ids()[node]); found != piece_.end())
-                nodes.push_back({{body, found->second}, of.place(node)});
+                nodes.push_back({{body, found->second}, of.location(node)});
     }
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < nodes.size(); ++a)
         for (std::size_t b = a + 1; b < nodes.size(); ++b)
             if (nodes[a].piece != nodes[b].piece)
-                smallest = std::min(smallest, nearest_image(nodes[a].place - nodes[b].place, space_).squaredNorm());
+                smallest =
+                    std::min(smallest, nearest_image(nodes[a].position - nodes[b].position, space_).squaredNorm());
     return std::sqrt(smallest);
 }
 

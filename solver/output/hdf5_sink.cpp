@@ -28,7 +28,7 @@ void Hdf5Sink::go_on(long frames) {
     if (std::ssize(entries_) > frames) entries_.resize(static_cast<std::size_t>(frames));
     for (long number = 0; number < frames; ++number)
         if (number >= std::ssize(entries_) || !entries_[static_cast<std::size_t>(number)].is_there(folder_))
-            throw InputError(Place{folder_.string(), 0, 0},
+            throw InputError(SourceLocation{folder_.string(), 0, 0},
                              "frame " + std::to_string(number) + " of the run to go on with is missing",
                              "Restore the folder from a copy, or run the scene from its start.");
 }
@@ -46,15 +46,15 @@ void Hdf5Sink::start() {
 void Hdf5Sink::write(const Frame& frame) {
     if (!started_) start();
     const bool in_pieces = ranks_.size() > 1;
-    const fs::path place = in_pieces ? piece_folder(folder_, frames_) : frame_path(folder_, frames_);
-    if (in_pieces) make_folder(place);
-    write_frame(in_pieces ? place / piece_name(ranks_.rank()) : place, frame, label_);
+    const fs::path position = in_pieces ? piece_folder(folder_, frames_) : frame_path(folder_, frames_);
+    if (in_pieces) make_folder(position);
+    write_frame(in_pieces ? position / piece_name(ranks_.rank()) : position, frame, label_);
     // Those who could not write it have ended the run before they got here.
     wait_for_all();
     ++frames_;
     if (!ranks_.is_first()) return;
     entries_.push_back(
-        {place.lexically_relative(folder_).string(), in_pieces ? ranks_.size() : 0, frame.time, frame.step});
+        {position.lexically_relative(folder_).string(), in_pieces ? ranks_.size() : 0, frame.time, frame.step});
     write_frame_index(folder_, label_, entries_);
 }
 

@@ -96,7 +96,7 @@ Frame make_frame(const Scene& scene, const ParticleStore& particles, const Fluid
         for (const FluidValues& values : fields.of(field)) liquid.fields.push_back(frame_field(values));
     add(std::move(liquid), options.in_pieces);
 
-    const ParticleGroup& nodes = particles.of(ParticleKind::springs);
+    const ParticleGroup& nodes = particles.of(PartKind::elastic);
     FrameGroup solid = group_of("solid", nodes, particles.space());
     if (scene.asks_for(SolidField::velocity)) solid.fields.push_back(stored_field(nodes, Field::velocity));
     solid.fields.push_back(stored_field(nodes, Field::volume));
@@ -107,7 +107,7 @@ Frame make_frame(const Scene& scene, const ParticleStore& particles, const Fluid
         add_solid_fields(complete, scene.output.solid_fields, volume.values, fluid.springs(), mean_displacement);
     }
 
-    const ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    const ParticleGroup& rigid = particles.of(PartKind::rigid);
     const WallMotion& walls = fluid.walls();
     if (options.with_walls)
         add(group_of("walls", rigid, particles.space(), [&](std::uint16_t part) { return !walls.moves(part); }),

@@ -71,7 +71,7 @@ std::string unit_of_column(const Scene& scene, FluidField field, std::size_t col
 
 bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     if (measure.kind.value != MeasureKind::gap) return true;
-    const auto parts = scene.parts_of(PartKind::springs);
+    const auto parts = scene.parts_of(PartKind::elastic);
     return std::any_of(parts.begin(), parts.end(),
                        [&](const Part* part) { return part->name.value == measure.part.value; });
 }
@@ -152,7 +152,7 @@ void Measures::take(double time, const ParticleStore& particles, const FluidStep
             case MeasureKind::probe: {
                 const auto values = probe(*measure, particles, fluid);
                 if (series_.rows.empty() && std::isnan(values[0]))
-                    throw InputError(measure->point.place,
+                    throw InputError(measure->point.location,
                                      "the probe '" + measure->name.value + "' stands where there is no fluid",
                                      "move its point into the fluid: no particle is within the kernel's support of it");
                 row.insert(row.end(), values.begin(), values.end());

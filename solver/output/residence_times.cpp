@@ -20,15 +20,15 @@ void ResidenceTimes::add(ParticleStore& particles, double dt, int threads) const
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        std::array<double, 3> place{};
+        std::array<double, 3> position{};
         for (int axis = 0; axis < space.dimension; ++axis) {
             const double x = fluid.data(Field::position, axis)[i];
-            place[axis] = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x;
+            position[axis] = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : x;
         }
         for (std::size_t r = 0; r < regions_.size(); ++r) {
             bool inside = true;
             for (int axis = 0; axis < space.dimension; ++axis)
-                inside = inside && place[axis] >= regions_[r].low[axis] && place[axis] < regions_[r].high[axis];
+                inside = inside && position[axis] >= regions_[r].low[axis] && position[axis] < regions_[r].high[axis];
             if (inside) fluid.data(Field::residence_time, static_cast<int>(r))[i] += dt;
         }
     }

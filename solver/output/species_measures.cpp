@@ -88,16 +88,16 @@ void SpeciesMeasures::for_each_in_box(const Measure& measure, const ParticleStor
     const Vec low = measure.from->cwiseMin(*measure.to), high = measure.from->cwiseMax(*measure.to);
     const ParticleGroup& fluid = particles.fluid();
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
-        Vec place = Vec::Zero();
+        Vec position = Vec::Zero();
         bool inside = true;
         for (int axis = 0; axis < space_.dimension; ++axis) {
             const double x = fluid.data(Field::position, axis)[i];
-            place[axis] = space_.periodic[axis] ? wrapped(x, space_.box.low[axis], space_.box.high[axis])
-                                                : space_.mirrored_back(x, axis);
-            inside = inside && (!measure.from.given() || (place[axis] >= low[axis] && place[axis] < high[axis]));
+            position[axis] = space_.periodic[axis] ? wrapped(x, space_.box.low[axis], space_.box.high[axis])
+                                                   : space_.mirrored_back(x, axis);
+            inside = inside && (!measure.from.given() || (position[axis] >= low[axis] && position[axis] < high[axis]));
         }
         if (!inside) continue;
-        visit(i, place, fluid.data(Field::species_amount, static_cast<int>(species))[i],
+        visit(i, position, fluid.data(Field::species_amount, static_cast<int>(species))[i],
               step.species()->rest_volume(fluid, i));
     }
 }
@@ -124,8 +124,8 @@ std::vector<double> SpeciesMeasures::profile(const Measure& measure, const Parti
     const double low = boxed ? std::min((*measure.from)[axis], (*measure.to)[axis]) : space_.box.low[axis];
     const double high = boxed ? std::max((*measure.from)[axis], (*measure.to)[axis]) : space_.box.high[axis];
     std::vector<ExactSum> amounts(bins), volumes(bins);
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& place, double amount, double volume) {
-        const double share = std::floor((place[axis] - low) / (high - low) * static_cast<double>(bins));
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& position, double amount, double volume) {
+        const double share = std::floor((position[axis] - low) / (high - low) * static_cast<double>(bins));
         const auto bin = static_cast<std::size_t>(std::clamp(share, 0.0, static_cast<double>(bins - 1)));
         amounts[bin].add(amount);
         volumes[bin].add(volume);
@@ -141,15 +141,15 @@ std::vector<double> SpeciesMeasures::spread(const Measure& measure, double time,
                                             std::size_t first) const {
     const auto axis = static_cast<int>(*measure.axis);
     ExactSum amounts, moments;
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& place, double amount, double) {
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& position, double amount, double) {
         amounts.add(amount);
-        moments.add(amount * place[axis]);
+        moments.add(amount * position[axis]);
     });
-    const double all = over_all_ranks(amounts), mean_place = quotient(over_all_ranks(moments), all);
-    const double centre = measure.about.given() ? *measure.about : mean_place;
+    const double all = over_all_ranks(amounts), mean_position = quotient(over_all_ranks(moments), all);
+    const double centre = measure.about.given() ? *measure.about : mean_position;
     ExactSum squares;
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& place, double amount, double) {
-        const double offset = place[axis] - centre;
+    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& position, double amount, double) {
+        const double offset = position[axis] - centre;
         squares.add(amount * (offset * offset));
     });
     const double variance = quotient(over_all_ranks(squares), all);
@@ -184,7 +184,7 @@ std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, double ti
 
 /// The mean over the wall's particles, as they were last shown.
 double SpeciesMeasures::wall_concentration(const Measure& measure, const ParticleStore& particles) const {
-    const ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    const ParticleGroup& rigid = particles.of(PartKind::rigid);
     const auto species = static_cast<int>(scene_.species_of(measure));
     ExactSum sum;
     std::int64_t count = 0;

@@ -26,7 +26,7 @@ class Vectors {
 };
 
 /// Adds a b^T, each number rounded, of the axes that there are.
-void add_rounded(Matrix& sum, const OrderFree& rounded, const Vec& a, const Vec& b, int dimension) {
+void add_rounded(Matrix& sum, const ReproducibleSum& rounded, const Vec& a, const Vec& b, int dimension) {
     for (int row = 0; row < dimension; ++row)
         for (int column = 0; column < dimension; ++column) sum(row, column) += rounded(a[row] * b[column]);
 }
@@ -39,13 +39,13 @@ std::vector<Matrix> velocity_gradient(const ParticleStore& particles, const Flui
     std::vector<Matrix> gradients(fluid.owned(), Matrix::Zero());
     if (largest_speed == 0) return gradients;
     // The moments of a full neighbourhood are the unit matrix. A state that has diverged may hold anything.
-    const OrderFree round_moment(1);
-    const OrderFree round_gradient(std::isfinite(largest_speed) ? largest_speed / particles.space().spacing : 1);
+    const ReproducibleSum round_moment(1);
+    const ReproducibleSum round_gradient(std::isfinite(largest_speed) ? largest_speed / particles.space().spacing : 1);
     const int dimension = particles.dimension();
     const Vectors position(fluid, Field::position), velocity(fluid, Field::velocity);
     const double* const volume = fluid.data(Field::volume);
     const ClusterList& list = step.neighbours().list();
-    const auto clusters = list.clusters(ParticleKind::fluid);
+    const auto clusters = list.clusters(PartKind::fluid);
     const auto count = static_cast<std::ptrdiff_t>(clusters.size());
 #pragma omp parallel for num_threads(step.threads()) schedule(static)
     for (std::ptrdiff_t c = 0; c < count; ++c) {
@@ -53,7 +53,7 @@ std::vector<Matrix> velocity_gradient(const ParticleStore& particles, const Flui
             const Vec x = position[i], v = velocity[i];
             Matrix moments = Matrix::Zero(), sum = Matrix::Zero();
             for (const std::int32_t j :
-                 list.neighbours(ParticleKind::fluid, static_cast<std::size_t>(c), ParticleKind::fluid)) {
+                 list.neighbours(PartKind::fluid, static_cast<std::size_t>(c), PartKind::fluid)) {
                 const Vec offset = position[j] - x;
                 const double weight = volume[j] * -step.sweeps().kernel_slope(offset.norm());
                 if (weight == 0) continue;

@@ -30,8 +30,8 @@ class ExactSum {
         const std::uint64_t fraction = bits & (hidden_bit - 1);
         // value = +- mantissa 2^(place - 1074)
         const std::uint64_t mantissa = biased == 0 ? fraction : fraction | hidden_bit;
-        const int place = biased == 0 ? 0 : biased - 1;
-        const int digit = place / digit_bits, shift = place % digit_bits;
+        const int position = biased == 0 ? 0 : biased - 1;
+        const int digit = position / digit_bits, shift = position % digit_bits;
         const auto low = static_cast<std::int64_t>(mantissa << shift & digit_mask);
         const auto high = static_cast<std::int64_t>(mantissa >> (digit_bits - shift));  // below 2^52
         const std::int64_t sign = -static_cast<std::int64_t>(bits >> 63);               // 0 or -1
@@ -107,14 +107,14 @@ inline double ExactSum::value() const {
     std::uint64_t leading = digit(top);
     if (leading == 0) return 0;
     std::size_t next = top;
-    int place = digit_bits * static_cast<int>(top);  // of leading's last bit, counted from that of the least double
+    int position = digit_bits * static_cast<int>(top);  // of leading's last bit, counted from that of the least double
     while (next > 0 && std::countl_zero(leading) >= digit_bits) {
         leading = leading << digit_bits | digit(--next);
-        place -= digit_bits;
+        position -= digit_bits;
     }
     if (const int room = std::countl_zero(leading); next > 0 && room > 0) {
         leading = leading << room | digit(next - 1) >> (digit_bits - room);
-        place -= room;
+        position -= room;
         if ((digit(next - 1) & (digit_mask >> room)) != 0) leading |= 1;
         --next;
     }
@@ -127,10 +127,10 @@ inline double ExactSum::value() const {
     if (surplus > 0) {
         const std::uint64_t rest = leading & ((1ULL << surplus) - 1), half = 1ULL << (surplus - 1);
         mantissa = leading >> surplus;
-        place += surplus;
+        position += surplus;
         if (rest > half || (rest == half && (mantissa & 1) != 0)) ++mantissa;
     }
-    const double magnitude = std::ldexp(static_cast<double>(mantissa), place + least_exponent);
+    const double magnitude = std::ldexp(static_cast<double>(mantissa), position + least_exponent);
     return negative ? -magnitude : magnitude;
 }
 

@@ -15,7 +15,7 @@ class LargestSquare {
     static constexpr std::ptrdiff_t lanes = 8, at_a_time = 4 * lanes;
     using Squares = std::array<double, at_a_time>;
 
-    void look_at(const Squares& squares) {
+    void update(const Squares& squares) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         for (std::ptrdiff_t k = 0; k < at_a_time; k += lanes)
             for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) {

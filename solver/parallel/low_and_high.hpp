@@ -22,14 +22,14 @@ std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const 
         std::array<double, lanes> lows, highs;
         lows.fill(infinity);
         highs.fill(-infinity);
-        const auto look = [&](std::ptrdiff_t i, std::ptrdiff_t lane) {
+        const auto update = [&](std::ptrdiff_t i, std::ptrdiff_t lane) {
             const double x = value(i);
             lows[lane] = x < lows[lane] ? x : lows[lane];
             highs[lane] = x > highs[lane] ? x : highs[lane];
         };
         for (std::ptrdiff_t i = begin; i < end_of_lanes; i += lanes)
-            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) look(i + lane, lane);
-        for (std::ptrdiff_t i = end_of_lanes; i < end; ++i) look(i, 0);
+            for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) update(i + lane, lane);
+        for (std::ptrdiff_t i = end_of_lanes; i < end; ++i) update(i, 0);
         for (const double x : lows) low = std::min(low, x);
         for (const double x : highs) high = std::max(high, x);
     }

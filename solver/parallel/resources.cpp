@@ -8,20 +8,6 @@
 
 namespace dmp::solver {
 
-std::string_view word(VectorUnit unit) {
-    switch (unit) {
-        case VectorUnit::avx2:
-            return "avx2";
-        case VectorUnit::avx512:
-            return "avx512";
-        case VectorUnit::generic:
-            return "generic";
-        case VectorUnit::widest:
-            break;
-    }
-    return "widest";
-}
-
 std::vector<VectorUnit> available_vector_units() {
     std::vector<VectorUnit> units;
 #if defined(__x86_64__)
@@ -44,7 +30,7 @@ VectorUnit chosen_vector_unit(VectorUnit asked) {
     const std::vector<VectorUnit> units = available_vector_units();
     if (asked == VectorUnit::widest) return units.back();
     if (std::find(units.begin(), units.end(), asked) == units.end())
-        throw ResourceError("this processor has no " + std::string(word(asked)) + " instructions",
+        throw ResourceError("this processor has no " + std::string(to_string(asked)) + " instructions",
                             "leave the vector unit out: the widest there is will be taken");
     return asked;
 }

@@ -1,9 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "solver/parallel/ranks.hpp"
 
 namespace dmp::solver {
@@ -11,7 +13,7 @@ namespace dmp::solver {
 /// The processor's vector instructions that the loops over pairs use. Results do not depend on it.
 enum class VectorUnit { widest, avx2, avx512, generic };
 
-std::string_view word(VectorUnit unit);
+std::string_view to_string(VectorUnit unit);
 /// Those that this processor has, narrowest first. Throws ResourceError when there are none.
 std::vector<VectorUnit> available_vector_units();
 /// `asked`, or the widest there is. Throws ResourceError when the processor lacks it.
@@ -28,3 +30,11 @@ struct Resources {
 };
 
 }  // namespace dmp::solver
+
+namespace dmp {
+
+template <>
+inline constexpr auto enum_names<solver::VectorUnit> = std::to_array<std::string_view>({"widest", "avx2", "avx512",
+                                                                                        "generic"});
+
+}  // namespace dmp

@@ -27,7 +27,7 @@ struct ModelUse {
 };
 
 /// The speed of sound that a scene runs with, and what it follows from. A weakly compressible liquid stays within Ma^2
-/// of its rest density (Ma = accuracy.mach_number) when c0 >= U / Ma (the dynamic pressure rho U^2, Monaghan 1994) and
+/// of its rest density (Ma = numerics.mach_number) when c0 >= U / Ma (the dynamic pressure rho U^2, Monaghan 1994) and
 /// c0^2 >= p / (Ma^2 rho) (any other pressure; Morris, Fox & Zhu 1997, eq. 9).
 struct SoundSpeed {
     double value = 0;                    ///< c0 [m/s]
@@ -38,10 +38,10 @@ struct SoundSpeed {
 
 /// Something that a scene asks for and that does nothing, or that it lacks.
 struct Warning {
-    std::string key;         ///< the scene's key that it is about
-    Place place;             ///< of its value; unknown where the scene leaves it out
-    std::string problem;     ///< "drag = 0 switches nothing on"
-    std::string what_to_do;  ///< "leave it out"
+    std::string key;          ///< the scene's key that it is about
+    SourceLocation location;  ///< of its value; unknown where the scene leaves it out
+    std::string problem;      ///< "drag = 0 switches nothing on"
+    std::string what_to_do;   ///< "leave it out"
 
     /// In one line: place, key, problem, what to do.
     [[nodiscard]] std::string text() const;

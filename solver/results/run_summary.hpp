@@ -45,7 +45,7 @@ struct SpeciesBalance {
 /// How the ranks shared the work.
 struct RankShares {
     double imbalance = 1;         ///< the busiest rank's load over the mean, at the last list [-]
-    double copies_per_owned = 0;  ///< copies of particles, periodic images included, for each particle [-]
+    double ghosts_per_owned = 0;  ///< copies of particles, periodic images included, for each particle [-]
     /// What the rank that sends most has sent to others for copies in a step, on average.
     double messages_per_step = 0, bytes_per_step = 0;
 };

@@ -27,7 +27,7 @@ const ParticleSet& checked(const ParticleSet& set) {
     return set;
 }
 
-std::string text_of(const std::optional<Watch::Finding>& finding) {
+std::string text_of(const std::optional<StabilityMonitor::Finding>& finding) {
     return finding ? finding->problem + '\n' + finding->what_to_do : "";
 }
 
@@ -45,10 +45,10 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       mean_displacement_(scene_, fluid_.springs()),
       measures_(scene_, set, settings_, ranks_),
       events_(scene_, set, ranks_),
-      watch_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
+      monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
       frame_times_(scene_.output.every),
       measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
-    for (std::size_t i = 0; i < set.size(); ++i) ++count_[word(static_cast<PartKind>(set.kind(i)))];
+    for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
     fill_store(scene_, set, particles_);
     fluid_.take_speed();
     scales_.diffusion_limit = fluid_.sweeps().diffusion_limit();
@@ -58,7 +58,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
 void FluidRun::start(FrameSink* sink) {
     fluid_.refresh_neighbours();
     if (step_ == 0) events_.act(time_, particles_, fluid_);
-    if (step_ == 0) fluid_.look_at_contacts();
+    if (step_ == 0) fluid_.update_contact_rate();
     extremes_ = fluid_.extremes();
     if (step_ == 0) write_what_is_due(sink);
 }
@@ -125,7 +125,7 @@ void FluidRun::archive(Archive& file) {
     measures_.archive(file);
     events_.archive(file);
     for (ParticleGroup& group : particles_.groups())
-        file(std::string(word(static_cast<PartKind>(group.kind()))), group);
+        file(std::string(to_string(group.kind())), group);
     fluid_.archive(file);
     mean_displacement_.archive(file);
 }
@@ -158,7 +158,7 @@ void FluidRun::write_what_is_due(FrameSink* sink) {
 }
 
 void FluidRun::stop_if_diverged(FrameSink* sink) {
-    stop_on_violation(sink, text_of(watch_.look(particles_, fluid_, extremes_, time_)));
+    stop_on_violation(sink, text_of(monitor_.check(particles_, fluid_, extremes_, time_)));
 }
 
 Plan FluidRun::plan() const {
@@ -213,7 +213,7 @@ void FluidRun::add_fields(Plan& plan) const {
         if (group.empty()) continue;
         for (const Field field : group.declared()) {
             const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
-            plan.fields.push_back(word(static_cast<PartKind>(group.kind())) + std::string(": ") +
+            plan.fields.push_back(to_string(group.kind()) + std::string(": ") +
                                   std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
             const std::string_view owner = info(field).needed_by;
             const auto model = std::ranges::find_if(plan.models, [&](const ModelUse& use) {
@@ -244,16 +244,17 @@ void FluidRun::advance(const RunOptions& options, double until) {
         stop_if_diverged(options.sink);
         if (dynamic_cast<const UnsolvedViscosity*>(&error) == nullptr &&
             dynamic_cast<const UnsolvedSpecies*>(&error) == nullptr)
-            stop_on_violation(options.sink, text_of(watch_.stuck_springs(particles_, fluid_, error.problem(), time_)));
+            stop_on_violation(options.sink,
+                              text_of(monitor_.stuck_elastic(particles_, fluid_, error.problem(), time_)));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
     time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
     ++step_;
 
-    watch_.walls_have_moved(fluid_.walls().farthest());
+    monitor_.walls_have_moved(fluid_.walls().farthest());
     density_low_ = std::min(density_low_, extremes_.density_low);
     density_high_ = std::max(density_high_, extremes_.density_high);
-    if (!watch_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
+    if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
     // The next step follows from what there is after it, as it does after a restart.
     if (events_.act(time_, particles_, fluid_)) extremes_ = fluid_.extremes();
     write_what_is_due(options.sink);
@@ -274,7 +275,7 @@ RankShares FluidRun::shares(std::int64_t steps) const {
     const auto a_step = [&](std::int64_t all) {
         return ranks_.largest(static_cast<double>(all)) / static_cast<double>(std::max<std::int64_t>(1, steps));
     };
-    return {neighbours.imbalance(), neighbours.copies_per_owned(particles_), a_step(traffic.messages),
+    return {neighbours.imbalance(), neighbours.ghosts_per_owned(particles_), a_step(traffic.messages),
             a_step(traffic.bytes)};
 }
 
@@ -283,12 +284,12 @@ RunSummary FluidRun::summary() const {
     summary.start = at_start_;
     for (const ParticleGroup& group : particles_.groups())
         if (const auto all = ranks_.sum(static_cast<std::int64_t>(group.owned())); all > 0)
-            summary.particles[word(static_cast<PartKind>(group.kind()))] = static_cast<std::size_t>(all);
+            summary.particles[to_string(group.kind())] = static_cast<std::size_t>(all);
     summary.steps = static_cast<long>(step_);
     summary.simulated_s = time_;
     summary.threads = settings_.threads;
     summary.ranks = ranks_.size();
-    summary.vector_unit = word(chosen_vector_unit(settings_.vector_unit));
+    summary.vector_unit = name_of(chosen_vector_unit(settings_.vector_unit));
     summary.sound_speed = settings_.sound_speed;
     summary.end = conserved();
     const OutsideImpulses& given = fluid_.impulses();
@@ -312,7 +313,7 @@ RunSummary FluidRun::summary() const {
     summary.density_low = density_low_ * rest_density;
     summary.density_high = density_high_ * rest_density;
     summary.lost = static_cast<std::size_t>(
-        ranks_.sum(static_cast<std::int64_t>(watch_.lost(particles_, fluid_.neighbours().list()))));
+        ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));
     summary.state_hash = state_hash(particles_, ranks_);
     summary.seconds_by_stage = fluid_.timer().seconds();
     if (fluid_.viscous_solves() != nullptr) summary.viscous_solves = *fluid_.viscous_solves();

@@ -62,7 +62,7 @@ class FluidRun final : public Run {
     MeanDisplacement mean_displacement_;
     Measures measures_;
     BodyEvents events_;
-    Watch watch_;
+    StabilityMonitor monitor_;
 
     double time_ = 0;  ///< [s]
     std::int64_t step_ = 0;

@@ -21,8 +21,8 @@ void add_mirror_images(const ParticleSet& set, double reach, Coordinates& points
             for (std::size_t i = 0, count = volume.size(); i < count; ++i) {
                 if (std::abs(points[axis][i] - plane) > reach) continue;
                 for (int other = 0; other < D; ++other) {
-                    const double place = points[other][i];
-                    points[other].push_back(other == axis ? 2 * plane - place : place);
+                    const double position = points[other][i];
+                    points[other].push_back(other == axis ? 2 * plane - position : position);
                 }
                 volume.push_back(volume[i]);
             }
@@ -36,9 +36,9 @@ bool any_on_surface(const ParticleSet& set, int threads) {
     Coordinates points;
     std::vector<double> volume = set.volume;
     for (int axis = 0; axis < D; ++axis)
-        for (const Vec& place : set.position)
-            points[axis].push_back(set.periodic[axis] ? wrapped(place[axis], set.box.low[axis], set.box.high[axis])
-                                                      : place[axis]);
+        for (const Vec& position : set.position)
+            points[axis].push_back(set.periodic[axis] ? wrapped(position[axis], set.box.low[axis], set.box.high[axis])
+                                                      : position[axis]);
     const auto images = periodic_images(points, set.size(), set.box, set.periodic, support);
     for (const PeriodicImage& image : images) {
         for (int axis = 0; axis < D; ++axis) points[axis].push_back(points[axis][image.source] + image.shift[axis]);
@@ -50,13 +50,13 @@ bool any_on_surface(const ParticleSet& set, int threads) {
     bool found = false;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(|| : found)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        if (set.kind(static_cast<std::size_t>(i)) != ParticleKind::fluid) continue;
-        std::array<double, 3> place{};
-        for (int axis = 0; axis < D; ++axis) place[axis] = points[axis][i];
+        if (set.kind(static_cast<std::size_t>(i)) != PartKind::fluid) continue;
+        std::array<double, 3> position{};
+        for (int axis = 0; axis < D; ++axis) position[axis] = points[axis][i];
         double divergence = 0;
-        grid.for_each_near(place, support, [&](int j) {
+        grid.for_each_near(position, support, [&](int j) {
             double r_square = 0;
-            for (int axis = 0; axis < D; ++axis) r_square += square(points[axis][j] - place[axis]);
+            for (int axis = 0; axis < D; ++axis) r_square += square(points[axis][j] - position[axis]);
             divergence -= volume[j] * kernel.slope(std::sqrt(r_square)) * r_square;
         });
         found = found || divergence < 0.75 * D;

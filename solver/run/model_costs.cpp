@@ -32,28 +32,28 @@ std::vector<Omission> omissions(const Scene& scene) {
         all.push_back({model, scene});
         change(all.back().without);
     };
-    const auto& accuracy = scene.accuracy;
+    const auto& numerics = scene.numerics;
     const bool fluid = !scene.parts_of(PartKind::fluid).empty();
     const auto walls = scene.parts_of(PartKind::rigid);
-    const bool solid = !walls.empty() || !scene.parts_of(PartKind::springs).empty();
-    const bool summation = *accuracy.density == DensityModel::summation;
-    leave_out(fluid && *accuracy.viscosity_stepping == ViscosityStepping::implicitly, "implicit viscosity",
-              [](Scene& s) { s.accuracy.viscosity_stepping = ViscosityStepping::explicitly; });
-    leave_out(fluid && *accuracy.gradient_correction, "gradient correction",
-              [](Scene& s) { s.accuracy.gradient_correction = false; });
-    leave_out(fluid && *accuracy.density_diffusion > 0 && !summation, "density diffusion",
-              [](Scene& s) { s.accuracy.density_diffusion = 0.0; });
-    leave_out(fluid && *accuracy.shifting > 0 && !*accuracy.transport_velocity, "particle shifting",
-              [](Scene& s) { s.accuracy.shifting = 0.0; });
-    leave_out(fluid && *accuracy.transport_velocity, "transport velocity", [](Scene& s) {
-        s.accuracy.transport_velocity = false;
-        s.accuracy.shifting = 0.0;
+    const bool solid = !walls.empty() || !scene.parts_of(PartKind::elastic).empty();
+    const bool summation = *numerics.density == DensityModel::summation;
+    leave_out(fluid && *numerics.viscosity_stepping == ViscosityStepping::implicitly, "implicit viscosity",
+              [](Scene& s) { s.numerics.viscosity_stepping = ViscosityStepping::explicitly; });
+    leave_out(fluid && *numerics.gradient_correction, "gradient correction",
+              [](Scene& s) { s.numerics.gradient_correction = false; });
+    leave_out(fluid && *numerics.density_diffusion > 0 && !summation, "density diffusion",
+              [](Scene& s) { s.numerics.density_diffusion = 0.0; });
+    leave_out(fluid && *numerics.shifting > 0 && !*numerics.transport_velocity, "particle shifting",
+              [](Scene& s) { s.numerics.shifting = 0.0; });
+    leave_out(fluid && *numerics.transport_velocity, "transport velocity", [](Scene& s) {
+        s.numerics.transport_velocity = false;
+        s.numerics.shifting = 0.0;
     });
     // What plain walls cannot have is refused with them.
     const bool may_be_plain = std::ranges::none_of(walls, [](const Part* wall) { return *wall->slip; });
-    leave_out(fluid && !walls.empty() && *accuracy.walls == WallModel::extrapolated && !summation &&
-                  !*accuracy.gradient_correction && may_be_plain,
-              "extrapolated no-slip walls", [](Scene& s) { s.accuracy.walls = WallModel::plain; });
+    leave_out(fluid && !walls.empty() && *numerics.walls == WallModel::extrapolated && !summation &&
+                  !*numerics.gradient_correction && may_be_plain,
+              "extrapolated no-slip walls", [](Scene& s) { s.numerics.walls = WallModel::plain; });
     leave_out(solid && *scene.contact.range > 0, "short-range repulsion", [](Scene& s) { s.contact.range = 0.0; });
     leave_out(!scene.regions.empty() && scene.asks_for(FluidField::residence_time), "residence times",
               [](Scene& s) { std::erase(s.output.fields, FluidField::residence_time); });

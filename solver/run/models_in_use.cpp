@@ -71,7 +71,7 @@ std::string solidify_rule_text(const Solidify& rule) {
     return text + (rule.spreads ? "" : "; what turned solid is no seed");
 }
 
-std::string place_of(const Part& part) { return "part '" + part.name.value + "' at " + part.name.place.text(); }
+std::string position_of(const Part& part) { return "part '" + part.name.value + "' at " + part.name.location.text(); }
 
 /// What the springs of one origin (body_names) are besides bonds of one stiffness.
 struct OtherSprings {
@@ -107,7 +107,7 @@ class Models {
     void add_fluid(const PairSettings& settings, const PairSweeps& sweeps);
     void add_what_drives();
     void add_walls();
-    void add_springs(const SpringBodies& springs);
+    void add_elastic(const SpringBodies& springs);
     void add_species();
     void add_solidifying_and_breaking();
     void add_what_is_shown();
@@ -117,7 +117,7 @@ class Models {
   private:
     template <class T>
     [[nodiscard]] std::string because(const Value<T>& value, const std::string& key) const {
-        return value.given() ? key + " at " + value.place.text() : key + " (" + default_origin(scene_, key) + ")";
+        return value.given() ? key + " at " + value.location.text() : key + " (" + default_origin(scene_, key) + ")";
     }
     void add(std::string model, std::string source, std::string reason) {
         list_.push_back({std::move(model), std::move(source), std::move(reason)});
@@ -130,43 +130,43 @@ class Models {
 void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
     const auto fluids = scene_.parts_of(PartKind::fluid);
     if (fluids.empty()) return;
-    const auto& accuracy = scene_.accuracy;
-    const std::string fluid = place_of(*fluids.front());
-    const bool tait = *accuracy.equation_of_state == EquationOfState::tait;
+    const auto& numerics = scene_.numerics;
+    const std::string fluid = position_of(*fluids.front());
+    const bool tait = *numerics.equation_of_state == EquationOfState::tait;
     add(tait ? "Tait equation of state" : "linear equation of state",
         tait ? "Monaghan 1994" : "Morris, Fox & Zhu 1997, eq. 8",
-        accuracy.equation_of_state.given() ? because(accuracy.equation_of_state, "accuracy.equation_of_state") : fluid);
-    if (*accuracy.background_pressure != 0)
+        numerics.equation_of_state.given() ? because(numerics.equation_of_state, "numerics.equation_of_state") : fluid);
+    if (*numerics.background_pressure != 0)
         add("background pressure", "added to the equation of state",
-            because(accuracy.background_pressure, "accuracy.background_pressure"));
+            because(numerics.background_pressure, "numerics.background_pressure"));
     if (settings.density_by_summation) {
-        add("summation density", "Monaghan 1992, eq. 2.9", because(accuracy.density, "accuracy.density"));
+        add("summation density", "Monaghan 1992, eq. 2.9", because(numerics.density, "numerics.density"));
     } else {
         add("continuity", "Monaghan 1994, in volume form", fluid);
     }
     add("pressure force", "Bonet & Lok 1999", fluid);
     add("viscous force", viscous_source(scene_, settings, sweeps),
-        settings.viscous_force == ViscousForce::monaghan ? because(accuracy.viscous_law, "accuracy.viscous_law")
+        settings.viscous_force == ViscousForce::monaghan ? because(numerics.viscous_law, "numerics.viscous_law")
                                                          : because(fluids.front()->viscosity, "viscosity"));
     if (settings.implicit_viscosity)
         add("implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
-            because(accuracy.viscosity_stepping, "accuracy.viscosity_stepping"));
+            because(numerics.viscosity_stepping, "numerics.viscosity_stepping"));
     if (settings.gradient_correction)
         add("gradient correction", "Bonet & Lok 1999, in antisymmetric form",
-            because(accuracy.gradient_correction, "accuracy.gradient_correction"));
+            because(numerics.gradient_correction, "numerics.gradient_correction"));
     if (settings.density_diffusion > 0)
         add("density diffusion",
-            settings.stratified ? "Molteni & Colagrossi 2009, less what is hydrostatic: Fourtakas et al. 2019"
-                                : "Molteni & Colagrossi 2009",
-            because(accuracy.density_diffusion, "accuracy.density_diffusion"));
+            settings.hydrostatic ? "Molteni & Colagrossi 2009, less what is hydrostatic: Fourtakas et al. 2019"
+                                 : "Molteni & Colagrossi 2009",
+            because(numerics.density_diffusion, "numerics.density_diffusion"));
     if (settings.shifting > 0)
         add("particle shifting",
-            settings.stratified ? "after Sun et al. 2017; not across a free surface: Mokos et al. 2017"
-                                : "after Sun et al. 2017",
-            because(accuracy.shifting, "accuracy.shifting"));
+            settings.hydrostatic ? "after Sun et al. 2017; not across a free surface: Mokos et al. 2017"
+                                 : "after Sun et al. 2017",
+            because(numerics.shifting, "numerics.shifting"));
     if (settings.transport_velocity)
         add("transport velocity", "Adami, Hu & Adams 2013",
-            because(accuracy.transport_velocity, "accuracy.transport_velocity"));
+            because(numerics.transport_velocity, "numerics.transport_velocity"));
 }
 
 void Models::add_what_drives() {
@@ -179,11 +179,11 @@ void Models::add_what_drives() {
 }
 
 void Models::add_walls() {
-    const bool plain = *scene_.accuracy.walls == WallModel::plain;
+    const bool plain = *scene_.numerics.walls == WallModel::plain;
     if (!scene_.parts_of(PartKind::rigid).empty())
         add(plain ? "plain walls" : "extrapolated no-slip walls",
             plain ? "Monaghan 1994" : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
-            because(scene_.accuracy.walls, "accuracy.walls"));
+            because(scene_.numerics.walls, "numerics.walls"));
     for (const Part* part : scene_.parts_of(PartKind::rigid)) {
         const std::string name = "'" + *part->name + "'";
         if (part->slides())
@@ -195,16 +195,16 @@ void Models::add_walls() {
                 part->velocity.given() ? because(part->velocity, "velocity") : because(part->spin, "spin"));
     }
     for (const BoxSide side : *scene_.flow.symmetry)
-        add("plane of symmetry at " + word(side), "mirror images of all particles",
+        add("plane of symmetry at " + to_string(side), "mirror images of all particles",
             because(scene_.flow.symmetry, "flow.symmetry"));
 }
 
-void Models::add_springs(const SpringBodies& springs) {
-    const auto parts = scene_.parts_of(PartKind::springs);
+void Models::add_elastic(const SpringBodies& springs) {
+    const auto parts = scene_.parts_of(PartKind::elastic);
     const std::vector<OtherSprings> others = other_springs(springs, body_names(scene_).size());
     for (std::size_t number = 0; number < parts.size(); ++number) {
         const Part& part = *parts[number];
-        const std::string where = place_of(part);
+        const std::string where = position_of(part);
         add("bonds with dashpots", "U = k_b (r - r0)^2", where);
         if (part.cross_bonds || (part.shear_stiffness.given() && others[number].bonds))
             add("cross bonds with dashpots", "U = k_c (r - r0)^2",
@@ -217,27 +217,27 @@ void Models::add_springs(const SpringBodies& springs) {
     for (const Join* join : scene_.joins_of_enabled())
         add("bonds of '" + *join->name + "'",
             "U = k_b (r - r0)^2 between '" + (*join->parts)[0] + "' and '" + (*join->parts)[1] + "'",
-            "join '" + *join->name + "' at " + join->name.place.text());
-    if (scene_.may_have_springs())
+            "join '" + *join->name + "' at " + join->name.location.text());
+    if (scene_.may_have_elastic())
         add(springs.implicit() ? "implicit springs" : "sub-cycled springs",
             springs.implicit() ? "implicit midpoint, with the fluid's kicks: Stern & Grinspun 2009"
                                : "drift-kick-drift, many in a step of the fluid",
-            because(scene_.accuracy.spring_stepping, "accuracy.spring_stepping"));
+            because(scene_.numerics.spring_stepping, "numerics.spring_stepping"));
 }
 
 void Models::add_species() {
     for (const Species& species : scene_.species)
         add("diffusion of '" + *species.name + "'", "Cleary & Monaghan 1999, harmonic mean where diffusivities meet",
-            "species at " + species.name.place.text());
-    if (!scene_.species.empty() && *scene_.accuracy.species_stepping == SpeciesStepping::implicitly)
+            "species at " + species.name.location.text());
+    if (!scene_.species.empty() && *scene_.numerics.species_stepping == SpeciesStepping::implicitly)
         add("implicit diffusion", "backward Euler, conjugate gradients",
-            because(scene_.accuracy.species_stepping, "accuracy.species_stepping"));
+            because(scene_.numerics.species_stepping, "numerics.species_stepping"));
 }
 
 void Models::add_solidifying_and_breaking() {
     for (const Solidify& rule : scene_.solidify) {
         add("liquid turning solid as '" + *rule.name + "'", solidify_rule_text(rule),
-            "solidify '" + *rule.name + "' at " + rule.name.place.text());
+            "solidify '" + *rule.name + "' at " + rule.name.location.text());
         add("bonds of '" + *rule.name + "'",
             "U = k_b (r - r0)^2, r0 " + (*rule.rest_length > 0 ? three_digits(rule.rest_length) + " m"
                                                                : std::string("the distance when a bond is made")),
@@ -247,11 +247,11 @@ void Models::add_solidifying_and_breaking() {
         add("breaking bonds of '" + *rule.part + "'",
             rule.force_above > 0 ? "2 k_b (r - r0) > " + three_digits(rule.force_above) + " N"
                                  : "(r - r0) / r0 > " + three_digits(rule.strain_above),
-            "break '" + *rule.name + "' at " + rule.name.place.text());
-    const bool has_solids = !scene_.parts_of(PartKind::rigid).empty() || scene_.may_have_springs();
+            "break '" + *rule.name + "' at " + rule.name.location.text());
+    const bool has_solids = !scene_.parts_of(PartKind::rigid).empty() || scene_.may_have_elastic();
     if (scene_.contact.range > 0 && has_solids)
         add("short-range repulsion",
-            std::string("Monaghan 1994, cut at r*") + (scene_.may_have_springs() ? "; of a body with itself, too" : ""),
+            std::string("Monaghan 1994, cut at r*") + (scene_.may_have_elastic() ? "; of a body with itself, too" : ""),
             because(scene_.contact.range, "contact.range"));
 }
 
@@ -259,8 +259,8 @@ void Models::add_what_is_shown() {
     if (scene_.asks_for(FluidField::residence_time) && !scene_.regions.empty())
         add("residence times", "time in each region",
             "'residence_time' asked for, or waited for by a solidify; region '" + *scene_.regions.front().name +
-                "' at " + scene_.regions.front().name.place.text());
-    if (scene_.asks_for(SolidField::mean_displacement) && !scene_.parts_of(PartKind::springs).empty())
+                "' at " + scene_.regions.front().name.location.text());
+    if (scene_.asks_for(SolidField::mean_displacement) && !scene_.parts_of(PartKind::elastic).empty())
         add("mean displacement", "average over time", because(scene_.output.average_from, "output.average_from"));
 }
 
@@ -272,7 +272,7 @@ std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& sett
     models.add_fluid(settings, sweeps);
     models.add_what_drives();
     models.add_walls();
-    models.add_springs(springs);
+    models.add_elastic(springs);
     models.add_species();
     models.add_solidifying_and_breaking();
     models.add_what_is_shown();

@@ -22,8 +22,8 @@ bool has_unlike_viscosities(const Scene& scene) {
 }
 
 ViscousForce viscous_force(const Scene& scene) {
-    if (*scene.accuracy.viscous_law != ViscousLaw::morris) return ViscousForce::monaghan;
-    const bool harmonic = *scene.accuracy.viscosity_mean == ViscosityMean::harmonic;
+    if (*scene.numerics.viscous_law != ViscousLaw::morris) return ViscousForce::monaghan;
+    const bool harmonic = *scene.numerics.viscosity_mean == ViscosityMean::harmonic;
     return harmonic && has_unlike_viscosities(scene) ? ViscousForce::morris_harmonic : ViscousForce::morris;
 }
 
@@ -36,26 +36,26 @@ double largest_density(const Scene& scene) {
 }  // namespace
 
 double sound_speed(const Scene& scene) {
-    return scene.accuracy.sound_speed > 0 ? scene.accuracy.sound_speed.value
-                                          : scene.flow.largest_speed / scene.accuracy.mach_number;
+    return scene.numerics.sound_speed > 0 ? scene.numerics.sound_speed.value
+                                          : scene.flow.largest_speed / scene.numerics.mach_number;
 }
 
 PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
-    settings.kernel = scene.accuracy.kernel;
-    settings.walls = scene.accuracy.walls;
+    settings.kernel = scene.numerics.kernel;
+    settings.walls = scene.numerics.walls;
     settings.viscous_force = viscous_force(scene);
-    settings.approaching_pairs_only = *scene.accuracy.viscous_law == ViscousLaw::monaghan_approaching;
-    settings.arithmetic_viscosity = *scene.accuracy.viscosity_mean == ViscosityMean::arithmetic;
+    settings.approaching_pairs_only = *scene.numerics.viscous_law == ViscousLaw::monaghan_approaching;
+    settings.arithmetic_viscosity = *scene.numerics.viscosity_mean == ViscosityMean::arithmetic;
     settings.spacing = scene.particles.spacing;
-    settings.support = scene.accuracy.support * scene.particles.spacing;
+    settings.support = scene.numerics.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
-    settings.background_pressure = scene.accuracy.background_pressure;
-    settings.density_by_summation = *scene.accuracy.density == DensityModel::summation;
-    settings.gradient_correction = scene.accuracy.gradient_correction;
-    settings.transport_velocity = scene.accuracy.transport_velocity;
-    settings.density_diffusion = settings.density_by_summation ? 0 : scene.accuracy.density_diffusion.value;
-    settings.shifting = settings.transport_velocity ? 0 : scene.accuracy.shifting.value;
+    settings.background_pressure = scene.numerics.background_pressure;
+    settings.density_by_summation = *scene.numerics.density == DensityModel::summation;
+    settings.gradient_correction = scene.numerics.gradient_correction;
+    settings.transport_velocity = scene.numerics.transport_velocity;
+    settings.density_diffusion = settings.density_by_summation ? 0 : scene.numerics.density_diffusion.value;
+    settings.shifting = settings.transport_velocity ? 0 : scene.numerics.shifting.value;
     settings.density = largest_density(scene);
     for (const Part* part : scene.parts_of(PartKind::fluid))
         settings.viscosity = std::max(settings.viscosity, part->viscosity.value);
@@ -70,7 +70,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
                                                                        settings.sound_speed * range * range * depth;
     }
     settings.implicit_viscosity =
-        *scene.accuracy.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
+        *scene.numerics.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
     for (std::size_t axis = 0; axis < 3; ++axis) settings.periodic[axis] = scene.flow.periodic[axis];
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         settings.slip_walls = settings.slip_walls || part->slip;
@@ -85,9 +85,9 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
     PairSettings settings = pair_settings(scene, resources);
     for (int axis = 0; axis < set.dimension; ++axis) {
         const Expression& g = scene.flow.acceleration[axis];
-        if (!set.periodic[axis] && !set.is_mirrored(axis) && !g.is_zero()) settings.stratified = true;
+        if (!set.periodic[axis] && !set.is_mirrored(axis) && !g.is_zero()) settings.hydrostatic = true;
     }
-    if (!settings.stratified) settings.stratified = has_free_surface(set, settings.threads);
+    if (!settings.hydrostatic) settings.hydrostatic = has_free_surface(set, settings.threads);
     return settings;
 }
 
@@ -96,10 +96,10 @@ std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSp
     const double first_density = fluids.empty() ? 1 : fluids.front()->density.value;
     std::vector<LiquidState> equations;
     for (const auto& part : space.parts) {
-        const bool is_fluid = part.kind == ParticleKind::fluid;
+        const bool is_fluid = part.kind == PartKind::fluid;
         equations.push_back({sound_speed(scene),
                              is_fluid ? scene.part_of_particles(part.name).density.value : first_density,
-                             scene.accuracy.background_pressure, scene.accuracy.equation_of_state});
+                             scene.numerics.background_pressure, scene.numerics.equation_of_state});
     }
     return equations;
 }
@@ -114,8 +114,8 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
     const std::vector<double> densities = rest_densities(scene, set);
     std::vector<double> viscosities, slips;
     for (const auto& part : set.parts) {
-        slips.push_back(part.kind == ParticleKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
-        viscosities.push_back(part.kind == ParticleKind::fluid ? scene.part_of_particles(part.name).viscosity.value
+        slips.push_back(part.kind == PartKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
+        viscosities.push_back(part.kind == PartKind::fluid ? scene.part_of_particles(part.name).viscosity.value
                                                                : 0);
     }
     const double range = scene.contact.range * scene.particles.spacing;
@@ -133,9 +133,9 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
         fill(Field::wall_slip, 0, [&](std::size_t part, std::size_t) { return slips[part]; });
         for (int axis = 0; axis < set.dimension; ++axis) {
-            for (const Field normal : {Field::wall_normal, Field::drawn_normal})
+            for (const Field normal : {Field::wall_normal, Field::initial_normal})
                 fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
-            fill(Field::drawn_position, axis, [&](std::size_t, std::size_t id) { return set.position[id][axis]; });
+            fill(Field::initial_position, axis, [&](std::size_t, std::size_t id) { return set.position[id][axis]; });
         }
     }
     fill_starting_density(scene, set, equations_of_state(scene, set), particles);
@@ -146,12 +146,12 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.support = settings.support;
     scales.sound_speed = settings.sound_speed;
     scales.viscous_limit = viscous_limit;
-    scales.step_factor = scene.accuracy.step_factor;
+    scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.shifting;
     scales.implicit_viscosity = settings.implicit_viscosity;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
-    scales.implicit_species = *scene.accuracy.species_stepping == SpeciesStepping::implicitly;
+    scales.implicit_species = *scene.numerics.species_stepping == SpeciesStepping::implicitly;
     for (const Species& species : scene.species)
         for (const Part& part : scene.parts)
             if (const Value<double>* diffusivity = species.diffusivity_in(part);

@@ -10,7 +10,7 @@
 
 namespace dmp::solver {
 
-/// c0: the scene's, or the largest speed it expects over accuracy.mach_number: 0.1 keeps density within about 1 %
+/// c0: the scene's, or the largest speed it expects over numerics.mach_number: 0.1 keeps density within about 1 %
 /// [m/s].
 double sound_speed(const Scene& scene);
 

@@ -11,7 +11,7 @@ namespace {
 
 double largest_acceleration(const Scene& scene, int axis) {
     const Expression& formula = scene.flow.acceleration[axis];
-    if (formula.depends_on_place()) return 0;
+    if (formula.depends_on_position()) return 0;
     double largest = 0;
     for (int k = 0; k <= 64; ++k) largest = std::max(largest, std::abs(formula(scene.run.duration * k / 64)));
     return largest;
@@ -20,7 +20,7 @@ double largest_acceleration(const Scene& scene, int axis) {
 double extent_of_fluid(const ParticleSet& set, int axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         low = std::min(low, set.position[i][axis]);
         high = std::max(high, set.position[i][axis]);
     }
@@ -41,8 +41,8 @@ double column_pressure(const Scene& scene, const ParticleSet& set, double densit
 
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
     SoundSpeed chosen;
-    if (*scene.accuracy.sound_speed > 0) {
-        chosen.value = scene.accuracy.sound_speed;
+    if (*scene.numerics.sound_speed > 0) {
+        chosen.value = scene.numerics.sound_speed;
         return chosen;
     }
     double heaviest = 0, lightest = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
         heaviest = std::max(heaviest, part->density.value);
         lightest = std::min(lightest, part->density.value);
     }
-    const double mach = scene.accuracy.mach_number;
+    const double mach = scene.numerics.mach_number;
     chosen.value = scene.flow.largest_speed / mach;
     if (heaviest == 0) return chosen;
     chosen.pressure_is_estimated = *scene.flow.largest_pressure == 0;
@@ -63,7 +63,7 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
 }
 
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen) {
-    if (chosen.pressure_rules) scene.accuracy.sound_speed = Value<double>(chosen.value);
+    if (chosen.pressure_rules) scene.numerics.sound_speed = Value<double>(chosen.value);
     return scene;
 }
 

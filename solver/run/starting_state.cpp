@@ -16,12 +16,12 @@ bool has_velocity(const Scene& scene) {
     return !std::all_of(axes.begin(), axes.end(), [](const Expression& axis) { return axis.is_zero(); });
 }
 
-[[noreturn]] void refuse(const Place& place, const std::string& key, double value, const char* unit, const Vec& at,
-                         const std::string& why, const std::string& what_to_do) {
+[[noreturn]] void refuse(const SourceLocation& location, const std::string& key, double value, const char* unit,
+                         const Vec& at, const std::string& why, const std::string& what_to_do) {
     std::ostringstream problem;
     problem << key << " is " << value << ' ' << unit << " at x = " << at[0] << ", y = " << at[1] << ", z = " << at[2]
             << " m" << why;
-    throw InputError(place, problem.str(), what_to_do);
+    throw InputError(location, problem.str(), what_to_do);
 }
 
 /// Density at the starting pressure [kg/m^3].
@@ -31,8 +31,8 @@ double density_at(const Scene& scene, const LiquidState& state, const Vec& at) {
     if (!(pressure > state.lowest_pressure() && std::isfinite(pressure))) {
         std::ostringstream why;
         why << "; the equation of state knows pressures above " << state.lowest_pressure() << " Pa";
-        refuse(scene.flow.initial_pressure.place, "flow.initial_pressure", pressure, "Pa", at, why.str(),
-               "correct the formula, or choose a higher accuracy.sound_speed");
+        refuse(scene.flow.initial_pressure.location, "flow.initial_pressure", pressure, "Pa", at, why.str(),
+               "correct the formula, or choose a higher numerics.sound_speed");
     }
     return state.density(pressure);
 }
@@ -45,8 +45,8 @@ Vec velocity_at(const Scene& scene, const LiquidState& state, const Vec& at, int
     if (!(speed < state.sound_speed)) {
         std::ostringstream why;
         why << "; the fluid's sound travels at " << state.sound_speed << " m/s";
-        refuse(scene.flow.initial_velocity.place, "the speed of flow.initial_velocity", speed, "m/s", at, why.str(),
-               "correct the formula, or choose a higher accuracy.sound_speed");
+        refuse(scene.flow.initial_velocity.location, "the speed of flow.initial_velocity", speed, "m/s", at, why.str(),
+               "correct the formula, or choose a higher numerics.sound_speed");
     }
     return velocity;
 }

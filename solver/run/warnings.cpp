@@ -16,14 +16,14 @@ class Warnings {
           bodies_(bodies),
           fluid_(!scene.parts_of(PartKind::fluid).empty()),
           walls_(!scene.parts_of(PartKind::rigid).empty()),
-          springs_(scene.may_have_springs()) {}
+          springs_(scene.may_have_elastic()) {}
 
     std::vector<Warning> all() && {
         about_drive();
         about_contact();
         about_fluid_models();
         about_walls();
-        about_springs();
+        about_elastic();
         about_species();
         about_solidify();
         about_joins();
@@ -33,13 +33,13 @@ class Warnings {
     }
 
   private:
-    void add(std::string key, const Place& place, std::string problem, std::string what_to_do) {
-        found_.push_back({std::move(key), place, std::move(problem), std::move(what_to_do)});
+    void add(std::string key, const SourceLocation& location, std::string problem, std::string what_to_do) {
+        found_.push_back({std::move(key), location, std::move(problem), std::move(what_to_do)});
     }
     /// About a value that the scene gives for nothing.
     template <class T>
     void has_no_effect(const std::string& key, const Value<T>& value, const std::string& reason) {
-        if (value.given()) add(key, value.place, "has no effect: " + reason, "leave it out");
+        if (value.given()) add(key, value.location, "has no effect: " + reason, "leave it out");
     }
 
     [[nodiscard]] bool is_driven() const {
@@ -64,7 +64,7 @@ class Warnings {
         if (*contact.range == 0) {
             has_no_effect("contact.strength", contact.strength, "contact.range is 0");
             if (meets)
-                add("contact.range", contact.range.place,
+                add("contact.range", contact.range.location,
                     "is 0: " + std::string(bodies_ > 1 ? "spring bodies" : "spring bodies and walls") +
                         " that touch will pass through each other",
                     "give a range, 1.0 for example");
@@ -72,7 +72,7 @@ class Warnings {
             has_no_effect("contact.range", contact.range, "no part is solid");
             has_no_effect("contact.strength", contact.strength, "no part is solid");
         } else if (springs_ && !fluid_ && *contact.strength == 0) {
-            add("contact.strength", contact.strength.place,
+            add("contact.strength", contact.strength.location,
                 "is \"auto\", which follows the fluid, and there is none: spring bodies that touch will pass through "
                 "each other and themselves",
                 "give it in J");
@@ -80,74 +80,74 @@ class Warnings {
     }
 
     void about_fluid_models() {
-        const auto& accuracy = scene_.accuracy;
-        if (fluid_ && *accuracy.support < 2.9)
-            add("accuracy.support", accuracy.support.place,
+        const auto& numerics = scene_.numerics;
+        if (fluid_ && *numerics.support < 2.9)
+            add("numerics.support", numerics.support.location,
                 "is below 2.9 spacings: particles hold on to their lattice, flows are slowed, and more particles do "
                 "not cure it (docs/accuracy.md)",
                 "take 3 or more");
         if (fluid_) return about_shifting();
         const std::string reason = "no part is a fluid";
-        if (*accuracy.density_diffusion > 0)
-            has_no_effect("accuracy.density_diffusion", accuracy.density_diffusion, reason);
-        if (*accuracy.shifting > 0) has_no_effect("accuracy.shifting", accuracy.shifting, reason);
-        has_no_effect("accuracy.kernel", accuracy.kernel, reason);
-        has_no_effect("accuracy.walls", accuracy.walls, reason);
+        if (*numerics.density_diffusion > 0)
+            has_no_effect("numerics.density_diffusion", numerics.density_diffusion, reason);
+        if (*numerics.shifting > 0) has_no_effect("numerics.shifting", numerics.shifting, reason);
+        has_no_effect("numerics.kernel", numerics.kernel, reason);
+        has_no_effect("numerics.walls", numerics.walls, reason);
     }
 
     /// Measured in docs/accuracy.md, "Shifting and the speed of sound". Implicit viscosity damps what it stirs up.
     void about_shifting() {
         constexpr double times_too_fast = 50;
-        const auto& accuracy = scene_.accuracy;
-        if (*accuracy.shifting == 0 || *accuracy.transport_velocity || !accuracy.sound_speed.given()) return;
-        if (*accuracy.viscosity_stepping == ViscosityStepping::implicitly || *scene_.flow.largest_speed == 0) return;
-        if (*accuracy.sound_speed < 0.999 * times_too_fast * *scene_.flow.largest_speed) return;
-        add("accuracy.sound_speed", accuracy.sound_speed.place,
+        const auto& numerics = scene_.numerics;
+        if (*numerics.shifting == 0 || *numerics.transport_velocity || !numerics.sound_speed.given()) return;
+        if (*numerics.viscosity_stepping == ViscosityStepping::implicitly || *scene_.flow.largest_speed == 0) return;
+        if (*numerics.sound_speed < 0.999 * times_too_fast * *scene_.flow.largest_speed) return;
+        add("numerics.sound_speed", numerics.sound_speed.location,
             "is 50 times flow.largest_speed or more: shifting then stirs the fluid and slows the flow "
             "(docs/accuracy.md)",
-            "lower it to 25 times or less, or set accuracy.shifting = 0");
+            "lower it to 25 times or less, or set numerics.shifting = 0");
     }
 
     void about_walls() {
         if (!fluid_) return;
-        const auto& walls = scene_.accuracy.walls;
-        if (!walls_ && !springs_) has_no_effect("accuracy.walls", walls, "no part is solid");
+        const auto& walls = scene_.numerics.walls;
+        if (!walls_ && !springs_) has_no_effect("numerics.walls", walls, "no part is solid");
         if (!walls_ || *walls != WallModel::extrapolated) return;
         for (const Part* part : scene_.parts_of(PartKind::fluid))
             if (*part->viscosity == 0)
-                add("part." + *part->name + ".viscosity", part->viscosity.place,
+                add("part." + *part->name + ".viscosity", part->viscosity.location,
                     "is 0 between no-slip walls: they cannot hold the fluid back", "give the fluid a viscosity");
     }
 
-    void about_springs() {
-        for (const Part* part : scene_.parts_of(PartKind::springs))
+    void about_elastic() {
+        for (const Part* part : scene_.parts_of(PartKind::elastic))
             if (*part->drag == 0) has_no_effect("part." + *part->name + ".drag", part->drag, "it is 0");
-        const auto& accuracy = scene_.accuracy;
-        if (!springs_) has_no_effect("accuracy.spring_stepping", accuracy.spring_stepping, "no part has springs");
-        if (!springs_ || *accuracy.spring_stepping == SpringStepping::implicit)
-            has_no_effect("accuracy.spring_step_factor", accuracy.spring_step_factor,
+        const auto& numerics = scene_.numerics;
+        if (!springs_) has_no_effect("numerics.spring_stepping", numerics.spring_stepping, "no part has springs");
+        if (!springs_ || *numerics.spring_stepping == SpringStepping::implicit)
+            has_no_effect("numerics.spring_step_factor", numerics.spring_step_factor,
                           springs_ ? "springs are stepped implicitly" : "no part has springs");
     }
 
     void about_species() {
-        const auto& accuracy = scene_.accuracy;
+        const auto& numerics = scene_.numerics;
         if (scene_.species.empty()) {
-            has_no_effect("accuracy.species_stepping", accuracy.species_stepping, "the scene has no [[species]]");
-            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "the scene has no [[species]]");
-        } else if (*accuracy.species_stepping == SpeciesStepping::explicitly) {
-            has_no_effect("accuracy.species_tolerance", accuracy.species_tolerance, "diffusion is stepped explicitly");
+            has_no_effect("numerics.species_stepping", numerics.species_stepping, "the scene has no [[species]]");
+            has_no_effect("numerics.species_tolerance", numerics.species_tolerance, "the scene has no [[species]]");
+        } else if (*numerics.species_stepping == SpeciesStepping::explicitly) {
+            has_no_effect("numerics.species_tolerance", numerics.species_tolerance, "diffusion is stepped explicitly");
         }
         const bool measured =
             std::ranges::any_of(scene_.measures, [](const Measure& measure) { return is_of_species(*measure.kind); });
         for (const Species& species : scene_.species) {
             const std::string key = "species." + *species.name;
             if (!measured && !scene_.asks_for(FluidField::concentration))
-                add(key, species.name.place,
+                add(key, species.name.location,
                     "is not shown: 'concentration' is not among output.fields and no measure "
                     "asks for it",
                     "add it there");
             if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
-                add(key, species.name.place, "is nowhere: it starts at 0 and no wall gives any of it",
+                add(key, species.name.location, "is nowhere: it starts at 0 and no wall gives any of it",
                     "give a concentration at the start or at a wall");
         }
     }
@@ -156,11 +156,11 @@ class Warnings {
         for (const Solidify& rule : scene_.solidify) {
             const std::string key = "solidify." + *rule.name + ".";
             if (*rule.reach < *scene_.particles.spacing)
-                add(key + "reach", rule.reach.place,
+                add(key + "reach", rule.reach.location,
                     "is less than the spacing: only liquid that happens to be compressed is ever within reach",
                     "write 1.1 to 1.4 spacings, for the nearest neighbours");
             if (*rule.from >= *scene_.run.duration)
-                add(key + "from", rule.from.place, "is not before run.duration: nothing will turn solid",
+                add(key + "from", rule.from.location, "is not before run.duration: nothing will turn solid",
                     "lower it, or run for longer");
         }
     }
@@ -169,7 +169,7 @@ class Warnings {
         for (const Join& join : scene_.joins)
             for (const std::string& name : *join.parts)
                 if (const Part* part = scene_.part_named(name); part != nullptr && !*part->enabled)
-                    add("join." + *join.name + ".parts", join.parts.place,
+                    add("join." + *join.name + ".parts", join.parts.location,
                         "'" + name + "' is left out (enabled = false), and so is the join",
                         "leave the join out, or enable the part");
     }
@@ -179,7 +179,7 @@ class Warnings {
             if (*measure.kind != MeasureKind::gap) continue;
             const Part* part = scene_.part_named(measure.part);
             if (part != nullptr && !*part->enabled)
-                add("measure." + *measure.name + ".part", measure.part.place,
+                add("measure." + *measure.name + ".part", measure.part.location,
                     "'" + *measure.part + "' is left out (enabled = false), so the measure has no column",
                     "leave the measure out, or enable the part");
         }
@@ -204,12 +204,12 @@ class Warnings {
             has_no_effect("output.average_from", output.average_from,
                           "no springs part has 'mean_displacement' among output.solid_fields");
         if (averages && *output.average_from >= *scene_.run.duration)
-            add("output.average_from", output.average_from.place, "is not before the run's end: nothing is averaged",
+            add("output.average_from", output.average_from.location, "is not before the run's end: nothing is averaged",
                 "begin earlier");
         const bool shown = std::ranges::find(output.fields, *output.picture_field) != output.fields.end();
         if (*output.pictures && fluid_ && !shown)
-            add("output.picture_field", output.picture_field.place,
-                "'" + word(*output.picture_field) + "' is not among output.fields: pictures will show no colours",
+            add("output.picture_field", output.picture_field.location,
+                "'" + to_string(*output.picture_field) + "' is not among output.fields: pictures will show no colours",
                 "add it there");
     }
 
@@ -222,7 +222,7 @@ class Warnings {
 }  // namespace
 
 std::string Warning::text() const {
-    return (place.known() ? place.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
+    return (location.known() ? location.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
 }
 
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }

@@ -15,8 +15,8 @@ namespace dmp::solver {
 
 namespace {
 
-std::array<double, 3> in_box(const Vec& place, const ParticleSpace& space) {
-    std::array<double, 3> inside{place[0], place[1], place[2]};
+std::array<double, 3> in_box(const Vec& position, const ParticleSpace& space) {
+    std::array<double, 3> inside{position[0], position[1], position[2]};
     for (int axis = 0; axis < space.dimension; ++axis)
         if (space.periodic[axis]) inside[axis] = wrapped(inside[axis], space.box.low[axis], space.box.high[axis]);
     return inside;
@@ -42,37 +42,39 @@ void for_each_image(std::array<double, 3> point, double reach, const ParticleSpa
 
 }  // namespace
 
-std::vector<Encounter> find_encounters(std::span<const PlacedParticle> seeds, std::span<const PlacedParticle> liquid,
-                                       double reach, const ParticleSpace& space) {
-    std::vector<Encounter> found;
+std::vector<BondCandidate> find_bond_candidates(std::span<const ParticlePosition> seeds,
+                                                std::span<const ParticlePosition> liquid, double reach,
+                                                const ParticleSpace& space) {
+    std::vector<BondCandidate> found;
     if (seeds.empty()) return found;
-    Coordinates places;
-    for (const PlacedParticle& seed : seeds) {
-        const auto inside = in_box(seed.place, space);
-        for (int axis = 0; axis < space.dimension; ++axis) places[axis].push_back(inside[axis]);
+    Coordinates positions;
+    for (const ParticlePosition& seed : seeds) {
+        const auto inside = in_box(seed.position, space);
+        for (int axis = 0; axis < space.dimension; ++axis) positions[axis].push_back(inside[axis]);
     }
-    const CellGrid grid(places, seeds.size(), space.dimension, reach);
-    for (const PlacedParticle& particle : liquid)
-        for_each_image(in_box(particle.place, space), reach, space, 0, [&](const std::array<double, 3>& image) {
+    const CellGrid grid(positions, seeds.size(), space.dimension, reach);
+    for (const ParticlePosition& particle : liquid)
+        for_each_image(in_box(particle.position, space), reach, space, 0, [&](const std::array<double, 3>& image) {
             grid.for_each_near(image, reach, [&](int s) {
                 double square = 0;
-                for (int axis = 0; axis < space.dimension; ++axis) square += std::pow(image[axis] - places[axis][s], 2);
+                for (int axis = 0; axis < space.dimension; ++axis)
+                    square += std::pow(image[axis] - positions[axis][s], 2);
                 if (square <= reach * reach) found.push_back({seeds[s].id, particle.id, std::sqrt(square)});
             });
         });
     return found;
 }
 
-void find_nearest(std::vector<Encounter>& encounters, double reach) {
-    std::ranges::sort(encounters, {}, [](const Encounter& e) { return std::pair(e.liquid, e.seed); });
-    const auto rank = [reach](const Encounter& e, std::int64_t other) {
+void find_nearest(std::vector<BondCandidate>& candidates, double reach) {
+    std::ranges::sort(candidates, {}, [](const BondCandidate& e) { return std::pair(e.liquid, e.seed); });
+    const auto rank = [reach](const BondCandidate& e, std::int64_t other) {
         return std::pair(std::llround(e.distance / (1e-9 * reach)), other);
     };
-    std::unordered_map<std::int64_t, Encounter*> of_liquid, of_seed;
-    for (Encounter& e : encounters) {
-        Encounter*& for_liquid = of_liquid[e.liquid];
+    std::unordered_map<std::int64_t, BondCandidate*> of_liquid, of_seed;
+    for (BondCandidate& e : candidates) {
+        BondCandidate*& for_liquid = of_liquid[e.liquid];
         if (for_liquid == nullptr || rank(e, e.seed) < rank(*for_liquid, for_liquid->seed)) for_liquid = &e;
-        Encounter*& for_seed = of_seed[e.seed];
+        BondCandidate*& for_seed = of_seed[e.seed];
         if (for_seed == nullptr || rank(e, e.liquid) < rank(*for_seed, for_seed->liquid)) for_seed = &e;
     }
     for (const auto& [id, nearest] : of_liquid) nearest->nearest_seed = true;
@@ -81,7 +83,7 @@ void find_nearest(std::vector<Encounter>& encounters, double reach) {
 
 Binds binding_rule(SolidifyRule rule, double probability) {
     const auto with = [](const auto& law) {
-        return [law](const Encounter& encounter, const Dice& dice) { return law.binds(encounter, dice); };
+        return [law](const BondCandidate& candidate, const RandomTrial& trial) { return law.binds(candidate, trial); };
     };
     switch (rule) {
         case SolidifyRule::per_candidate:
@@ -93,11 +95,12 @@ Binds binding_rule(SolidifyRule rule, double probability) {
     }
 }
 
-std::vector<Encounter> binding_ones(std::span<const Encounter> encounters, const Binds& binds, const Dice& dice,
-                                    std::unordered_map<std::int64_t, int> room, int most_bonds) {
-    std::vector<Encounter> binding;
-    for (const Encounter& e : encounters) {
-        if (!binds(e, dice)) continue;
+std::vector<BondCandidate> binding_ones(std::span<const BondCandidate> candidates, const Binds& binds,
+                                        const RandomTrial& trial, std::unordered_map<std::int64_t, int> room,
+                                        int most_bonds) {
+    std::vector<BondCandidate> binding;
+    for (const BondCandidate& e : candidates) {
+        if (!binds(e, trial)) continue;
         int& of_seed = room.try_emplace(e.seed, most_bonds).first->second;
         int& of_liquid = room.try_emplace(e.liquid, most_bonds).first->second;
         if (of_seed <= 0 || of_liquid <= 0) continue;

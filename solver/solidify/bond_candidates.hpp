@@ -14,27 +14,29 @@
 namespace dmp::solver {
 
 /// A particle by its id and place [m].
-struct PlacedParticle {
+struct ParticlePosition {
     std::int64_t id = 0;
-    Vec place = Vec::Zero();
+    Vec position = Vec::Zero();
 };
 
 /// All pairs of a seed and a liquid particle no farther apart than `reach`, which must be less than half of each
 /// period. Nothing is said yet of who is nearest.
-std::vector<Encounter> find_encounters(std::span<const PlacedParticle> seeds, std::span<const PlacedParticle> liquid,
-                                       double reach, const ParticleSpace& space);
+std::vector<BondCandidate> find_bond_candidates(std::span<const ParticlePosition> seeds,
+                                                std::span<const ParticlePosition> liquid, double reach,
+                                                const ParticleSpace& space);
 
 /// Puts encounters in the order of liquid and seed, whoever found them, and says who is nearest. Distances that differ
 /// by less than a thousand millionth of the reach count as equal.
-void find_nearest(std::vector<Encounter>& encounters, double reach);
+void find_nearest(std::vector<BondCandidate>& candidates, double reach);
 
 /// Whether the rule binds this pair.
-using Binds = std::function<bool(const Encounter&, const Dice&)>;
+using Binds = std::function<bool(const BondCandidate&, const RandomTrial&)>;
 Binds binding_rule(SolidifyRule rule, double probability);
 
 /// The encounters that become bonds. `room` of a seed: how many more bonds it may have; a liquid particle may have
 /// `most_bonds`. Encounters are in the order of find_nearest, and those come first that are asked first.
-std::vector<Encounter> binding_ones(std::span<const Encounter> encounters, const Binds& binds, const Dice& dice,
-                                    std::unordered_map<std::int64_t, int> room, int most_bonds);
+std::vector<BondCandidate> binding_ones(std::span<const BondCandidate> candidates, const Binds& binds,
+                                        const RandomTrial& trial, std::unordered_map<std::int64_t, int> room,
+                                        int most_bonds);
 
 }  // namespace dmp::solver

@@ -17,11 +17,11 @@ SolidifyRegion::SolidifyRegion(const Scene& scene, const Value<std::string>& nam
     }
 }
 
-bool SolidifyRegion::contains(const Vec& place) const {
+bool SolidifyRegion::contains(const Vec& position) const {
     if (everywhere_) return true;
     for (int axis = 0; axis < space_.dimension; ++axis) {
-        const double x =
-            space_.periodic[axis] ? wrapped(place[axis], space_.box.low[axis], space_.box.high[axis]) : place[axis];
+        const double x = space_.periodic[axis] ? wrapped(position[axis], space_.box.low[axis], space_.box.high[axis])
+                                               : position[axis];
         if (!(x >= box_.low[axis] && x < box_.high[axis])) return false;
     }
     return true;
@@ -40,9 +40,9 @@ SolidifyConditions::SolidifyConditions(const Scene& scene, const Solidify& rule,
 
 bool SolidifyConditions::fulfils(std::size_t i, const SolidifyRegion& region, double stress, double residence) const {
     const ParticleGroup& fluid = particles_.fluid();
-    Vec place = Vec::Zero();
-    for (int axis = 0; axis < fluid.dimension(); ++axis) place[axis] = fluid.data(Field::position, axis)[i];
-    if (!region.contains(place)) return false;
+    Vec position = Vec::Zero();
+    for (int axis = 0; axis < fluid.dimension(); ++axis) position[axis] = fluid.data(Field::position, axis)[i];
+    if (!region.contains(position)) return false;
     if (stress > 0 && !(stress_[i] > stress)) return false;
     return residence <= 0 || fluid.data(Field::residence_time, region.number())[i] > residence;
 }

@@ -16,7 +16,7 @@ class SolidifyRegion {
   public:
     /// Everywhere where no region is named.
     SolidifyRegion(const Scene& scene, const Value<std::string>& name, const ParticleSpace& space);
-    [[nodiscard]] bool contains(const Vec& place) const;
+    [[nodiscard]] bool contains(const Vec& position) const;
     /// Number of the region in the scene; 0 where none is named.
     [[nodiscard]] int number() const { return number_; }
 

@@ -20,7 +20,7 @@ Vec vec(const std::array<double, 3>& of) { return {of[0], of[1], of[2]}; }
 void need_short_reach(const Solidify& rule, const ParticleSpace& space) {
     for (int axis = 0; axis < space.dimension; ++axis)
         if (space.periodic[axis] && !(2 * rule.reach < space.box.high[axis] - space.box.low[axis]))
-            throw InputError(rule.reach.place,
+            throw InputError(rule.reach.position,
                              "reach of solidify '" + *rule.name + "' is half the period along " + "xyz"[axis] +
                                  " or more: a seed would find the same liquid on both sides",
                              "lower it; neighbours are about a spacing away");
@@ -31,15 +31,15 @@ void need_liquid_in_seed_region(const Scene& scene, const Solidify& rule, const 
     const SolidifyRegion region(scene, rule.seed_region, set);
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.part[i] == liquid_part && region.contains(set.position[i])) return;
-    throw InputError(rule.seed_region.place,
+    throw InputError(rule.seed_region.position,
                      "seed_region of solidify '" + *rule.name + "': there is no particle of '" + *rule.liquid +
                          "' in the region '" + *rule.seed_region + "'",
                      "move the region into the liquid, or make it as large as a few spacings");
 }
 
 /// Where the store has a node.
-Vec shown_place(const SpringBody& body, std::size_t node, const ParticleStore& particles) {
-    return body.place(node).unaryExpr([&](double x) { return particles.quantum().round(x); });
+Vec shown_position(const SpringBody& body, std::size_t node, const ParticleStore& particles) {
+    return body.position(node).unaryExpr([&](double x) { return particles.quantum().round(x); });
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Solidification::Solidification(const Scene& scene, int number, const ParticleSet
       ranks_(ranks),
       space_(with_whole_periods(set, PositionQuantum(set))),
       number_(number),
-      origin_(static_cast<int>(scene.parts_of(PartKind::springs).size()) + number),
+      origin_(static_cast<int>(scene.parts_of(PartKind::elastic).size()) + number),
       liquid_part_(set.part_named(rule_.liquid)),
       activity_{*rule_.active, std::max<std::int64_t>(1, *rule_.one_in)},
       most_bonds_(rule_.most_bonds > 0 ? rule_.most_bonds.value : any_number) {
@@ -61,26 +61,27 @@ Solidification::Solidification(const Scene& scene, int number, const ParticleSet
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.parts[set.part[i]].name != *rule_.seed_part) continue;
         const auto id = static_cast<std::int64_t>(i);
-        if (set.kind(i) == ParticleKind::springs)
+        if (set.kind(i) == PartKind::elastic)
             since_[id] = 0;
         else if (set.wall_distance[i] < rule_.reach)  // others are out of the liquid's reach
             walls_[id] = {{id, set.position[i].unaryExpr([&](double x) { return quantum.round(x); })}, set.mass[i]};
     }
 }
 
-Solidification::Turning Solidification::turning(const ParticleStore& particles, std::size_t i, double ahead) const {
+Solidification::SolidifyingParticle Solidification::turning(const ParticleStore& particles, std::size_t i,
+                                                     double ahead) const {
     const ParticleGroup& fluid = particles.fluid();
-    Turning of{fluid.tags()[i].id, fluid.data(Field::mass)[i], {}, {}};
+    SolidifyingParticle of{fluid.tags()[i].id, fluid.data(Field::mass)[i], {}, {}};
     for (int axis = 0; axis < fluid.dimension(); ++axis) {
         of.velocity[axis] = fluid.data(Field::velocity, axis)[i];
-        of.place[axis] = fluid.data(Field::position, axis)[i] + particles.quantum().round(ahead * of.velocity[axis]);
+        of.position[axis] = fluid.data(Field::position, axis)[i] + particles.quantum().round(ahead * of.velocity[axis]);
     }
     return of;
 }
 
-std::vector<Solidification::Turning> Solidification::from_all(std::vector<Turning> own) const {
-    std::vector<Turning> all = ranks_.all_gather(own);
-    std::ranges::sort(all, {}, &Turning::id);
+std::vector<Solidification::SolidifyingParticle> Solidification::from_all(std::vector<SolidifyingParticle> own) const {
+    std::vector<SolidifyingParticle> all = ranks_.all_gather(own);
+    std::ranges::sort(all, {}, &SolidifyingParticle::id);
     return all;
 }
 
@@ -95,33 +96,33 @@ std::unordered_map<std::int64_t, int> Solidification::room(const SpringBodies& s
     return room;
 }
 
-std::vector<PlacedParticle> Solidification::acting_seeds(std::int64_t event, const ParticleStore& particles,
-                                                         const FluidStep& fluid,
-                                                         const std::vector<Turning>& new_seeds) const {
+std::vector<ParticlePosition> Solidification::acting_seeds(std::int64_t event, const ParticleStore& particles,
+                                                           const FluidStep& fluid,
+                                                           const std::vector<SolidifyingParticle>& new_seeds) const {
     const auto left = room(fluid.springs());
     const auto has_room = [&](std::int64_t id) {
         const auto found = left.find(id);
         return found == left.end() || found->second > 0;
     };
-    std::vector<PlacedParticle> seeds;
+    std::vector<ParticlePosition> seeds;
     if (activity_.acts_at(event))
         for (const auto& [id, wall] : walls_)
             if (has_room(id)) seeds.push_back(wall.particle);
     for (const auto& [id, since] : since_) {
         if (!activity_.acts_at(event - since) || !has_room(id)) continue;
         const auto [body, node] = fluid.springs().node_of(id);
-        seeds.push_back({id, shown_place(*body, node, particles)});
+        seeds.push_back({id, shown_position(*body, node, particles)});
     }
-    for (const Turning& seed : new_seeds) seeds.push_back({seed.id, vec(seed.place)});
+    for (const SolidifyingParticle& seed : new_seeds) seeds.push_back({seed.id, vec(seed.position)});
     return seeds;
 }
 
-void Solidification::add_node(BodyChange& change, const Turning& turned) const {
+void Solidification::add_node(BodyChange& change, const SolidifyingParticle& turned) const {
     BodyParts::Node node;
     node.id = static_cast<int>(turned.id);
     node.origin = origin_;
     node.mass = turned.mass;
-    node.place = node.place_before = node.place_at_rest = vec(turned.place);
+    node.position = node.position_before = node.rest_position = vec(turned.position);
     node.velocity = vec(turned.velocity);
     change.nodes.push_back(node);
 }
@@ -137,24 +138,24 @@ void Solidification::add_bond(BodyChange& change, const SpringBodies& springs, i
         node.fixed = node.of_wall = true;
         node.origin = origin_;
         node.mass = wall->second.mass;
-        node.place = node.place_before = node.place_at_rest = wall->second.particle.place;
+        node.position = node.position_before = node.rest_position = wall->second.particle.position;
         change.nodes.push_back(node);
     }
     change.bonds.push_back({a, b, rule_.rest_length, rule_.bond_stiffness, rule_.bond_damping, origin_});
 }
 
 /// What turned solid is bonded to all of the aggregate within reach, other new particles among it.
-void Solidification::bond_to_neighbours(BodyChange& change, const std::vector<Turning>& turned,
+void Solidification::bond_to_neighbours(BodyChange& change, const std::vector<SolidifyingParticle>& turned,
                                         const ParticleStore& particles, const SpringBodies& springs) const {
-    std::vector<PlacedParticle> solids, fresh;
+    std::vector<ParticlePosition> solids, fresh;
     for (const auto& body : springs.bodies())
         for (std::size_t node = 0; node < body->nodes(); ++node) {
             const std::int64_t id = body->ids()[node];
             if (body->of_wall(node) || (body->origin(node) != origin_ && !since_.contains(id))) continue;
-            solids.push_back({id, shown_place(*body, node, particles)});
+            solids.push_back({id, shown_position(*body, node, particles)});
         }
     for (const auto& [id, wall] : walls_) solids.push_back(wall.particle);
-    for (const Turning& one : turned) fresh.push_back({one.id, vec(one.place)});
+    for (const SolidifyingParticle& one : turned) fresh.push_back({one.id, vec(one.position)});
     solids.insert(solids.end(), fresh.begin(), fresh.end());
 
     auto left = room(springs);
@@ -163,9 +164,9 @@ void Solidification::bond_to_neighbours(BodyChange& change, const std::vector<Tu
         bonded.emplace(std::min(bond.a, bond.b), std::max(bond.a, bond.b));
         for (const int end : {bond.a, bond.b}) --left.try_emplace(end, most_bonds_).first->second;
     }
-    auto near = find_encounters(solids, fresh, rule_.reach, space_);
+    auto near = find_bond_candidates(solids, fresh, rule_.reach, space_);
     find_nearest(near, rule_.reach);
-    for (const Encounter& pair : near) {
+    for (const BondCandidate& pair : near) {
         if (pair.seed == pair.liquid) continue;
         if (!bonded.emplace(std::min(pair.seed, pair.liquid), std::max(pair.seed, pair.liquid)).second) continue;
         int& of_seed = left.try_emplace(pair.seed, most_bonds_).first->second;
@@ -182,48 +183,48 @@ void Solidification::act(std::int64_t event, const ParticleStore& particles, Flu
     const double ahead = fluid.bodies_ahead();
     const SolidifyConditions conditions(scene_, rule_, liquid_part_, particles, fluid);
 
-    std::vector<Turning> new_seeds;
+    std::vector<SolidifyingParticle> new_seeds;
     std::vector<std::size_t> liquid;
-    std::vector<PlacedParticle> placed;
+    std::vector<ParticlePosition> placed;
     for (std::size_t i = 0; i < particles.fluid().owned(); ++i) {
         if (!conditions.is_liquid(i)) continue;
         if (conditions.becomes_seed(i, event)) {
             new_seeds.push_back(turning(particles, i, ahead));
         } else if (conditions.may_turn(i)) {
             liquid.push_back(i);
-            const Turning as_solid = turning(particles, i, ahead);
-            placed.push_back({as_solid.id, vec(as_solid.place)});
+            const SolidifyingParticle as_solid = turning(particles, i, ahead);
+            placed.push_back({as_solid.id, vec(as_solid.position)});
         }
     }
     new_seeds = from_all(std::move(new_seeds));
     const auto seeds = acting_seeds(event, particles, fluid, new_seeds);
-    auto encounters = ranks_.all_gather(find_encounters(seeds, placed, rule_.reach, space_));
-    find_nearest(encounters, rule_.reach);
-    const Dice dice{static_cast<std::uint64_t>(*rule_.seed), static_cast<std::uint64_t>(number_),
-                    static_cast<std::uint64_t>(event)};
+    auto candidates = ranks_.all_gather(find_bond_candidates(seeds, placed, rule_.reach, space_));
+    find_nearest(candidates, rule_.reach);
+    const RandomTrial trial{static_cast<std::uint64_t>(*rule_.seed), static_cast<std::uint64_t>(number_),
+                            static_cast<std::uint64_t>(event)};
     const auto bonds =
-        binding_ones(encounters, binding_rule(rule_.rule, rule_.probability), dice, room(springs), most_bonds_);
+        binding_ones(candidates, binding_rule(rule_.rule, rule_.probability), trial, room(springs), most_bonds_);
 
     std::set<std::int64_t> bound;
-    for (const Encounter& bond : bonds) bound.insert(bond.liquid);
-    std::vector<Turning> turned;
+    for (const BondCandidate& bond : bonds) bound.insert(bond.liquid);
+    std::vector<SolidifyingParticle> turned;
     for (const std::size_t i : liquid)
         if (bound.contains(particles.fluid().tags()[i].id)) turned.push_back(turning(particles, i, ahead));
     turned = from_all(std::move(turned));
 
     BodyChange change;
-    for (const Turning& seed : new_seeds) {
+    for (const SolidifyingParticle& seed : new_seeds) {
         add_node(change, seed);
         since_[seed.id] = event;
     }
-    for (const Turning& one : turned) {
+    for (const SolidifyingParticle& one : turned) {
         add_node(change, one);
         if (rule_.spreads) since_[one.id] = event + 1;
     }
-    for (const Encounter& bond : bonds)
+    for (const BondCandidate& bond : bonds)
         add_bond(change, springs, static_cast<int>(bond.seed), static_cast<int>(bond.liquid));
     if (*rule_.bond_to == BondTo::neighbours) {
-        std::vector<Turning> fresh = new_seeds;
+        std::vector<SolidifyingParticle> fresh = new_seeds;
         fresh.insert(fresh.end(), turned.begin(), turned.end());
         bond_to_neighbours(change, fresh, particles, springs);
     }

@@ -29,22 +29,22 @@ class Solidification {
 
   private:
     /// A liquid particle that turns solid, as it is sent between ranks.
-    struct Turning {
+    struct SolidifyingParticle {
         std::int64_t id;
         double mass;
-        std::array<double, 3> place, velocity;
+        std::array<double, 3> position, velocity;
     };
 
-    [[nodiscard]] Turning turning(const ParticleStore& particles, std::size_t i, double ahead) const;
-    [[nodiscard]] std::vector<Turning> from_all(std::vector<Turning> own) const;
-    [[nodiscard]] std::vector<PlacedParticle> acting_seeds(std::int64_t event, const ParticleStore& particles,
-                                                           const FluidStep& fluid,
-                                                           const std::vector<Turning>& new_seeds) const;
+    [[nodiscard]] SolidifyingParticle turning(const ParticleStore& particles, std::size_t i, double ahead) const;
+    [[nodiscard]] std::vector<SolidifyingParticle> from_all(std::vector<SolidifyingParticle> own) const;
+    [[nodiscard]] std::vector<ParticlePosition> acting_seeds(std::int64_t event, const ParticleStore& particles,
+                                                             const FluidStep& fluid,
+                                                             const std::vector<SolidifyingParticle>& new_seeds) const;
     /// How many more bonds particles may have that have some of this rule.
     [[nodiscard]] std::unordered_map<std::int64_t, int> room(const SpringBodies& springs) const;
-    void bond_to_neighbours(BodyChange& change, const std::vector<Turning>& turned, const ParticleStore& particles,
+    void bond_to_neighbours(BodyChange& change, const std::vector<SolidifyingParticle>& turned, const ParticleStore& particles,
                             const SpringBodies& springs) const;
-    void add_node(BodyChange& change, const Turning& turned) const;
+    void add_node(BodyChange& change, const SolidifyingParticle& turned) const;
     void add_bond(BodyChange& change, const SpringBodies& springs, int a, int b) const;
 
     const Scene& scene_;
@@ -55,7 +55,7 @@ class Solidification {
     Activity activity_;
     int most_bonds_;
     struct WallSeed {
-        PlacedParticle particle;
+        ParticlePosition particle;
         double mass;
     };
     std::map<std::int64_t, WallSeed> walls_;

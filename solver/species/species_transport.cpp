@@ -29,7 +29,7 @@ double concentration_at(const std::string& of, const Value<Expression>& formula,
     std::ostringstream problem;
     problem << of << " is " << value << " at x = " << at[0] << ", y = " << at[1] << ", z = " << at[2] << " m, t = " << t
             << " s; a concentration is a number and not negative";
-    throw InputError(formula.place, problem.str(), "correct the formula");
+    throw InputError(formula.location, problem.str(), "correct the formula");
 }
 
 /// One for all fluids, or -1.
@@ -49,8 +49,8 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
       rest_density_(std::move(rest_density)),
       ranks_(ranks),
       threads_(settings.threads),
-      implicit_(*scene.accuracy.species_stepping == SpeciesStepping::implicitly),
-      tolerance_(scene.accuracy.species_tolerance),
+      implicit_(*scene.numerics.species_stepping == SpeciesStepping::implicitly),
+      tolerance_(scene.numerics.species_tolerance),
       one_density_(std::ranges::all_of(rest_density_, [&](double one) { return one == rest_density_.front(); })) {
     for (const Species& species : given_) {
         CarriedSpecies carried;
@@ -62,9 +62,9 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
                                   species.wall_flux.of(*part->name) != nullptr;
             conducts_in_solids_ |= conducts;
         }
-        for (const Part* part : scene.parts_of(PartKind::springs))
-            carried.with_springs |= species.diffusivity_in(*part) != nullptr;
-        conducts_in_solids_ |= carried.with_springs;
+        for (const Part* part : scene.parts_of(PartKind::elastic))
+            carried.with_elastic |= species.diffusivity_in(*part) != nullptr;
+        conducts_in_solids_ |= carried.with_elastic;
         species_.push_back(carried);
     }
     declare(scene, particles);
@@ -76,7 +76,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
         carried.largest_amount = at_least_something(ranks_.largest(carried.largest_amount));
         carried.largest_diffusivity = ranks_.largest(carried.largest_diffusivity);
         // Amounts in whole quanta, as those that are handed over are.
-        const OrderFree whole(carried.largest_amount);
+        const ReproducibleSum whole(carried.largest_amount);
         for (ParticleGroup& group : particles.groups()) {
             if (!group.has(Field::species_amount)) continue;
             double* amount = group.data(Field::species_amount, carried.number);
@@ -94,17 +94,17 @@ void SpeciesTransport::declare(const Scene& scene, ParticleStore& particles) {
     };
     const int count = static_cast<int>(species_.size());
     for (ParticleGroup& group : particles.groups()) {
-        const bool is_fluid = group.kind() == ParticleKind::fluid, is_rigid = group.kind() == ParticleKind::rigid;
-        if (!is_fluid && !any(is_rigid ? &CarriedSpecies::with_rigid : &CarriedSpecies::with_springs)) continue;
+        const bool is_fluid = group.kind() == PartKind::fluid, is_rigid = group.kind() == PartKind::rigid;
+        if (!is_fluid && !any(is_rigid ? &CarriedSpecies::with_rigid : &CarriedSpecies::with_elastic)) continue;
         group.declare(Field::species_amount, count);
         group.declare(Field::concentration, count);
         const bool alike =
             std::ranges::all_of(species_, [](const CarriedSpecies& one) { return one.diffusivity >= 0; });
-        const bool solids = any(&CarriedSpecies::with_rigid) || any(&CarriedSpecies::with_springs);
+        const bool solids = any(&CarriedSpecies::with_rigid) || any(&CarriedSpecies::with_elastic);
         if (!is_fluid || solids || !alike) group.declare(Field::species_diffusivity, count);
         if (is_rigid) group.declare(Field::species_wall, count);
-        if (*scene.accuracy.shifting > 0 || *scene.accuracy.transport_velocity) group.declare({Field::species_change});
-        if (*scene.accuracy.species_stepping == SpeciesStepping::implicitly)
+        if (*scene.numerics.shifting > 0 || *scene.numerics.transport_velocity) group.declare({Field::species_change});
+        if (*scene.numerics.species_stepping == SpeciesStepping::implicitly)
             group.declare(
                 {Field::species_change, Field::species_residual, Field::species_direction, Field::species_diagonal});
     }
@@ -136,12 +136,12 @@ void SpeciesTransport::fill(const Species& species, const ParticleSet& set, cons
 
 void SpeciesTransport::fill_walls(const Scene& scene, const Species& species, const ParticleSet& set,
                                   ParticleStore& particles, CarriedSpecies& carried) {
-    ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    ParticleGroup& rigid = particles.of(PartKind::rigid);
     for (std::size_t number = 0; number < set.parts.size(); ++number)
         for (const bool held : {true, false}) {
             const ByPart<Expression>& walls = held ? species.wall_concentration : species.wall_flux;
             const Value<Expression>* formula = walls.of(set.parts[number].name);
-            if (formula == nullptr || set.parts[number].kind != ParticleKind::rigid) continue;
+            if (formula == nullptr || set.parts[number].kind != PartKind::rigid) continue;
             carried.walls.push_back({static_cast<std::uint16_t>(number), **formula, held});
             constexpr int times = 16;
             for (std::size_t i = 0; i < rigid.owned(); ++i) {
@@ -163,7 +163,7 @@ void SpeciesTransport::fill_walls(const Scene& scene, const Species& species, co
 }
 
 double SpeciesTransport::rest_volume(const ParticleGroup& group, std::size_t i) const {
-    if (group.kind() != ParticleKind::fluid) return group.data(Field::volume)[i];
+    if (group.kind() != PartKind::fluid) return group.data(Field::volume)[i];
     return group.data(Field::mass)[i] / rest_density_[group.tags()[i].part];
 }
 
@@ -183,7 +183,7 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
             double* concentration = group.data(Field::concentration, species.number);
             const double* amount = group.data(Field::species_amount, species.number);
             const auto count = static_cast<std::ptrdiff_t>(group.owned());
-            if (group.kind() == ParticleKind::fluid && one_density_) {
+            if (group.kind() == PartKind::fluid && one_density_) {
                 const double* mass = group.data(Field::mass);
                 const double density = rest_density_.front();
 #pragma omp parallel for num_threads(threads_) schedule(static)
@@ -194,20 +194,20 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
             for (std::ptrdiff_t i = 0; i < count; ++i)
                 concentration[i] = amount[i] / rest_volume(group, static_cast<std::size_t>(i));
         }
-        ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+        ParticleGroup& rigid = particles.of(PartKind::rigid);
         for (const CarriedSpecies::Wall& wall : species.walls) {
-            const bool by_place = wall.value.depends_on_place();
-            const double everywhere = by_place ? 0 : wall.value(t);
+            const bool by_position = wall.value.depends_on_position();
+            const double everywhere = by_position ? 0 : wall.value(t);
             double* concentration = rigid.data(Field::concentration, species.number);
             for (std::size_t i = 0; i < rigid.owned(); ++i) {
                 if (rigid.tags()[i].part != wall.part) continue;
                 std::array<double, 3> x{};
-                for (int axis = 0; by_place && axis < rigid.dimension(); ++axis) {
+                for (int axis = 0; by_position && axis < rigid.dimension(); ++axis) {
                     const double at = rigid.data(Field::position, axis)[i];
                     // Wherever it was wrapped last.
                     x[axis] = space.periodic[axis] ? wrapped(at, space.box.low[axis], space.box.high[axis]) : at;
                 }
-                concentration[i] = by_place ? wall.value(t, x[0], x[1], x[2]) : everywhere;
+                concentration[i] = by_position ? wall.value(t, x[0], x[1], x[2]) : everywhere;
             }
         }
     }
@@ -225,7 +225,7 @@ SpeciesSums SpeciesTransport::sums_of(const CarriedSpecies& species, double dt) 
     sums.time = dt;
     sums.largest_term = species.largest_amount;
     sums.with_rigid = species.with_rigid;
-    sums.with_springs = species.with_springs;
+    sums.with_elastic = species.with_elastic;
     sums.diffusivity = species.diffusivity;
     return sums;
 }
@@ -245,7 +245,7 @@ std::optional<SpeciesSums> SpeciesTransport::along(const PairSweeps& sweeps, dou
         if (stays(species, shift)) continue;
         SpeciesSums sums = sums_of(species, dt);
         add_shift(shift, sums);
-        if (sweeps.takes_along(sums)) return sums;
+        if (sweeps.can_fuse(sums)) return sums;
     }
     return {};
 }
@@ -266,7 +266,7 @@ void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours,
 
 /// Adds to the amounts what particles have taken, less the excess.
 void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& particles) {
-    const OrderFree whole(species.largest_amount);
+    const ReproducibleSum whole(species.largest_amount);
     ParticleGroup& fluid = particles.fluid();
     double* amount = fluid.data(Field::species_amount, species.number);
     double* change = fluid.data(Field::species_change);
@@ -278,8 +278,8 @@ void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& p
     });
     for (ParticleGroup& group : particles.groups()) {
         // Those that take no part hold the change of another species.
-        if (!(group.kind() == ParticleKind::rigid     ? species.with_rigid
-              : group.kind() == ParticleKind::springs ? species.with_springs
+        if (!(group.kind() == PartKind::rigid     ? species.with_rigid
+              : group.kind() == PartKind::elastic ? species.with_elastic
                                                       : false))
             continue;
         for (std::size_t i = 0; i < group.owned(); ++i) {
@@ -331,15 +331,15 @@ void SpeciesTransport::give_up(const CarriedSpecies& species, double error, long
     std::ostringstream problem;
     problem << "implicit diffusion of '" << *given_[static_cast<std::size_t>(species.number)].name
             << "': the concentrations' error is still " << error << " of them after " << iterations
-            << " iterations, more than accuracy.species_tolerance = " << tolerance_;
+            << " iterations, more than numerics.species_tolerance = " << tolerance_;
     throw UnsolvedSpecies(problem.str(),
-                          "raise accuracy.species_tolerance (rounding alone leaves about 1e-15 times the step over the "
-                          "explicit limit), or lower accuracy.step_factor");
+                          "raise numerics.species_tolerance (rounding alone leaves about 1e-15 times the step over the "
+                          "explicit limit), or lower numerics.step_factor");
 }
 
 double SpeciesTransport::taken_by_walls(const ParticleStore& particles, std::size_t species,
                                         std::optional<std::uint16_t> part) const {
-    const ParticleGroup& rigid = particles.of(ParticleKind::rigid);
+    const ParticleGroup& rigid = particles.of(PartKind::rigid);
     ExactSum sum;
     for (std::size_t i = 0; rigid.has(Field::species_amount) && i < rigid.owned(); ++i)
         if (is_wall(rigid, i, species) && (!part || rigid.tags()[i].part == *part))

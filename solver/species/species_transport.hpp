@@ -32,7 +32,7 @@ struct CarriedSpecies {
     };
     int number = 0;
     double diffusivity = -1;  ///< of all fluid particles [m^2/s]; negative: by particle
-    bool with_rigid = false, with_springs = false;
+    bool with_rigid = false, with_elastic = false;
     std::vector<Wall> walls;
     double largest_amount = 0;       ///< that a particle is expected to hold
     double largest_diffusivity = 0;  ///< [m^2/s]

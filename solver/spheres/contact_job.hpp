@@ -40,7 +40,7 @@ struct ContactJob {
     std::array<double*, most_history> history{};
     ContactConstants<double> constants;
     ContactTime time;
-    OrderFree force_rounding{1}, torque_rounding{1};
+    ReproducibleSum force_rounding{1}, torque_rounding{1};
     std::int32_t first_row = 0, end_row = 0;  ///< the thread's own spheres; loads on others are deferred
     DeferredLoad* deferred = nullptr;
     std::size_t deferred_count = 0;  ///< grows

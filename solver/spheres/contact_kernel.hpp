@@ -66,16 +66,16 @@ class ContactKernel {
     static V across(const V& v, const V& n) { return v - dot(v, n) * n; }
 
     static Loads contacts_at(ContactJob& job, std::size_t k, L& largest) {
-        const double* rows = job.motion->place.c;
+        const double* rows = job.motion->position.c;
         const std::int32_t *low = job.low + k, *high = job.high + k;
-        const auto place_i = Cols::load(rows, motion_width, low), place_j = Cols::load(rows, motion_width, high);
+        const auto position_i = Cols::load(rows, motion_width, low), position_j = Cols::load(rows, motion_width, high);
         const auto moving_i = Cols::load(rows + 4, motion_width, low),
                    moving_j = Cols::load(rows + 4, motion_width, high);
         const auto spin_i = Cols::load(rows + 8, motion_width, low), spin_j = Cols::load(rows + 8, motion_width, high);
-        const V separation = three(place_i) - three(place_j);
+        const V separation = three(position_i) - three(position_j);
         const L distance = sqrt(dot(separation, separation));
-        const SpherePoint<L> i{three(moving_i), three(spin_i), place_i[3], moving_i[3]},
-            j{three(moving_j), three(spin_j), place_j[3], moving_j[3]};
+        const SpherePoint<L> i{three(moving_i), three(spin_i), position_i[3], moving_i[3]},
+            j{three(moving_j), three(spin_j), position_j[3], moving_j[3]};
         auto contact = contact_of_spheres<Law>(i, j, separation, distance);
         const Levers<L> arm{Law::lever(i.radius, contact.radius, contact.overlap),
                             Law::lever(j.radius, contact.radius, contact.overlap)};

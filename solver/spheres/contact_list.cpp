@@ -86,9 +86,9 @@ void ContactList::build(const SphereRows& rows, std::span<const ParticleTag> tag
     built_ = true;
 }
 
-std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows& rows, double gap,
-                                      std::span<const float> skins, std::span<const ParticleTag> tags,
-                                      const ContactMemory* memory) {
+std::size_t ContactList::prune_list(ContactSegment& segment, const SphereRows& rows, double gap,
+                                    std::span<const float> skins, std::span<const ParticleTag> tags,
+                                    const ContactMemory* memory) {
     const auto motion = rows.motion();
     std::size_t next = segment.first;
     for (std::size_t pair = segment.listed_first; pair < segment.listed_end; ++pair) {
@@ -97,7 +97,7 @@ std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows&
             __builtin_prefetch(&motion[listed_low_[pair + fetched_ahead]]);
             __builtin_prefetch(&motion[listed_high_[pair + fetched_ahead]]);
         }
-        const double *a = motion[i].place.c, *b = motion[j].place.c;
+        const double *a = motion[i].position.c, *b = motion[j].position.c;
         const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2],
                      touch = a[3] + b[3] + skins[i] + skins[j] + gap;
         const std::int32_t before = contact_of_[pair];
@@ -122,13 +122,13 @@ std::size_t ContactList::look_through(ContactSegment& segment, const SphereRows&
     return count;
 }
 
-void ContactList::look_through(const SphereRows& rows, double gap, std::span<const float> skins,
-                               std::span<const ParticleTag> tags, const ContactMemory* memory) {
+void ContactList::prune_list(const SphereRows& rows, double gap, std::span<const float> skins,
+                             std::span<const ParticleTag> tags, const ContactMemory* memory) {
     std::size_t count = 0;
 #pragma omp parallel for num_threads(threads_) schedule(static, 1) reduction(+ : count)
     for (int t = 0; t < threads_; ++t)
         for (ContactSegment& segment : segments_)
-            if (segment.thread == t) count += look_through(segment, rows, gap, skins, tags, memory);
+            if (segment.thread == t) count += prune_list(segment, rows, gap, skins, tags, memory);
     count_ = count;
     std::swap(history_, next_history_);
 }

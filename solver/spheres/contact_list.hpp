@@ -35,7 +35,7 @@ struct ContactSegment {
 
 /// Pairs of spheres that may touch while the list lasts, and of these the contacts: those near enough to touch before
 /// the list is next looked through, with their history, side by side. Each pair is there once on a rank. Pairs beyond
-/// reach are among the contacts too: laws give them no force. In no particular order (OrderFree).
+/// reach are among the contacts too: laws give them no force. In no particular order (ReproducibleSum).
 class ContactList {
   public:
     ContactList(const PairKinds& kinds, std::int16_t kind_count, std::size_t history_width, int threads)
@@ -47,8 +47,8 @@ class ContactList {
 
     /// Makes contacts of those that are less than `gap` and both skins apart. Histories are those the contacts had
     /// before or, after build(), those in the memory.
-    void look_through(const SphereRows& rows, double gap, std::span<const float> skins,
-                      std::span<const ParticleTag> tags, const ContactMemory* memory);
+    void prune_list(const SphereRows& rows, double gap, std::span<const float> skins, std::span<const ParticleTag> tags,
+                    const ContactMemory* memory);
 
     /// Calls visit(contact index) for all contacts, without the lanes that nobody fills.
     template <class Visit>
@@ -79,8 +79,8 @@ class ContactList {
   private:
     void find_pairs(const SphereRows& rows, std::span<const ParticleTag> tags, double gap,
                     std::span<const float> skins);
-    std::size_t look_through(ContactSegment& segment, const SphereRows& rows, double gap, std::span<const float> skins,
-                             std::span<const ParticleTag> tags, const ContactMemory* memory);
+    std::size_t prune_list(ContactSegment& segment, const SphereRows& rows, double gap, std::span<const float> skins,
+                           std::span<const ParticleTag> tags, const ContactMemory* memory);
 
     const PairKinds& kinds_;
     std::int16_t kind_count_;

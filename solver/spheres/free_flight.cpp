@@ -39,15 +39,15 @@ void FreeFlight::land(std::span<SphereMotion> motion) {
         for (const std::int32_t row : std::span(flying_).subspan(first, end - first)) {
             SphereMotion& sphere = motion[static_cast<std::size_t>(row)];
             const Quad way = way_of(read(sphere.velocity), dt_, magic_), all = steps * way;
-            Quad place = read(sphere.place);
+            Quad position = read(sphere.position);
             bool exact = true;
-            for (int axis = 0; axis < 3; ++axis) exact &= std::abs(place[axis]) + std::abs(all[axis]) < exact_within;
+            for (int axis = 0; axis < 3; ++axis) exact &= std::abs(position[axis]) + std::abs(all[axis]) < exact_within;
             if (exact) [[likely]] {
-                place += all;
+                position += all;
             } else {  // so far out that places are rounded: as if each step had looked at it
-                for (long step = 0; step < steps_; ++step) place += way;
+                for (long step = 0; step < steps_; ++step) position += way;
             }
-            write(sphere.place, place);
+            write(sphere.position, position);
         }
     });
     steps_ = 0;

@@ -6,7 +6,7 @@ namespace dmp::solver {
 ParticleGroup sphere_group(const ParticleSet& set, const PositionQuantum& quantum, const Ranks& ranks) {
     const auto rank = static_cast<std::size_t>(ranks.rank()), size = static_cast<std::size_t>(ranks.size());
     const std::size_t begin = set.size() * rank / size, end = set.size() * (rank + 1) / size;
-    ParticleGroup group(ParticleKind::spheres, 3);
+    ParticleGroup group(PartKind::spheres, 3);
     group.declare({Field::position, Field::velocity, Field::angular_velocity, Field::mass, Field::radius,
                    Field::contact_force, Field::contact_torque});
     group.resize(end - begin, 0);

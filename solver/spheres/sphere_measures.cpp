@@ -33,7 +33,7 @@ std::vector<std::array<std::int64_t, 2>> touching_ids(const SphereStep& step, co
     const auto motion = step.rows().motion();
     list.for_each([&](std::size_t k, std::int16_t) {
         const std::int32_t i = list.low()[k], j = list.high()[k];
-        const double *a = motion[i].place.c, *b = motion[j].place.c;
+        const double *a = motion[i].position.c, *b = motion[j].position.c;
         const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2], touch = a[3] + b[3] + step.setup().reach;
         if (dx * dx + dy * dy + dz * dz < touch * touch)
             own.push_back({step.group().tags()[i].id, step.group().tags()[j].id});
@@ -44,7 +44,7 @@ std::vector<std::array<std::int64_t, 2>> touching_ids(const SphereStep& step, co
 }  // namespace
 
 SphereMeasures::SphereMeasures(const Scene& scene, const ParticleSet& set, const Ranks& ranks)
-    : space_(set), drawn_(set.position), part_of_id_(set.part), ranks_(ranks) {
+    : space_(set), initial_(set.position), part_of_id_(set.part), ranks_(ranks) {
     const auto columns = [&](const std::string& name, const std::vector<std::string>& endings, const char* unit) {
         for (const std::string& ending : endings) {
             series_.names.push_back(name + ending);
@@ -131,15 +131,15 @@ std::vector<double> SphereMeasures::mean_of(const Measure& measure, const Sphere
 }
 
 std::vector<double> SphereMeasures::detached(const Measure& measure, const SphereStep& step) const {
-    Pieces pieces(drawn_.size());
+    Pieces pieces(initial_.size());
     for (const auto& [a, b] : touching_ids(step, ranks_))
         pieces.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     const auto is_it = [&](int part) { return space_.parts[static_cast<std::size_t>(part)].name == *measure.part; };
     const auto carrier = static_cast<std::size_t>(std::ranges::find_if(part_of_id_, is_it) - part_of_id_.begin());
     double upper = 0, lower = 0;
-    for (std::size_t id = 0; id < drawn_.size(); ++id) {
+    for (std::size_t id = 0; id < initial_.size(); ++id) {
         if (pieces.of(id) == pieces.of(carrier)) continue;
-        (measure.direction->dot(drawn_[id] - drawn_[carrier]) > 0 ? upper : lower) += 1;
+        (measure.direction->dot(initial_[id] - initial_[carrier]) > 0 ? upper : lower) += 1;
     }
     return {upper + lower, upper, lower};
 }

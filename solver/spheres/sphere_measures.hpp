@@ -33,7 +33,7 @@ class SphereMeasures {
 
     std::vector<Measure> measures_;
     ParticleSpace space_;
-    std::vector<Vec> drawn_;  ///< places at the start by id
+    std::vector<Vec> initial_;  ///< places at the start by id
     std::vector<int> part_of_id_;
     const Ranks& ranks_;
     MeasureSeries series_;

@@ -12,8 +12,8 @@ std::string describe(const SphereStep& step, const ParticleSpace& space, std::in
     const SphereMotion& sphere = step.rows().motion()[row];
     const ParticleTag& tag = step.group().tags()[row];
     std::ostringstream text;
-    text << "sphere " << tag.id << " of '" << space.parts[tag.part].name << "' at (" << sphere.place.c[0] << " m, "
-         << sphere.place.c[1] << " m, " << sphere.place.c[2] << " m), speed "
+    text << "sphere " << tag.id << " of '" << space.parts[tag.part].name << "' at (" << sphere.position.c[0] << " m, "
+         << sphere.position.c[1] << " m, " << sphere.position.c[2] << " m), speed "
          << std::hypot(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]) << " m/s";
     return text.str();
 }
@@ -27,7 +27,7 @@ LargestOverlap largest_overlap(const SphereStep& step) {
     const auto owned = static_cast<std::int32_t>(step.rows().owned());
     list.for_each([&](std::size_t k, std::int16_t) {
         const std::int32_t i = list.low()[k], j = list.high()[k];
-        const double *a = motion[i].place.c, *b = motion[j].place.c;
+        const double *a = motion[i].position.c, *b = motion[j].position.c;
         const double overlap = a[3] + b[3] - std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
         if (overlap <= 0) return;
         if (i < owned) ++largest.touching;
@@ -50,10 +50,10 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
     for (std::size_t i = 0; i < step.rows().owned(); ++i) {
         const SphereMotion& sphere = step.rows().motion()[i];
         double sum = 0;
-        for (int c = 0; c < 3; ++c) sum += sphere.place.c[c] + sphere.velocity.c[c] + sphere.spin.c[c];
+        for (int c = 0; c < 3; ++c) sum += sphere.position.c[c] + sphere.velocity.c[c] + sphere.spin.c[c];
         if (!std::isfinite(sum))
             return describe(step, space, static_cast<std::int32_t>(i)) +
-                   ": not finite\nlikely cause: accuracy.steps_per_contact is too small, or contact_step too large" +
+                   ": not finite\nlikely cause: numerics.steps_per_contact is too small, or contact_step too large" +
                    frame;
     }
     const LargestOverlap largest = largest_overlap(step);
@@ -65,7 +65,7 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
          << most_overlap
          << "\nlikely causes: youngs_modulus is too small for how fast or how loaded the spheres are; or they were "
             "drawn "
-            "in each other; or accuracy.steps_per_contact is too small"
+            "in each other; or numerics.steps_per_contact is too small"
          << frame;
     return text.str();
 }

@@ -23,13 +23,13 @@ constexpr double all_worn = 0.999;
 
 /// Weights that the two skins are balanced with: what a look costs against contacts that a narrow skin adds, and what a
 /// list costs against pairs that a wide one adds, in steps and mean radii. Measured on a dense bed, whose lists have
-/// six pairs a sphere. Where they have fewer, skins add fewer, while looks and lists cost the same for each sphere.
-constexpr double cost_of_a_look = 0.05, cost_of_a_list = 3.3, dense_pairs = 6;
-double cost_of_a_look_at(double pairs) { return cost_of_a_look * dense_pairs / pairs; }
+/// six pairs a sphere. Where they have fewer, skins add fewer, while prunes and lists cost the same for each sphere.
+constexpr double cost_of_pruning = 0.05, cost_of_a_list = 3.3, dense_pairs = 6;
+double cost_of_pruning_at(double pairs) { return cost_of_pruning * dense_pairs / pairs; }
 double cost_of_a_list_at(double pairs) { return cost_of_a_list * dense_pairs / pairs; }
 
-Places places_of(const SphereRows& rows) {
-    const double* first = rows.motion().data()->place.c;
+Positions positions_of(const SphereRows& rows) {
+    const double* first = rows.motion().data()->position.c;
     return {rows.owned(), 3, {first, first + 1, first + 2}, motion_width};
 }
 
@@ -69,31 +69,31 @@ void SphereNeighbours::start(ParticleGroup& group, SphereRows& rows, SphereWalls
 }
 
 bool SphereNeighbours::refresh(ParticleGroup& group, SphereRows& rows, SphereWalls& walls) {
-    const bool looks = beyond(since_look_, all_worn, rows);
-    if (looks && beyond(since_list_, most_worn, rows)) {
+    const bool prunes = beyond(since_pruning_, all_worn, rows);
+    if (prunes && beyond(since_list_, most_worn, rows)) {
         renew(group, rows, walls);
         return true;
     }
-    if (looks) rows.land();
-    halo_.exchange_rows(rows.motion().data()->place.c, motion_width);
-    if (looks) look(group, rows, nullptr);
+    if (prunes) rows.land();
+    halo_.exchange_rows(rows.motion().data()->position.c, motion_width);
+    if (prunes) prune(group, rows, nullptr);
     return false;
 }
 
 void SphereNeighbours::start(Since& since, const SphereRows& rows) const {
-    since.places.take(places_of(rows), threads_);
-    since.wandering.start();
+    since.positions.take(positions_of(rows), threads_);
+    since.displacement.start();
     since.time = 0;
 }
 
 /// Whether some sphere has gone that share of its skin.
 bool SphereNeighbours::beyond(Since& since, double share, SphereRows& rows) const {
-    return since.wandering.beyond(share, [&] {
+    return since.displacement.beyond(share, [&] {
         rows.land();
-        Places now = places_of(rows);
+        Positions now = positions_of(rows);
         for (std::size_t axis = 0; axis < 3; ++axis) now.common[axis] = since.time * drift_[axis];
         const SphereSkins& skins = since.skins;
-        return ranks_->largest(since.places.farthest_gone(now, threads_, skins.inverse_squares(), skins.least()));
+        return ranks_->largest(since.positions.farthest_gone(now, threads_, skins.inverse_squares(), skins.least()));
     });
 }
 
@@ -107,18 +107,18 @@ void SphereNeighbours::measure_pairs(const SphereRows& rows) {
 /// How far spheres move in a step, as fast ones and slow ones wear out their skins alike.
 void SphereNeighbours::measure_step() {
     if (steps_ == 0) return;
-    step_ = since_list_.wandering.farthest() * since_list_.skins.mean() / static_cast<double>(steps_) / mean_radius_;
+    step_ = since_list_.displacement.farthest() * since_list_.skins.mean() / static_cast<double>(steps_) / mean_radius_;
 }
 
-/// With near skin n (mean radii), looks cost c 2v/n a step and needless contacts n: least at sqrt(2 v c).
-void SphereNeighbours::look(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory) {
+/// With near skin n (mean radii), prunes cost c 2v/n a step and needless contacts n: least at sqrt(2 v c).
+void SphereNeighbours::prune(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory) {
     measure_step();
-    near_skin_ = std::clamp(std::sqrt(2 * step_ * cost_of_a_look_at(pairs_)), least_near_skin, 0.5 * most_skin);
-    since_look_.skins.make_within(all_worn - since_list_.wandering.farthest(), since_list_.skins, rows, drift_,
-                                  0.5 * near_skin_ * mean_radius_, *ranks_, threads_);
-    list_.look_through(rows, reach_, since_look_.skins.by_row(), group.tags(), memory);
-    start(since_look_, rows);
-    ++looks_;
+    near_skin_ = std::clamp(std::sqrt(2 * step_ * cost_of_pruning_at(pairs_)), least_near_skin, 0.5 * most_skin);
+    since_pruning_.skins.make_within(all_worn - since_list_.displacement.farthest(), since_list_.skins, rows, drift_,
+                                     0.5 * near_skin_ * mean_radius_, *ranks_, threads_);
+    list_.prune_list(rows, reach_, since_pruning_.skins.by_row(), group.tags(), memory);
+    start(since_pruning_, rows);
+    ++searches_;
 }
 
 void SphereNeighbours::renew(ParticleGroup& group, SphereRows& rows, SphereWalls& walls) {
@@ -147,7 +147,7 @@ void SphereNeighbours::renew(ParticleGroup& group, SphereRows& rows, SphereWalls
     measure_pairs(rows);
     memory_.sort();
     steps_ = 0;
-    look(group, rows, &memory_);
+    prune(group, rows, &memory_);
     memory_.clear();
     if (ranks_->size() > 1) imbalance_ = domain_.imbalance({&group}, {});
     last_renewal_ = Clock::now();

@@ -26,13 +26,13 @@ class SphereNeighbours {
     [[nodiscard]] const std::array<double, 3>& drift() const { return drift_; }
     /// The skins that wear out as spheres move in that frame: of the list, and of the contacts.
     [[nodiscard]] const SphereSkins& wide() const { return since_list_.skins; }
-    [[nodiscard]] const SphereSkins& narrow() const { return since_look_.skins; }
+    [[nodiscard]] const SphereSkins& narrow() const { return since_pruning_.skins; }
     /// Spheres have moved for dt [s] more, none faster than this in that frame [its skins/s]; the same on all ranks.
     void moved(double dt, double fastest_of_wide, double fastest_of_narrow) {
-        since_list_.wandering.add(dt * fastest_of_wide);
-        since_look_.wandering.add(dt * fastest_of_narrow);
+        since_list_.displacement.add(dt * fastest_of_wide);
+        since_pruning_.displacement.add(dt * fastest_of_narrow);
         since_list_.time += dt;
-        since_look_.time += dt;
+        since_pruning_.time += dt;
         ++steps_;
     }
     /// Gives copies present values and makes list and contacts fit present places. Returns whether rows have changed.
@@ -46,8 +46,8 @@ class SphereNeighbours {
     [[nodiscard]] const Halo& halo() const { return halo_; }
     [[nodiscard]] double imbalance() const { return imbalance_; }
     [[nodiscard]] long renewals() const { return renewals_; }
-    [[nodiscard]] long looks() const { return looks_; }
-    [[nodiscard]] std::size_t bytes() const { return list_.bytes() + bytes(since_list_) + bytes(since_look_); }
+    [[nodiscard]] long prunings() const { return searches_; }
+    [[nodiscard]] std::size_t bytes() const { return list_.bytes() + bytes(since_list_) + bytes(since_pruning_); }
 
     /// Contacts of this rank's own spheres with history, each once over all ranks.
     [[nodiscard]] std::vector<RememberedContact> own_contacts(const ParticleGroup& group) const;
@@ -57,7 +57,7 @@ class SphereNeighbours {
     void renew(ParticleGroup& group, SphereRows& rows, SphereWalls& walls);
     void balance(ParticleGroup& group);
     void send_contacts(const ParticleGroup& group, SphereWalls& walls);
-    void look(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory);
+    void prune(ParticleGroup& group, const SphereRows& rows, const ContactMemory* memory);
     void measure_drift(const SphereRows& rows);
     void measure_step();
     void measure_pairs(const SphereRows& rows);
@@ -65,11 +65,11 @@ class SphereNeighbours {
     /// How far spheres have gone in the frame since a moment.
     struct Since {
         SphereSkins skins;
-        PlacesThen places;
-        Wandering wandering;  ///< [skins]
-        double time = 0;      ///< since then [s]
+        ReferencePositions positions;
+        DisplacementTracker displacement;  ///< [skins]
+        double time = 0;                   ///< since then [s]
     };
-    static std::size_t bytes(const Since& since) { return since.skins.bytes() + since.places.bytes(); }
+    static std::size_t bytes(const Since& since) { return since.skins.bytes() + since.positions.bytes(); }
     void start(Since& since, const SphereRows& rows) const;
     [[nodiscard]] bool beyond(Since& since, double share, SphereRows& rows) const;
 
@@ -81,11 +81,11 @@ class SphereNeighbours {
     ContactMemory memory_;
     ContactList list_;
     std::array<double, 3> drift_{};
-    Since since_list_, since_look_;
+    Since since_list_, since_pruning_;
     double near_skin_ = 0;  ///< of a pair on average [mean radii]
     double step_;           ///< of typical spheres [mean radii]
     double pairs_;          ///< listed for each sphere
-    long steps_ = 0, renewals_ = 0, looks_ = 0;
+    long steps_ = 0, renewals_ = 0, searches_ = 0;
     std::vector<bool> fixed_by_id_;
 
     using Clock = std::chrono::steady_clock;

@@ -30,7 +30,7 @@ Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double ti
         group.part.push_back(step.group().tags()[i].part);
         radius.values.push_back(static_cast<float>(sphere.radius()));
         for (int axis = 0; axis < 3; ++axis) {
-            const double x = sphere.place.c[axis];
+            const double x = sphere.position.c[axis];
             group.position.push_back(static_cast<float>(space.periodic[static_cast<std::size_t>(axis)]
                                                             ? wrapped(x, space.box.low[axis], space.box.high[axis])
                                                             : x));

@@ -24,7 +24,7 @@ void SphereRows::take(const ParticleGroup& group, const std::vector<bool>& fixed
                      *spin = group.data(Field::angular_velocity, axis), *force = group.data(Field::contact_force, axis),
                      *torque = group.data(Field::contact_torque, axis);
         for (std::size_t i = 0; i < group.total(); ++i) {
-            motion_[i].place.c[axis] = x[i];
+            motion_[i].position.c[axis] = x[i];
             motion_[i].velocity.c[axis] = v[i];
             motion_[i].spin.c[axis] = spin[i];
             loads_[i].force.c[axis] = force[i];
@@ -34,7 +34,7 @@ void SphereRows::take(const ParticleGroup& group, const std::vector<bool>& fixed
     double largest = 1e-300;
     for (std::size_t i = 0; i < group.total(); ++i) {
         const bool fixed = fixed_by_id[static_cast<std::size_t>(group.tags()[i].id)];
-        motion_[i].place.c[3] = radius[i];
+        motion_[i].position.c[3] = radius[i];
         motion_[i].velocity.c[3] = fixed ? no_limit * mass[i] : mass[i];
         motion_[i].spin.c[3] = fixed ? 0 : 1 / mass[i];
         largest = std::max(largest, radius[i]);
@@ -42,8 +42,8 @@ void SphereRows::take(const ParticleGroup& group, const std::vector<bool>& fixed
     for (std::size_t k = 0; k < 2; ++k) {
         SphereMotion& nobody = motion_[group.total() + k];
         nobody = {};
-        nobody.place.c[0] = k == 0 ? 0 : 1000 * largest;
-        nobody.place.c[3] = largest;
+        nobody.position.c[0] = k == 0 ? 0 : 1000 * largest;
+        nobody.position.c[3] = largest;
         nobody.velocity.c[3] = 1;
         loads_[group.total() + k] = {};
     }
@@ -56,7 +56,7 @@ void SphereRows::give(ParticleGroup& group) {
                *spin = group.data(Field::angular_velocity, axis), *force = group.data(Field::contact_force, axis),
                *torque = group.data(Field::contact_torque, axis);
         for (std::size_t i = 0; i < owned_; ++i) {
-            x[i] = motion_[i].place.c[axis];
+            x[i] = motion_[i].position.c[axis];
             v[i] = motion_[i].velocity.c[axis];
             spin[i] = motion_[i].spin.c[axis];
             force[i] = loads_[i].force.c[axis];

@@ -19,11 +19,11 @@ struct alignas(32) Row {
 /// What contacts need to know of a sphere, side by side: a contact meets two spheres anywhere in memory and then finds
 /// each in two lines of the cache, not in a dozen.
 struct SphereMotion {
-    Row place;     ///< x, y, z and radius [m]
+    Row position;  ///< x, y, z and radius [m]
     Row velocity;  ///< [m/s] and, for effective masses, mass [kg]; a fixed sphere's is 2^60 times its own
     Row spin;      ///< angular velocity [1/s] and 1 / mass [1/kg]; 0: fixed
 
-    [[nodiscard]] double radius() const { return place.c[3]; }
+    [[nodiscard]] double radius() const { return position.c[3]; }
     [[nodiscard]] double inverse_mass() const { return spin.c[3]; }
     [[nodiscard]] bool fixed() const { return spin.c[3] == 0; }
 };

@@ -42,7 +42,7 @@ double equal_to_the_bit(double dt) {
 
 const ParticleSet& only_spheres(const ParticleSet& set) {
     if (set.dimension != 3) throw InputError("spheres live in space, and the particles in a plane", "mesh a 3-D scene");
-    if (set.count(ParticleKind::spheres) != set.size())
+    if (set.count(PartKind::spheres) != set.size())
         throw InputError("spheres and other particles in one scene do not act on each other yet",
                          "leave one of them out of the scene");
     return set;
@@ -59,7 +59,7 @@ SphereRun::SphereRun(Scene scene, const ParticleSet& set, const Resources& resou
       group_(sphere_group(set, PositionQuantum(set), ranks_)),
       step_(scene_, set, space_, group_, setup_, resources_),
       measures_(scene_, set, ranks_),
-      stillness_(scene_.run.until_still),
+      steady_state_(scene_.run.until_steady),
       frame_times_(scene_.output.every),
       measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
     count_["spheres"] = set.size();
@@ -140,7 +140,7 @@ void SphereRun::archive(Archive& file) {
     file("translation_at_start", energy_at_start_.translation);
     file("rotation_at_start", energy_at_start_.rotation);
     measures_.archive(file);
-    stillness_.archive(file);
+    steady_state_.archive(file);
     file("spheres", group_);
     step_.archive(file);
 }
@@ -176,7 +176,7 @@ void SphereRun::advance(const RunOptions& options, double until) {
     ++step_count_;
     if (step_count_ % steps_between_checks == 0 || time_ == target) stop_if_diverged(options.sink);
     // What has not been pushed yet is not still.
-    if (change == HUGE_VAL) stillness_.look(time_, step_, ranks_);
+    if (change == HUGE_VAL) steady_state_.update(time_, step_, ranks_);
     write_what_is_due(options.sink);
 }
 
@@ -200,7 +200,7 @@ void SphereRun::start(FrameSink* sink) {
 }
 
 void SphereRun::finish(FrameSink* sink) {
-    if (stillness_.reached()) write_frame(sink);
+    if (steady_state_.reached()) write_frame(sink);
     step_.give_state();
 }
 
@@ -209,7 +209,7 @@ RankShares SphereRun::shares(std::int64_t steps) const {
         return ranks_.largest(static_cast<double>(all)) / static_cast<double>(std::max<std::int64_t>(1, steps));
     };
     const Halo& halo = step_.neighbours().halo();
-    return {step_.neighbours().imbalance(), halo.copies_per_owned(), a_step(halo.traffic().messages),
+    return {step_.neighbours().imbalance(), halo.ghosts_per_owned(), a_step(halo.traffic().messages),
             a_step(halo.traffic().bytes)};
 }
 
@@ -220,7 +220,7 @@ RunSummary SphereRun::summary() const {
     summary.simulated_s = time_;
     summary.threads = resources_.threads;
     summary.ranks = ranks_.size();
-    summary.vector_unit = word(chosen_vector_unit(resources_.vector_unit));
+    summary.vector_unit = name_of(chosen_vector_unit(resources_.vector_unit));
     summary.start = at_start_;
     summary.end = conserved();
     const OutsideImpulses& given = step_.impulses();
@@ -236,7 +236,7 @@ RunSummary SphereRun::summary() const {
     const LargestOverlap overlap = largest_overlap(step_);
     summary.spheres = SphereSummary{energy_at_start_, energy(),
                                     static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(overlap.touching))),
-                                    ranks_.largest(overlap.ratio), stillness_.since()};
+                                    ranks_.largest(overlap.ratio), steady_state_.since()};
     summary.state_hash = state_hash(std::span(&group_, 1), space_, ranks_);
     summary.seconds_by_stage = step_.timer().seconds();
     summary.measures = measures_.series();

@@ -25,7 +25,7 @@ class SphereRun final : public Run {
     void start(FrameSink* sink) override;
     void advance(const RunOptions& options, double until) override;
     void finish(FrameSink* sink) override;
-    [[nodiscard]] bool finished() const override { return stillness_.reached(); }
+    [[nodiscard]] bool finished() const override { return steady_state_.reached(); }
     void write_frame(FrameSink* sink) override;
     void write_diverged_frame(FrameSink* sink) override { write_frame(sink); }
     void archive(Archive& file) override;
@@ -50,7 +50,7 @@ class SphereRun final : public Run {
     ParticleGroup group_;
     SphereStep step_;
     SphereMeasures measures_;
-    Stillness stillness_;
+    SteadyState steady_state_;
     std::map<std::string, std::size_t> count_;
 
     double time_ = 0;  ///< [s]

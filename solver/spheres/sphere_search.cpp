@@ -40,8 +40,8 @@ void SphereSearch::Grid::fill(const SphereRows& rows, std::span<const float> ski
     for (const std::int32_t i : members) {
         largest_radius = std::max(largest_radius, motion[i].radius() + skins[i]);
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], motion[i].place.c[axis]);
-            high[axis] = std::max(high[axis], motion[i].place.c[axis]);
+            low[axis] = std::min(low[axis], motion[i].position.c[axis]);
+            high[axis] = std::max(high[axis], motion[i].position.c[axis]);
         }
     }
     cell = 2 * largest_radius + gap;
@@ -59,25 +59,25 @@ void SphereSearch::Grid::fill(const SphereRows& rows, std::span<const float> ski
     start.assign(static_cast<std::size_t>(cells[0] * cells[1] * cells[2]) + 1, 0);
     std::vector<std::int32_t> cell_of(members.size());
     for (std::size_t k = 0; k < members.size(); ++k) {
-        const double* x = motion[members[k]].place.c;
+        const double* x = motion[members[k]].position.c;
         cell_of[k] = static_cast<std::int32_t>(number_of(at(0, x[0]), at(1, x[1]), at(2, x[2])));
         ++start[static_cast<std::size_t>(cell_of[k]) + 1];
     }
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::int32_t> next(start.begin(), start.end() - 1);
     row.resize(members.size());
-    for (auto& values : place) values.resize(members.size());
+    for (auto& values : position) values.resize(members.size());
     for (std::size_t k = 0; k < members.size(); ++k) {
         const auto entry = static_cast<std::size_t>(next[cell_of[k]]++);
         row[entry] = members[k];
-        for (std::size_t c = 0; c < 3; ++c) place[c][entry] = motion[members[k]].place.c[c];
-        place[3][entry] = motion[members[k]].radius() + skins[members[k]];
+        for (std::size_t c = 0; c < 3; ++c) position[c][entry] = motion[members[k]].position.c[c];
+        position[3][entry] = motion[members[k]].radius() + skins[members[k]];
     }
 }
 
 std::int64_t SphereSearch::Grid::at(int axis, double x) const {
-    const double position = (x - low[axis]) * inverse_cell;
-    return static_cast<std::int64_t>(std::clamp(position, 0.0, static_cast<double>(cells[axis] - 1)));
+    const double index = (x - low[axis]) * inverse_cell;
+    return static_cast<std::int64_t>(std::clamp(index, 0.0, static_cast<double>(cells[axis] - 1)));
 }
 
 SphereSearch::Grid::Cell SphereSearch::Grid::cell_at(const double* x, double shift) const {
@@ -86,11 +86,12 @@ SphereSearch::Grid::Cell SphereSearch::Grid::cell_at(const double* x, double shi
 
 std::size_t SphereSearch::Grid::find_near(std::int32_t begin, std::int32_t end, const SphereMotion& sphere,
                                           double around, std::vector<std::int32_t>& scratch) const {
-    const double x = sphere.place.c[0], y = sphere.place.c[1], z = sphere.place.c[2];
+    const double x = sphere.position.c[0], y = sphere.position.c[1], z = sphere.position.c[2];
     if (scratch.size() < static_cast<std::size_t>(end - begin)) scratch.resize(static_cast<std::size_t>(end - begin));
     std::size_t count = 0;
     for (std::int32_t k = begin; k < end; ++k) {
-        const double dx = place[0][k] - x, dy = place[1][k] - y, dz = place[2][k] - z, touch = place[3][k] + around;
+        const double dx = position[0][k] - x, dy = position[1][k] - y, dz = position[2][k] - z,
+                     touch = position[3][k] + around;
         scratch[count] = k;  // without a branch, which would be guessed wrong
         count += dx * dx + dy * dy + dz * dz < touch * touch ? 1 : 0;
     }
@@ -101,7 +102,7 @@ template <class Keep>
 void SphereSearch::Grid::for_each_near(const SphereMotion& sphere, double around, std::vector<std::int32_t>& scratch,
                                        const Keep& keep) const {
     const double reach = around + largest_radius;
-    const Cell first = cell_at(sphere.place.c, -reach), last = cell_at(sphere.place.c, reach);
+    const Cell first = cell_at(sphere.position.c, -reach), last = cell_at(sphere.position.c, reach);
     for (std::int64_t z = first[2]; z <= last[2]; ++z)
         for (std::int64_t y = first[1]; y <= last[1]; ++y) {
             const std::size_t count = find_near(start[number_of(first[0], y, z)], start[number_of(last[0], y, z) + 1],
@@ -114,8 +115,8 @@ template <class Keep>
 void SphereSearch::Grid::for_each_near_behind(std::int32_t member, const SphereMotion& sphere, double around,
                                               std::vector<std::int32_t>& scratch, const Keep& keep) const {
     const double reach = around + largest_radius;
-    const Cell own = cell_at(sphere.place.c, 0), first = cell_at(sphere.place.c, -reach),
-               last = cell_at(sphere.place.c, reach);
+    const Cell own = cell_at(sphere.position.c, 0), first = cell_at(sphere.position.c, -reach),
+               last = cell_at(sphere.position.c, reach);
     // Of its own cell the later ones; then the cells that come later.
     const std::int32_t own_end = start[number_of(own[0], own[1], own[2]) + 1];
     const std::size_t in_line = find_near(start[number_of(own[0], own[1], own[2])],

@@ -33,9 +33,9 @@ class SphereSearch {
         double cell = 0, inverse_cell = 0, largest_radius = 0;
         std::array<double, 3> low{};
         std::array<std::int64_t, 3> cells{1, 1, 1};
-        std::vector<std::int32_t> start;           ///< first entry of each cell, x fastest
-        std::vector<std::int32_t> row;             ///< by entry
-        std::array<std::vector<double>, 4> place;  ///< x, y, z, radius with skin by entry
+        std::vector<std::int32_t> start;              ///< first entry of each cell, x fastest
+        std::vector<std::int32_t> row;                ///< by entry
+        std::array<std::vector<double>, 4> position;  ///< x, y, z, radius with skin by entry
 
         void fill(const SphereRows& rows, std::span<const float> skins, const std::vector<std::int32_t>& members,
                   double gap);

@@ -27,7 +27,7 @@ struct Sizes {
 std::vector<Sizes> sizes_by_part(const ParticleSet& set) {
     std::vector<Sizes> sizes(set.parts.size());
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::spheres) continue;
+        if (set.kind(i) != PartKind::spheres) continue;
         Sizes& of = sizes[static_cast<std::size_t>(set.part[i])];
         of.smallest = std::min(of.smallest, set.radius[i]);
         of.largest = std::max(of.largest, set.radius[i]);
@@ -49,7 +49,7 @@ double reduced(double a, double b) { return a * b / (a + b); }
 double adhesion_energy(const ContactPair& asked, const SpherePair& pair) {
     if (!asked.pull_off_force.given()) return asked.work_of_adhesion;
     if (pair.largest_radius > pair.radius * (1 + 1e-9))
-        throw InputError(asked.pull_off_force.place,
+        throw InputError(asked.pull_off_force.location,
                          "pull_off_force between " + pair.parts + ", whose spheres differ in radius",
                          "give work_of_adhesion, from which each contact's pull-off force follows");
     return asked.pull_off_force / ((*asked.adhesion == AdhesionKind::jkr ? 1.5 : 2.0) * std::numbers::pi * pair.radius);
@@ -153,7 +153,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
         }
     }
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::spheres) {
+        if (set.kind(i) == PartKind::spheres) {
             radii += set.radius[i];
             ++count;
         }
@@ -170,9 +170,9 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
 std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space,
                                           double speed) {
     std::vector<StepLimit> limits;
-    const double steps = scene.accuracy.steps_per_contact, finer = StepsPerContact::standard / steps;
-    if (scene.accuracy.contact_step > 0) {
-        limits.push_back({"contact_step", scene.accuracy.contact_step, "asked for"});
+    const double steps = scene.numerics.steps_per_contact, finer = StepsPerContact::standard / steps;
+    if (scene.numerics.contact_step > 0) {
+        limits.push_back({"contact_step", scene.numerics.contact_step, "asked for"});
         return limits;
     }
     const double fastest = std::max<double>(speed, scene.flow.largest_speed);
@@ -208,7 +208,7 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
                                   "part '" + *scene.parts_of(PartKind::spheres).front()->name + "'"}};
     for (const auto* pairs : {&setup.pairs, &setup.wall_pairs})
         for (const SpherePair& pair : *pairs) {
-            const std::string where = "[[contact_pair]] at " + pair.asked->parts.place.text();
+            const std::string where = "[[contact_pair]] at " + pair.asked->parts.location.text();
             const bool thesis = *pair.asked->law == ContactLawKind::thesis_eq_7_5;
             const bool plain = pair.model.history == TangentialHistory::plain;
             models.push_back({"contact of " + pair.parts,

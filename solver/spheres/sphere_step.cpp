@@ -38,7 +38,7 @@ SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const Particl
       fixed_(fixed_by_id(set)),
       any_fixed_(std::ranges::find(fixed_, true) != fixed_.end()),
       acceleration_(scene.flow.acceleration),
-      depends_on_place_(std::ranges::any_of(acceleration_, &Expression::depends_on_place)),
+      depends_on_position_(std::ranges::any_of(acceleration_, &Expression::depends_on_position)),
       may_fly_(std::ranges::all_of(acceleration_, &Expression::is_zero)),
       driving_(scene, set, space),
       rows_(resources.threads),
@@ -66,7 +66,7 @@ SphereStep::SphereStep(const Scene& scene, const ParticleSet& set, const Particl
 
 SphereStep::Three SphereStep::acceleration_at(double t) const {
     Three g{};
-    if (!depends_on_place_)
+    if (!depends_on_position_)
         for (std::size_t axis = 0; axis < 3; ++axis) g[axis] = acceleration_[axis](t);
     return g;
 }
@@ -92,12 +92,12 @@ void SphereStep::start(bool with_forces, double t) {
 void SphereStep::advance(double t, double dt) {
     // What drives parts is that of the middle of the step, so that a schedule's impulse is exact.
     if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + 0.5 * dt, 0.5 * dt); });
-    if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t, 0.5 * dt); });
+    if (depends_on_position_) timer_.timed("kick", [&] { kick_by_position(t, 0.5 * dt); });
     timer_.timed("drift", [&] { kick_and_drift(t, dt); });
     walls_.advance(t, dt);
     timer_.timed("neighbours", [&] {
         moved_to_walls_ += dt * (largest_speed_ + walls_.largest_speed());
-        const long looks = neighbours_.looks();
+        const long prunings = neighbours_.prunings();
         const bool renewed = neighbours_.refresh(group_, rows_, walls_);
         const bool walls_too = !walls_.empty() && (renewed || moved_to_walls_ > wall_skin_);
         if (walls_too) {
@@ -105,7 +105,7 @@ void SphereStep::advance(double t, double dt) {
             walls_.list(rows_, group_.tags(), setup_.reach + wall_skin_);
             moved_to_walls_ = 0;
         }
-        if (walls_too || neighbours_.looks() > looks) choose_who_flies();
+        if (walls_too || neighbours_.prunings() > prunings) choose_who_flies();
     });
     find_forces(dt);
     timer_.timed("kick", [&] { kick(t + dt, 0.5 * dt); });
@@ -125,11 +125,11 @@ void push(SphereMotion& sphere, const SphereLoad& load, double half, Quad gained
 
 }  // namespace
 
-void SphereStep::Fastest::take_note(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow) {
+void SphereStep::Fastest::update_max(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow) {
     const Quad v = read(sphere.velocity), in_frame = v - Quad{frame[0], frame[1], frame[2], 0};
     const Quad v2 = v * v, frame2 = in_frame * in_frame;
     const double square_in_frame = frame2[0] + frame2[1] + frame2[2];
-    take_note({v2[0] + v2[1] + v2[2], square_in_frame * of_wide, square_in_frame * of_narrow});
+    update_max({v2[0] + v2[1] + v2[2], square_in_frame * of_wide, square_in_frame * of_narrow});
 }
 
 /// Those that are not among the contacts, at no wall, and that nothing drives. Their loads are 0.
@@ -149,7 +149,7 @@ void SphereStep::choose_who_flies() {
     flying_ = {};
     for (const std::int32_t row : rows_.flight().flying()) {
         const auto i = static_cast<std::size_t>(row);
-        flying_.take_note(rows_.motion()[i], neighbours_.drift(), wide[i], narrow[i]);
+        flying_.update_max(rows_.motion()[i], neighbours_.drift(), wide[i], narrow[i]);
     }
 }
 
@@ -166,11 +166,11 @@ void SphereStep::kick(double t, double half) {
             push(motion[i], loads[i], half, gained);
         }
     });
-    if (depends_on_place_) kick_by_place(t, half);
+    if (depends_on_position_) kick_by_position(t, half);
     add_impulses(t, half);
 }
 
-void SphereStep::kick_by_place(double t, double half) {
+void SphereStep::kick_by_position(double t, double half) {
     const auto motion = rows_.motion();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         ExactSum impulse;
@@ -180,7 +180,7 @@ void SphereStep::kick_by_place(double t, double half) {
             Three x{};
             for (std::size_t a = 0; a < 3; ++a) {
                 const auto k = static_cast<Eigen::Index>(a);
-                x[a] = motion[i].place.c[a];
+                x[a] = motion[i].position.c[a];
                 if (space_.periodic[a]) x[a] = wrapped(x[a], space_.box.low[k], space_.box.high[k]);
             }
             const double gained = half * acceleration_[axis](t, x[0], x[1], x[2]);
@@ -201,7 +201,8 @@ void SphereStep::drive(double t, double half) {
     for (std::size_t i = 0; i < rows_.owned(); ++i) {
         SphereMotion& sphere = motion[i];
         if (sphere.fixed() || driven_[tags[i].part] == 0) continue;
-        const Vec force = driving_.force(tags[i].part, Vec(sphere.place.c[0], sphere.place.c[1], sphere.place.c[2]), t);
+        const Vec force =
+            driving_.force(tags[i].part, Vec(sphere.position.c[0], sphere.position.c[1], sphere.position.c[2]), t);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double pushed = half * force[static_cast<Eigen::Index>(axis)];
             sphere.velocity.c[axis] += pushed * sphere.inverse_mass();
@@ -211,7 +212,7 @@ void SphereStep::drive(double t, double half) {
     }
     ranks_.sum(impulse);
     for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces[axis] += impulse[axis].value();
-    driving_.take_note(ranks_.largest(largest));
+    driving_.update_max(ranks_.largest(largest));
 }
 
 void SphereStep::add_impulses(double t, double half) {
@@ -243,12 +244,12 @@ void SphereStep::kick_and_drift(double t, double dt) {
         for (const std::int32_t row : busy.subspan(first, end - first)) {
             const auto i = static_cast<std::size_t>(row);
             push(motion[i], loads[i], half, gained);
-            write(motion[i].place, read(motion[i].place) + way_of(read(motion[i].velocity), dt, magic));
+            write(motion[i].position, read(motion[i].position) + way_of(read(motion[i].velocity), dt, magic));
             loads[i] = {};
-            fastest.take_note(motion[i], frame, wide[i], narrow[i]);
+            fastest.update_max(motion[i], frame, wide[i], narrow[i]);
         }
 #pragma omp critical
-        of_all.take_note(fastest);
+        of_all.update_max(fastest);
     });
     std::array<double, 4> largest{std::sqrt(of_all.speed), largest_force_, std::sqrt(of_all.wide),
                                   std::sqrt(of_all.narrow)};
@@ -292,8 +293,8 @@ void SphereStep::find_forces(double dt) {
 }
 
 /// Returns the largest force along a normal [N].
-double SphereStep::sweep_contacts_of(int thread, const ContactTime& time, const OrderFree& force_rounding,
-                                     const OrderFree& torque_rounding) {
+double SphereStep::sweep_contacts_of(int thread, const ContactTime& time, const ReproducibleSum& force_rounding,
+                                     const ReproducibleSum& torque_rounding) {
     ContactList& list = neighbours_.list();
     auto& deferred = deferred_[static_cast<std::size_t>(thread)];
     if (deferred.size() < list.most_deferred()) deferred.resize(list.most_deferred());
@@ -323,7 +324,7 @@ double SphereStep::sweep_contacts_of(int thread, const ContactTime& time, const 
 
 void SphereStep::sweep_contacts(const ContactTime& time) {
     const double largest = room_for_sums * expected_force(time.dt);
-    const OrderFree force_rounding(largest), torque_rounding(largest * setup_.largest_radius);
+    const ReproducibleSum force_rounding(largest), torque_rounding(largest * setup_.largest_radius);
     double found = 0;
     on_each_thread(threads_, [&](int thread) {
         const double largest_of_thread = sweep_contacts_of(thread, time, force_rounding, torque_rounding);

@@ -57,23 +57,23 @@ class SphereStep {
     /// Largest squares: of speeds [m^2/s^2], and of speeds in the frame of the lists, in skins [1/s^2].
     struct Fastest {
         double speed = 0, wide = 0, narrow = 0;
-        void take_note(const Fastest& other) {
+        void update_max(const Fastest& other) {
             speed = std::max(speed, other.speed);
             wide = std::max(wide, other.wide);
             narrow = std::max(narrow, other.narrow);
         }
         /// Skins as 1 / skin^2 [1/m^2].
-        void take_note(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow);
+        void update_max(const SphereMotion& sphere, const Three& frame, float of_wide, float of_narrow);
     };
     void choose_who_flies();
     void kick(double t, double half);
-    void kick_by_place(double t, double half);
+    void kick_by_position(double t, double half);
     void drive(double t, double half);
     void kick_and_drift(double t, double dt);
     void find_forces(double dt);
     void sweep_contacts(const ContactTime& time);
-    double sweep_contacts_of(int thread, const ContactTime& time, const OrderFree& force_rounding,
-                             const OrderFree& torque_rounding);
+    double sweep_contacts_of(int thread, const ContactTime& time, const ReproducibleSum& force_rounding,
+                             const ReproducibleSum& torque_rounding);
     [[nodiscard]] double expected_force(double dt) const;
     void add_impulses(double t, double half);
 
@@ -86,7 +86,7 @@ class SphereStep {
     std::vector<bool> fixed_;  ///< by id
     bool any_fixed_ = false;
     std::array<Expression, 3> acceleration_;
-    bool depends_on_place_;
+    bool depends_on_position_;
     bool may_fly_;  ///< nothing accelerates all
     Driving driving_;
     std::vector<std::uint8_t> driven_;  ///< by part: whether something drives it

@@ -15,16 +15,18 @@ namespace dmp::solver {
 namespace {
 
 /// Places closer than this part of a sphere's radius are one.
-constexpr double one_place = 1e-6;
+constexpr double one_position = 1e-6;
 /// The cosine between the normals of a contact now and of one before on the same part, that it may come from.
 constexpr double same_direction = 0.5;
 
-Vec place_of(const SphereMotion& sphere) { return {sphere.place.c[0], sphere.place.c[1], sphere.place.c[2]}; }
+Vec position_of(const SphereMotion& sphere) {
+    return {sphere.position.c[0], sphere.position.c[1], sphere.position.c[2]};
+}
 
 Vector<double, 3> three(const Vec& v) { return {{v[0], v[1], v[2]}}; }
 
-Vec closest_on(const Vec& place, const std::array<Vec, 3>& corners) {
-    return closest_on_triangle(place, corners[0], corners[1], corners[2]);
+Vec closest_on(const Vec& position, const std::array<Vec, 3>& corners) {
+    return closest_on_triangle(position, corners[0], corners[1], corners[2]);
 }
 
 }  // namespace
@@ -79,7 +81,8 @@ void SphereWalls::list(const SphereRows& rows, std::span<const ParticleTag> tags
         for (std::size_t i = 0; i < rows.owned(); ++i) {
             const SphereMotion& sphere = rows.motion()[i];
             const Candidate candidate{static_cast<std::int32_t>(k), {}};
-            if (touch_of(candidate, place_of(sphere)).distance < sphere.radius() + gap) of_row[i].push_back(candidate);
+            if (touch_of(candidate, position_of(sphere)).distance < sphere.radius() + gap)
+                of_row[i].push_back(candidate);
         }
     if (!triangles_.empty()) list_triangles(rows, gap, of_row);
     listed_.clear();
@@ -106,10 +109,10 @@ void SphereWalls::list_triangles(const SphereRows& rows, double gap,
     for (std::size_t i = 0; i < rows.owned(); ++i) {
         const SphereMotion& sphere = rows.motion()[i];
         const double near = sphere.radius() + gap;
-        const Vec place = place_of(sphere);
-        for (const Vec& shift : shifts_near(space_, place, reach))
-            grid.for_each_near(place - shift, [&](std::size_t k) {
-                if ((closest_on(place - shift, corners[k]) + shift - place).norm() < near)
+        const Vec position = position_of(sphere);
+        for (const Vec& shift : shifts_near(space_, position, reach))
+            grid.for_each_near(position - shift, [&](std::size_t k) {
+                if ((closest_on(position - shift, corners[k]) + shift - position).norm() < near)
                     of_row[i].push_back(
                         {static_cast<std::int32_t>(planes_.size() + k), {shift[0], shift[1], shift[2]}});
             });
@@ -132,21 +135,21 @@ void SphereWalls::assign_contacts(std::span<const ParticleTag> tags) {
     contacts_.swap(next_contacts_);
 }
 
-SphereWalls::Touch SphereWalls::touch_of(const Candidate& candidate, const Vec& place) const {
+SphereWalls::Touch SphereWalls::touch_of(const Candidate& candidate, const Vec& position) const {
     Touch touch{candidate.surface, part_of(candidate.surface), {}, {}, 0, {}};
     if (static_cast<std::size_t>(candidate.surface) < planes_.size()) {
         const WallPlane& plane = planes_[static_cast<std::size_t>(candidate.surface)];
         const Vec& moved = motion_[static_cast<std::size_t>(plane.part)].displacement;
         touch.normal = plane.normal;
-        touch.distance = plane.normal.dot(place - plane.point - moved);
-        touch.nearest = place - touch.distance * plane.normal;
+        touch.distance = plane.normal.dot(position - plane.point - moved);
+        touch.nearest = position - touch.distance * plane.normal;
         return touch;
     }
     const Vec shift(candidate.shift[0], candidate.shift[1], candidate.shift[2]);
     touch.corners = corners_of(candidate.surface);
     for (Vec& corner : touch.corners) corner += shift;
-    touch.nearest = closest_on(place, touch.corners);
-    const Vec away = place - touch.nearest;
+    touch.nearest = closest_on(position, touch.corners);
+    const Vec away = position - touch.nearest;
     touch.distance = away.norm();
     touch.normal = touch.distance > 0 ? Vec(away / touch.distance) : Vec(Vec::UnitZ());
     return touch;
@@ -171,13 +174,13 @@ std::vector<SphereWalls::Touch> SphereWalls::touches_of(const ListedSphere& sphe
                                                         std::uint16_t part) const {
     std::vector<Touch> near, touches;
     for (std::size_t k = sphere.first; k < sphere.end; ++k) {
-        const Touch touch = touch_of(candidates_[k], place_of(motion));
+        const Touch touch = touch_of(candidates_[k], position_of(motion));
         const WallPair& pair = *pairs_[part][static_cast<std::size_t>(touch.part)];
         if (touch.distance < motion.radius() + contact_reach(pair.model, pair.constants, motion.radius()))
             near.push_back(touch);
     }
     for (std::size_t k = 0; k < near.size(); ++k)
-        if (!is_hidden(k, near, one_place * motion.radius())) touches.push_back(near[k]);
+        if (!is_hidden(k, near, one_position * motion.radius())) touches.push_back(near[k]);
     return touches;
 }
 
@@ -236,7 +239,7 @@ SphereWalls::Overlap SphereWalls::largest_overlap(const SphereRows& rows) const 
     for (const ListedSphere& sphere : listed_)
         for (std::size_t k = sphere.first; k < sphere.end; ++k) {
             const SphereMotion& motion = rows.motion()[static_cast<std::size_t>(sphere.row)];
-            const double ratio = 1 - touch_of(candidates_[k], place_of(motion)).distance / motion.radius();
+            const double ratio = 1 - touch_of(candidates_[k], position_of(motion)).distance / motion.radius();
             if (ratio > largest.ratio) largest = {ratio, sphere.row};
         }
     return largest;

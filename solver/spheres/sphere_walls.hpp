@@ -112,7 +112,7 @@ class SphereWalls {
 
     [[nodiscard]] int part_of(std::int32_t surface) const;
     [[nodiscard]] std::array<Vec, 3> corners_of(std::int32_t surface) const;
-    [[nodiscard]] Touch touch_of(const Candidate& candidate, const Vec& place) const;
+    [[nodiscard]] Touch touch_of(const Candidate& candidate, const Vec& position) const;
     [[nodiscard]] std::vector<Touch> touches_of(const ListedSphere& sphere, const SphereMotion& motion,
                                                 std::uint16_t part) const;
     [[nodiscard]] bool is_hidden(std::size_t number, const std::vector<Touch>& all, double tolerance) const;

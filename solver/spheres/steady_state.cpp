@@ -8,7 +8,7 @@ namespace dmp::solver {
 namespace {
 
 /// Looks in the time that nothing may change.
-constexpr int looks_in_window = 20;
+constexpr int prunings_in_window = 20;
 constexpr double change_that_counts = 1e-3;
 
 /// The last step of MurmurHash3.
@@ -31,7 +31,7 @@ std::int64_t fingerprint_of_contacts(const SphereStep& step, const Ranks& ranks)
     list.for_each([&](std::size_t k, std::int16_t) {
         const std::int32_t i = list.low()[k], j = list.high()[k];
         if (i >= owned) return;
-        const double *a = motion[i].place.c, *b = motion[j].place.c;
+        const double *a = motion[i].position.c, *b = motion[j].position.c;
         const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2], touch = a[3] + b[3] + step.setup().reach;
         if (dx * dx + dy * dy + dz * dz >= touch * touch) return;
         sum += stirred(stirred(static_cast<std::uint64_t>(tags[i].id)) + static_cast<std::uint64_t>(tags[j].id));
@@ -57,9 +57,9 @@ SphereEnergy kinetic_energy(const SphereStep& step, const Ranks& ranks) {
     return {translation.value(), rotation.value()};
 }
 
-void Stillness::look(double time, const SphereStep& step, const Ranks& ranks) {
-    if (!wanted() || time < next_look_) return;
-    next_look_ = time + window_ / looks_in_window;
+void SteadyState::update(double time, const SphereStep& step, const Ranks& ranks) {
+    if (!wanted() || time < next_check_) return;
+    next_check_ = time + window_ / prunings_in_window;
     const std::int64_t contacts = fingerprint_of_contacts(step, ranks);
     const double energy = kinetic_energy(step, ranks).kinetic();
     largest_energy_ = std::max(largest_energy_, energy);
@@ -72,9 +72,9 @@ void Stillness::look(double time, const SphereStep& step, const Ranks& ranks) {
     }
 }
 
-void Stillness::archive(Archive& file) {
+void SteadyState::archive(Archive& file) {
     if (!wanted()) return;
-    file("stillness/next_look", next_look_);
+    file("stillness/next_look", next_check_);
     file("stillness/quiet_since", quiet_since_);
     file("stillness/energy_then", energy_then_);
     file("stillness/largest_energy", largest_energy_);

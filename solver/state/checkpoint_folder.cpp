@@ -66,7 +66,7 @@ std::optional<FoundCheckpoint> CheckpointFolder::newest_good() {
     if (bad.empty()) return {};
     std::string problem = "none of its checkpoints can be used";
     for (const Bad& one : bad) problem += "\n" + one.file.filename().string() + " is " + one.problem;
-    throw InputError(Place{folder_.string(), 0, 0}, problem,
+    throw InputError(SourceLocation{folder_.string(), 0, 0}, problem,
                      "Restore one from a copy, or run the scene from its start.");
 }
 

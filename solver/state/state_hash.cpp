@@ -42,7 +42,7 @@ std::uint64_t hash_of(const ParticleGroup& group, const ParticleSpace& space, st
         const double x = group.data(Field::position, axis)[i], v = group.data(Field::velocity, axis)[i];
         // A liquid's particle beyond a plane of symmetry stands for its image.
         const double shown = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis])
-                             : group.kind() == ParticleKind::fluid ? space.mirrored_back(x, axis)
+                             : group.kind() == PartKind::fluid ? space.mirrored_back(x, axis)
                                                                    : x;
         hash.add(std::bit_cast<std::uint64_t>(shown));
         hash.add(std::bit_cast<std::uint64_t>(space.is_mirrored(axis) && shown != x ? -v : v));

@@ -42,9 +42,9 @@ FieldList ParticleGroup::state() const {
     return fields;
 }
 
-void ParticleGroup::resize(std::size_t owned, std::size_t copies) {
+void ParticleGroup::resize(std::size_t owned, std::size_t ghosts) {
     owned_ = owned;
-    resize_with_room(tags_, owned + copies);
+    resize_with_room(tags_, owned + ghosts);
     for (const Field field : declared())
         for (int axis = 0; axis < axes(field); ++axis)
             resize_with_room(array(field, axis), total() + lanes_behind_the_end);

@@ -27,11 +27,11 @@ struct ParticleTag {
 /// lanes may be loaded whole.
 class ParticleGroup {
   public:
-    ParticleGroup(ParticleKind kind, int dimension) : kind_(kind), dimension_(dimension) {
+    ParticleGroup(PartKind kind, int dimension) : kind_(kind), dimension_(dimension) {
         for (auto& arrays : arrays_) arrays.resize(3);
     }
 
-    [[nodiscard]] ParticleKind kind() const { return kind_; }
+    [[nodiscard]] PartKind kind() const { return kind_; }
     [[nodiscard]] int dimension() const { return dimension_; }
     [[nodiscard]] std::size_t owned() const { return owned_; }
     [[nodiscard]] std::size_t total() const { return tags_.size(); }
@@ -58,7 +58,7 @@ class ParticleGroup {
 
     /// Makes room: the first `owned` particles and then `copies`. Particles that were there keep their values; those of
     /// new ones have yet to be written.
-    void resize(std::size_t owned, std::size_t copies);
+    void resize(std::size_t owned, std::size_t ghosts);
     /// Owned particle k becomes what order[k] was; owned ones that are not in `order` and all copies go.
     void reorder(std::span<const std::int32_t> order, int threads = 1);
 
@@ -71,7 +71,7 @@ class ParticleGroup {
         return arrays_[static_cast<std::size_t>(field)][axis];
     }
 
-    ParticleKind kind_;
+    PartKind kind_;
     int dimension_;
     std::size_t owned_ = 0;
     Uninitialized<ParticleTag> tags_;  ///< written by the threads that will read them

@@ -6,8 +6,8 @@ namespace dmp::solver {
 ParticleStore::ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks)
     : quantum_(set),
       space_(with_whole_periods(set, quantum_)),
-      groups_{ParticleGroup(ParticleKind::fluid, set.dimension), ParticleGroup(ParticleKind::rigid, set.dimension),
-              ParticleGroup(ParticleKind::springs, set.dimension)} {
+      groups_{ParticleGroup(PartKind::fluid, set.dimension), ParticleGroup(PartKind::rigid, set.dimension),
+              ParticleGroup(PartKind::elastic, set.dimension)} {
     const auto rank = static_cast<std::size_t>(ranks.rank()), size = static_cast<std::size_t>(ranks.size());
     const std::size_t begin = set.size() * rank / size, end = set.size() * (rank + 1) / size;
     std::array<std::size_t, 3> count{};

@@ -9,7 +9,7 @@
 
 namespace dmp::solver {
 
-inline constexpr std::array<ParticleKind, 3> all_kinds{ParticleKind::fluid, ParticleKind::rigid, ParticleKind::springs};
+inline constexpr std::array<PartKind, 3> all_kinds{PartKind::fluid, PartKind::rigid, PartKind::elastic};
 
 /// The running particles, a group a kind, and the space they live in.
 class ParticleStore {
@@ -18,10 +18,10 @@ class ParticleStore {
     /// their volume has at the density of the liquid (`density` by part number [kg/m^3]).
     ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks = Ranks::alone());
 
-    [[nodiscard]] ParticleGroup& of(ParticleKind kind) { return groups_[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] const ParticleGroup& of(ParticleKind kind) const { return groups_[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] ParticleGroup& fluid() { return of(ParticleKind::fluid); }
-    [[nodiscard]] const ParticleGroup& fluid() const { return of(ParticleKind::fluid); }
+    [[nodiscard]] ParticleGroup& of(PartKind kind) { return groups_[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] const ParticleGroup& of(PartKind kind) const { return groups_[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] ParticleGroup& fluid() { return of(PartKind::fluid); }
+    [[nodiscard]] const ParticleGroup& fluid() const { return of(PartKind::fluid); }
     [[nodiscard]] std::array<ParticleGroup, 3>& groups() { return groups_; }
     [[nodiscard]] const std::array<ParticleGroup, 3>& groups() const { return groups_; }
 

@@ -52,7 +52,7 @@ void share_space(ParticleSpace& space, const Ranks& ranks) {
     space.periodic = facts[0].periodic;
     space.mirrored = facts[0].mirrored;
 
-    std::vector<ParticleKind> kinds;
+    std::vector<PartKind> kinds;
     for (const auto& part : space.parts) kinds.push_back(part.kind);
     ranks.broadcast(kinds);
     space.parts.resize(kinds.size());

@@ -10,12 +10,12 @@ namespace dmp::solver {
 /// Particles that are worked on together, a cluster or the part of one that the lanes hold, and what is near them.
 struct Neighbourhood {
     const ClusterList& list;
-    ParticleKind kind;   ///< of the cluster
+    PartKind kind;   ///< of the cluster
     std::size_t number;  ///< of the cluster
     Cluster cluster;     ///< as much of it as the lanes hold
 
     /// Indices into the group of `other`.
-    [[nodiscard]] std::span<const std::int32_t> of(ParticleKind other) const {
+    [[nodiscard]] std::span<const std::int32_t> of(PartKind other) const {
         return list.neighbours(kind, number, other);
     }
 };
@@ -23,7 +23,7 @@ struct Neighbourhood {
 /// Calls visit(Neighbourhood) for every chosen cluster of a kind, `width` of its particles at a time. Each particle is
 /// written by one thread alone.
 template <std::size_t Width, class Visit>
-void for_each_cluster(const ClusterList& list, ParticleKind kind, ClusterChoice choice, int threads,
+void for_each_cluster(const ClusterList& list, PartKind kind, ClusterChoice choice, int threads,
                       const Visit& visit) {
     constexpr auto width = static_cast<std::int32_t>(Width);
     const auto clusters = list.clusters(kind);

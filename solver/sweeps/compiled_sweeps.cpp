@@ -50,8 +50,9 @@ class Sweeps final : public PairSweeps {
           shifting_(settings.shifting, settings.support, settings.spacing, kernel_),
           repulsion_{settings.repulsion_strength},
           force_rounding_(largest_force()),
-          density_rounding_{OrderFree(settings.density * volume() * steepest_ * settings.sound_speed),
-                            OrderFree(1.2 * volume() * steepest_), OrderFree(volume() * steepest_ * settings.support)},
+          density_rounding_{ReproducibleSum(settings.density * volume() * steepest_ * settings.sound_speed),
+                            ReproducibleSum(1.2 * volume() * steepest_),
+                            ReproducibleSum(volume() * steepest_ * settings.support)},
           summation_rounding_(settings.density * volume() * kernel_.value(0.0)),
           correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate} {}
 
@@ -84,11 +85,11 @@ class Sweeps final : public PairSweeps {
     void density_rates(ParticleStore& particles, const ClusterList& list,
                        const std::array<double, 3>& body_acceleration, ClusterChoice choice,
                        const SpeciesSums* along) const override {
-        const StratifiedDiffusion<D> stratified_diffusion(settings_.density_diffusion, settings_.support,
-                                                          settings_.sound_speed, narrowed(body_acceleration));
+        const HydrostaticDiffusion<D> hydrostatic_diffusion(settings_.density_diffusion, settings_.support,
+                                                            settings_.sound_speed, narrowed(body_acceleration));
         const auto run_with = [&]<class Solid, DensityTerms with>(const auto& species) {
             DensitySweep<L, D, Kernel, Solid, with, std::decay_t<decltype(species)>>(
-                particles, list, kernel_, diffusion_, stratified_diffusion, shifting_, density_rounding_, species,
+                particles, list, kernel_, diffusion_, hydrostatic_diffusion, shifting_, density_rounding_, species,
                 settings_.threads)
                 .run(choice);
         };
@@ -97,12 +98,12 @@ class Sweeps final : public PairSweeps {
         };
         if (along != nullptr) {  // comes with diffusion, of whatever strength
             with_flag(settings_.shifting > 0, [&](auto shifting) {
-                with_flag(settings_.stratified, [&](auto stratified) {
+                with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
                     constexpr DensityTerms with{.diffusion = true,
                                                 .shifting = decltype(shifting)::value,
-                                                .stratified = decltype(stratified)::value,
+                                                .hydrostatic = decltype(hydrostatic)::value,
                                                 .species = true};
-                    const SpeciesAlong<L, D, with.shifting> species(particles, *along, volume(), steepest_);
+                    const FusedDiffusion<L, D, with.shifting> species(particles, *along, volume(), steepest_);
                     with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
                         using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                         run_with.template operator()<Solid, with>(species);
@@ -118,8 +119,8 @@ class Sweeps final : public PairSweeps {
         }
     }
 
-    [[nodiscard]] bool takes_along(const SpeciesSums& sums) const override {
-        return sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_springs &&
+    [[nodiscard]] bool can_fuse(const SpeciesSums& sums) const override {
+        return sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_elastic &&
                (settings_.shifting > 0) == (sums.shift_per_sum != 0) && !settings_.slip_walls &&
                !settings_.density_by_summation && !settings_.transport_velocity;
     }
@@ -137,13 +138,13 @@ class Sweeps final : public PairSweeps {
 
     void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
                         ClusterChoice choice) const override {
-        const OrderFree rounding(motion.largest_term);
+        const ReproducibleSum rounding(motion.largest_term);
         with_viscous_sweep(particles, list, rounding, motion.velocity, motion.of_walls,
                            [&](auto sweep) { sweep.forces(choice); });
     }
 
     void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
-        const OrderFree rounding(2 * settings_.viscosity * volume() * volume() * steepest_ / settings_.spacing);
+        const ReproducibleSum rounding(2 * settings_.viscosity * volume() * volume() * steepest_ / settings_.spacing);
         with_viscous_sweep(particles, list, rounding, Field::velocity, 0, [&](auto sweep) { sweep.diagonal(choice); });
     }
 
@@ -156,8 +157,8 @@ class Sweeps final : public PairSweeps {
         });
     }
 
-    void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const override {
-        NearSweep<L, D>(particles, list, reach, settings_.threads).run();
+    void prune(const ParticleStore& particles, ClusterList& list, double reach) const override {
+        PruneSweep<L, D>(particles, list, reach, settings_.threads).run();
     }
 
     [[nodiscard]] double sound_limit() const override { return Kernel::sound_limit; }
@@ -197,31 +198,31 @@ class Sweeps final : public PairSweeps {
     template <class Run>
     void with_density_terms(const Run& run) const {
         if (settings_.density_by_summation) {
-            constexpr DensityTerms shifts{.rate = false, .shifting = true, .stratified = true};
+            constexpr DensityTerms shifts{.rate = false, .shifting = true, .hydrostatic = true};
             if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
             return;
         }
         if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
             with_flag(settings_.shifting > 0, [&](auto shifting) {
-                with_flag(settings_.stratified, [&](auto stratified) {
+                with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
                     constexpr DensityTerms with{.diffusion = true,
                                                 .shifting = decltype(shifting)::value,
-                                                .stratified = decltype(stratified)::value};
+                                                .hydrostatic = decltype(hydrostatic)::value};
                     run.template operator()<ExtrapolatedSolid<D, true>, with>();
                 });
             });
             return;
         }
-        with_flag(settings_.density_diffusion > 0 || settings_.stratified, [&](auto diffusion) {
+        with_flag(settings_.density_diffusion > 0 || settings_.hydrostatic, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
-                with_flag(settings_.stratified, [&](auto stratified) {
+                with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
                     with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
                         using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                         constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
                                                     .shifting = decltype(shifting)::value,
-                                                    .stratified = decltype(stratified)::value};
+                                                    .hydrostatic = decltype(hydrostatic)::value};
                         // What is stratified comes with diffusion, of strength 0 where there is none.
-                        if constexpr (with.diffusion || !with.stratified) run.template operator()<Solid, with>();
+                        if constexpr (with.diffusion || !with.hydrostatic) run.template operator()<Solid, with>();
                     });
                 });
             });
@@ -229,7 +230,7 @@ class Sweeps final : public PairSweeps {
     }
 
     template <class Run>
-    void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const OrderFree& rounding,
+    void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const ReproducibleSum& rounding,
                             Field velocity, double wall_motion, const Run& run) const {
         with_viscosity(settings_.viscous_force, [&](const auto& viscosity) {
             using Law = std::decay_t<decltype(viscosity)>;
@@ -294,9 +295,9 @@ class Sweeps final : public PairSweeps {
     DensityDiffusion diffusion_;
     Shifting<Kernel> shifting_;
     Repulsion repulsion_;
-    OrderFree force_rounding_;
+    ReproducibleSum force_rounding_;
     DensityRounding density_rounding_;
-    OrderFree summation_rounding_;
+    ReproducibleSum summation_rounding_;
     CorrectionRounding correction_rounding_;
 };
 

@@ -13,18 +13,18 @@ namespace dmp::solver {
 template <class L, int D>
 class ContactSum {
   public:
-    ContactSum(const ParticleStore& particles, const Repulsion& repulsion, const OrderFree& order_free)
-        : particles_(particles), repulsion_(repulsion), order_free_(order_free) {}
+    ContactSum(const ParticleStore& particles, const Repulsion& repulsion, const ReproducibleSum& rounding)
+        : particles_(particles), repulsion_(repulsion), rounding_(rounding) {}
 
     /// By the particles of one kind [N]; `ranges` is the field with r* by particle. Zero where the scene has no
     /// contact.
-    [[nodiscard]] Vector<L, D> operator()(const Neighbourhood& near, ParticleKind kind, Field ranges) const {
+    [[nodiscard]] Vector<L, D> operator()(const Neighbourhood& near, PartKind kind, Field ranges) const {
         if (repulsion_.strength == 0 || near.of(kind).empty()) return Vector<L, D>::zero();
         return sum(near, kind, ranges);
     }
 
   private:
-    [[nodiscard, gnu::noinline, gnu::flatten]] Vector<L, D> sum(const Neighbourhood& near, ParticleKind kind,
+    [[nodiscard, gnu::noinline, gnu::flatten]] Vector<L, D> sum(const Neighbourhood& near, PartKind kind,
                                                                 Field ranges) const {
         const ParticleGroup& own = particles_.of(near.kind);
         const ParticleGroup& others = particles_.of(kind);
@@ -34,14 +34,14 @@ class ContactSum {
         const double* other_range = others.data(ranges);
         Vector<L, D> force = Vector<L, D>::zero();
         for (const std::int32_t index : near.of(kind))
-            force += order_free_(repulsion_.law(position - load_vector<L, D>(other_position, index),
-                                                min(range, L(load<L>(other_range, index)))));
+            force += rounding_(repulsion_.law(position - load_vector<L, D>(other_position, index),
+                                              min(range, L(load<L>(other_range, index)))));
         return force;
     }
 
     const ParticleStore& particles_;
     const Repulsion& repulsion_;
-    const OrderFree& order_free_;
+    const ReproducibleSum& rounding_;
 };
 
 }  // namespace dmp::solver

@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 /// What the sums of a correction sweep are rounded to.
 struct CorrectionRounding {
-    OrderFree matrix, force, rate;
+    ReproducibleSum matrix, force, rate;
 };
 
 /// The corrected gradient (models/sph/gradient_correction.hpp), L of a cluster's particles at a time: `matrices` before
@@ -22,20 +22,20 @@ template <class L, int D, class Kernel, class Solid>
 class CorrectionSweep {
   public:
     CorrectionSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-                    const CorrectionRounding& order_free, int threads)
+                    const CorrectionRounding& rounding, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           solid_(solid),
-          order_free_(order_free),
+          rounding_(rounding),
           threads_(threads),
           fluid_(particles.fluid()),
-          rigid_(particles.of(ParticleKind::rigid)),
-          springs_(particles.of(ParticleKind::springs)) {}
+          rigid_(particles.of(PartKind::rigid)),
+          springs_(particles.of(PartKind::elastic)) {}
 
     void matrices(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
-        for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, PartKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const Matrix e = GradientCorrection::excess(moment_of(near));
             store<L, D>(e.diagonal, group, Field::correction, near.cluster);
             for (int k = 0; k < Matrix::off_diagonals; ++k)
@@ -45,14 +45,14 @@ class CorrectionSweep {
     }
 
     void forces(ClusterChoice choice) {
-        add(ParticleKind::fluid, choice, [this](const auto& near) { return force_on_fluid(near); });
-        add(ParticleKind::rigid, choice, [this](const auto& near) { return reaction<true>(near, rigid_); });
-        add(ParticleKind::springs, choice, [this](const auto& near) { return reaction<false>(near, springs_); });
+        add(PartKind::fluid, choice, [this](const auto& near) { return force_on_fluid(near); });
+        add(PartKind::rigid, choice, [this](const auto& near) { return reaction<true>(near, rigid_); });
+        add(PartKind::elastic, choice, [this](const auto& near) { return reaction<false>(near, springs_); });
     }
 
     void rates(ClusterChoice choice) {
         double* rates = particles_.fluid().data(Field::density_rate);
-        for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, PartKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const L rate = load<L>(rates, near.cluster) + rate_of(near);
             rate.store(rates + near.cluster.first, static_cast<std::size_t>(near.cluster.count));
         });
@@ -77,24 +77,24 @@ class CorrectionSweep {
     [[nodiscard, gnu::flatten]] Matrix moment_of(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Matrix moment{Force::zero(), Vector<L, Matrix::off_diagonals>::zero()};
-        const auto add_all = [&](ParticleKind kind, const auto& read) {
+        const auto add_all = [&](PartKind kind, const auto& read) {
             for (const std::int32_t index : near.of(kind)) {
                 const auto j = read(index);
                 const Force separation = i.position - j.position;
                 const L slope = kernel_.slope(sqrt(dot(separation, separation)));
                 const Matrix term = GradientCorrection::term(j.volume, separation);
-                moment.diagonal += order_free_.matrix(slope * term.diagonal);
-                moment.off += order_free_.matrix(slope * term.off);
+                moment.diagonal += rounding_.matrix(slope * term.diagonal);
+                moment.off += rounding_.matrix(slope * term.off);
             }
         };
-        add_all(ParticleKind::fluid, fluid_);
-        add_all(ParticleKind::rigid, rigid_);
-        add_all(ParticleKind::springs, springs_);
+        add_all(PartKind::fluid, fluid_);
+        add_all(PartKind::rigid, rigid_);
+        add_all(PartKind::elastic, springs_);
         return moment;
     }
 
     template <class ForceOn>
-    void add(ParticleKind kind, ClusterChoice choice, const ForceOn& force_on) {
+    void add(PartKind kind, ClusterChoice choice, const ForceOn& force_on) {
         ParticleGroup& group = particles_.of(kind);
         for_each_cluster<L::width>(list_, kind, choice, threads_, [&](const Neighbourhood& near) {
             const auto force = load_vector<L, D>(axes_of<D>(group, Field::force), near.cluster);
@@ -106,10 +106,10 @@ class CorrectionSweep {
         const auto i = fluid_(near.cluster);
         const auto own = correction(near.cluster);
         Force force = Force::zero();
-        for (const std::int32_t index : near.of(ParticleKind::fluid))
+        for (const std::int32_t index : near.of(PartKind::fluid))
             force += force_of_pair(i, fluid_(index), own, correction(index));
-        for (const std::int32_t index : near.of(ParticleKind::rigid)) force += force_by<true>(i, rigid_(index), own);
-        for (const std::int32_t index : near.of(ParticleKind::springs))
+        for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, rigid_(index), own);
+        for (const std::int32_t index : near.of(PartKind::elastic))
             force += force_by<false>(i, springs_(index), own);
         return force;
     }
@@ -118,7 +118,7 @@ class CorrectionSweep {
     [[nodiscard, gnu::flatten]] Force reaction(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);
         Force force = Force::zero();
-        for (const std::int32_t index : near.of(ParticleKind::fluid))
+        for (const std::int32_t index : near.of(PartKind::fluid))
             force -= force_by<IsRigid>(fluid_(index), solid, correction(index));
         return force;
     }
@@ -129,8 +129,8 @@ class CorrectionSweep {
         const L distance = sqrt(dot(separation, separation));
         const L slope = kernel_.slope(distance);
         const Pair pair{i, j, separation, distance, 1.0};
-        return order_free_.force(slope * GradientCorrection::force(pair, i.pressure, of_i)) +
-               order_free_.force(slope * GradientCorrection::force(pair, j.pressure, of_j));
+        return rounding_.force(slope * GradientCorrection::force(pair, i.pressure, of_i)) +
+               rounding_.force(slope * GradientCorrection::force(pair, j.pressure, of_j));
     }
 
     template <bool IsRigid, class F, class S, class OfFluid>
@@ -147,18 +147,18 @@ class CorrectionSweep {
         const auto i = fluid_(near.cluster);
         const auto own = correction(near.cluster);
         L rate = 0.0;
-        const auto add_all = [&](ParticleKind kind, const auto& read, double weight) {
+        const auto add_all = [&](PartKind kind, const auto& read, double weight) {
             for (const std::int32_t index : near.of(kind)) {
                 const auto j = read(index);
                 const Force separation = i.position - j.position;
                 const L distance = sqrt(dot(separation, separation));
                 const Pair pair{i, j, separation, distance, 1.0};
-                rate += order_free_.rate(kernel_.slope(distance) * (weight * GradientCorrection::rate(pair, own)));
+                rate += rounding_.rate(kernel_.slope(distance) * (weight * GradientCorrection::rate(pair, own)));
             }
         };
-        add_all(ParticleKind::fluid, fluid_, 1);
-        add_all(ParticleKind::rigid, rigid_, Solid::approach_weight);
-        add_all(ParticleKind::springs, springs_, Solid::approach_weight);
+        add_all(PartKind::fluid, fluid_, 1);
+        add_all(PartKind::rigid, rigid_, Solid::approach_weight);
+        add_all(PartKind::elastic, springs_, Solid::approach_weight);
         return rate;
     }
 
@@ -166,7 +166,7 @@ class CorrectionSweep {
     const ClusterList& list_;
     const Kernel& kernel_;
     const Solid& solid_;
-    const CorrectionRounding& order_free_;
+    const CorrectionRounding& rounding_;
     int threads_;
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface> rigid_;

@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 /// What the sums of a density sweep are rounded to.
 struct DensityRounding {
-    OrderFree rate, shift, divergence;
+    ReproducibleSum rate, shift, divergence;
 };
 
 /// Where no species is summed.
@@ -21,39 +21,38 @@ struct NoSpecies {
     static Sum around(const Cluster& /*any*/) { return {}; }
 };
 
-/// What a density sweep sums. `stratified`: a body force or a free surface is there, see StratifiedDiffusion and
+/// What a density sweep sums. `stratified`: a body force or a free surface is there, see HydrostaticDiffusion and
 /// Shifting. `species`: diffusion of one on the way.
 struct DensityTerms {
-    bool rate = true, diffusion = false, shifting = false, stratified = false, species = false;
+    bool rate = true, diffusion = false, shifting = false, hydrostatic = false, species = false;
 };
 
 /// Sums the density rate and the shifting vector over the neighbours of each cluster, L of its particles at a time.
-/// `Species` is SpeciesAlong, or NoSpecies.
+/// `Species` is FusedDiffusion, or NoSpecies.
 template <class L, int D, class Kernel, class Solid, DensityTerms with, class Species>
 class DensitySweep {
   public:
     DensitySweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
-                 const DensityDiffusion& diffusion, const StratifiedDiffusion<D>& stratified,
-                 const Shifting<Kernel>& shifting, const DensityRounding& order_free, const Species& species,
-                 int threads)
+                 const DensityDiffusion& diffusion, const HydrostaticDiffusion<D>& hydrostatic,
+                 const Shifting<Kernel>& shifting, const DensityRounding& rounding, const Species& species, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           diffusion_(diffusion),
-          stratified_(stratified),
+          hydrostatic_(hydrostatic),
           shifting_(shifting),
-          order_free_(order_free),
+          rounding_(rounding),
           species_(species),
           threads_(threads),
           fluid_(particles.fluid()),
-          rigid_(particles.of(ParticleKind::rigid)),
-          springs_(particles.of(ParticleKind::springs)) {}
+          rigid_(particles.of(PartKind::rigid)),
+          springs_(particles.of(PartKind::elastic)) {}
 
     void run(ClusterChoice choice) {
         fluid(choice);
         if constexpr (with.rate && Solid::needs_state) {  // these walls carry a density that the fluid's motion changes
-            solids(ParticleKind::rigid, choice, rigid_);
-            solids(ParticleKind::springs, choice, springs_);
+            solids(PartKind::rigid, choice, rigid_);
+            solids(PartKind::elastic, choice, springs_);
         }
     }
 
@@ -67,7 +66,7 @@ class DensitySweep {
 
     void fluid(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
-        for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, PartKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const Sum sum = around_fluid(near);
             if constexpr (with.shifting) store<L, D>(sum.shift, group, Field::shift, near.cluster);
             if constexpr (with.rate) store_rate(sum.rate, group, near.cluster);
@@ -76,7 +75,7 @@ class DensitySweep {
     }
 
     template <class Reader>
-    void solids(ParticleKind kind, ClusterChoice choice, const Reader& read) {
+    void solids(PartKind kind, ClusterChoice choice, const Reader& read) {
         for_each_cluster<L::width>(list_, kind, choice, threads_, [&](const Neighbourhood& near) {
             store_rate(rate_of_solid(near, read), particles_.of(kind), near.cluster);
         });
@@ -86,8 +85,8 @@ class DensitySweep {
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(near.cluster)};
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) add<true>(i, fluid_(index), sum, index);
-        for (const std::int32_t index : near.of(ParticleKind::rigid)) {
+        for (const std::int32_t index : near.of(PartKind::fluid)) add<true>(i, fluid_(index), sum, index);
+        for (const std::int32_t index : near.of(PartKind::rigid)) {
             if constexpr (Solid::needs_motion) {
                 const auto wall = rigid_(index);
                 add<false>(i, Solid::approached(i, wall), sum);
@@ -95,8 +94,8 @@ class DensitySweep {
                 add<false>(i, rigid_(index), sum);
             }
         }
-        for (const std::int32_t index : near.of(ParticleKind::springs)) add<false>(i, springs_(index), sum);
-        if constexpr (with.shifting && with.stratified)
+        for (const std::int32_t index : near.of(PartKind::elastic)) add<false>(i, springs_(index), sum);
+        if constexpr (with.shifting && with.hydrostatic)
             sum.shift = Shifting<Kernel>::template kept<D>(sum.divergence) * sum.shift;
         return sum;
     }
@@ -105,12 +104,12 @@ class DensitySweep {
     [[nodiscard, gnu::flatten]] L rate_of_solid(const Neighbourhood& near, const Reader& read) const {
         const auto i = read(near.cluster);
         L rate = 0.0;
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+        for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
             const auto separation = i.position - j.position;
             const L distance = sqrt(dot(separation, separation));
             rate +=
-                order_free_.rate(kernel_.slope(distance) * ContinuityRate::law(Pair{i, j, separation, distance, 1.0}));
+                rounding_.rate(kernel_.slope(distance) * ContinuityRate::law(Pair{i, j, separation, distance, 1.0}));
         }
         return rate;
     }
@@ -128,13 +127,13 @@ class DensitySweep {
         if constexpr (with.rate) {
             L rate = ContinuityRate::law(pair);
             if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
-            if constexpr (BothFluid && with.diffusion && with.stratified) rate += stratified_.law(pair);
-            if constexpr (BothFluid && with.diffusion && !with.stratified) rate += diffusion_.law(pair);
-            sum.rate += order_free_.rate(slope * rate);
+            if constexpr (BothFluid && with.diffusion && with.hydrostatic) rate += hydrostatic_.law(pair);
+            if constexpr (BothFluid && with.diffusion && !with.hydrostatic) rate += diffusion_.law(pair);
+            sum.rate += rounding_.rate(slope * rate);
         }
-        if constexpr (with.shifting) sum.shift += order_free_.shift(slope * shifting_.law(pair, kernel_));
-        if constexpr (with.shifting && with.stratified)
-            sum.divergence += order_free_.divergence(slope * Shifting<Kernel>::divergence(pair));
+        if constexpr (with.shifting) sum.shift += rounding_.shift(slope * shifting_.law(pair, kernel_));
+        if constexpr (with.shifting && with.hydrostatic)
+            sum.divergence += rounding_.divergence(slope * Shifting<Kernel>::divergence(pair));
         if constexpr (BothFluid && with.species)
             species_.add(i.volume * j.volume, index, separation, slope, sum.species);
     }
@@ -143,9 +142,9 @@ class DensitySweep {
     const ClusterList& list_;
     const Kernel& kernel_;
     const DensityDiffusion& diffusion_;
-    const StratifiedDiffusion<D>& stratified_;
+    const HydrostaticDiffusion<D>& hydrostatic_;
     const Shifting<Kernel>& shifting_;
-    const DensityRounding& order_free_;
+    const DensityRounding& rounding_;
     const Species& species_;
     int threads_;
     FluidReader<L, D> fluid_;

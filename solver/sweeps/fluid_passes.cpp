@@ -37,10 +37,12 @@ std::array<double*, D> axes(ParticleGroup& group, Field field) {
 /// Whether fourth powers of speeds up to this one have a quantum.
 bool can_round(double largest_speed) { return largest_speed > 0 && std::pow(largest_speed, 4) < infinity; }
 
-OrderFree rounding_of_powers(double largest_speed) { return OrderFree(at_least_something(std::pow(largest_speed, 4))); }
+ReproducibleSum rounding_of_powers(double largest_speed) {
+    return ReproducibleSum(at_least_something(std::pow(largest_speed, 4)));
+}
 
-/// Of so few the sum is exact (OrderFree).
-double sum_of_fourth_powers(const LargestSquare::Squares& squares, const OrderFree& rounded) {
+/// Of so few the sum is exact (ReproducibleSum).
+double sum_of_fourth_powers(const LargestSquare::Squares& squares, const ReproducibleSum& rounded) {
     constexpr std::ptrdiff_t lanes = LargestSquare::lanes;
     std::array<double, lanes> sums{};
     for (std::ptrdiff_t k = 0; k < LargestSquare::at_a_time; k += lanes)
@@ -133,7 +135,7 @@ SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::
                                     double expected_speed) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
     const double* mass = fluid.data(Field::mass);
-    const OrderFree rounded = rounding_of_powers(expected_speed);
+    const ReproducibleSum rounded = rounding_of_powers(expected_speed);
     SpeedSums sums;
     const auto pass = [&]<int D>() {
         const auto v = axes<D>(fluid, Field::velocity), force = axes<D>(fluid, Field::force);
@@ -154,7 +156,7 @@ SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::
                         square[k] += speed[k] * speed[k];
                     }
                 }
-                largest.look_at(square);
+                largest.update(square);
                 if constexpr (sums_powers) powers.add(sum_of_fourth_powers(square, rounded));
             }
 #pragma omp critical(dmp_kick)
@@ -182,7 +184,7 @@ ExactSum FluidPasses::fourth_powers_of_speeds(const ParticleGroup& fluid, double
     }
     std::array<const double*, 3> v{};
     for (int axis = 0; axis < fluid.dimension(); ++axis) v[axis] = fluid.data(Field::velocity, axis);
-    const OrderFree rounded = rounding_of_powers(largest_speed);
+    const ReproducibleSum rounded = rounding_of_powers(largest_speed);
     return sums_of_multiples<1>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
         double square = 0;
         for (int axis = 0; axis < fluid.dimension(); ++axis) square += v[axis][i] * v[axis][i];
@@ -225,15 +227,15 @@ PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, cons
     PassExtremes extremes = particles.dimension() == 3 ? drift_and_shift<3>(particles, dt, shift)
                                                        : drift_and_shift<2>(particles, dt, shift);
     for (ParticleGroup& group : particles.groups())
-        if (group.has(Field::density_rate) && group.kind() != ParticleKind::fluid) update_density(group, dt);
+        if (group.has(Field::density_rate) && group.kind() != PartKind::fluid) update_density(group, dt);
     ParticleGroup& fluid = particles.fluid();
     double* density = fluid.data(Field::density);
     if (fluid.has(Field::density_rate)) {
         const double* rate = fluid.data(Field::density_rate);
-        look_at_densities(
+        update_density_range(
             fluid, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; }, extremes);
     } else {
-        look_at_densities(
+        update_density_range(
             fluid, [=](std::ptrdiff_t i) { return density[i]; }, extremes);
     }
     return extremes;
@@ -241,8 +243,8 @@ PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, cons
 
 /// Takes note of the extremes of density_of(i), which may bring the density up to date.
 template <class DensityOf>
-void FluidPasses::look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of,
-                                    PassExtremes& extremes) const {
+void FluidPasses::update_density_range(const ParticleGroup& fluid, const DensityOf& density_of,
+                                       PassExtremes& extremes) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
     if (count == 0) {
         extremes.density_low = infinity;
@@ -273,7 +275,7 @@ PassExtremes FluidPasses::extremes(const ParticleGroup& fluid) const {
     }
     PassExtremes extremes;
     extremes.largest_speed = root(fastest);
-    look_at_densities(
+    update_density_range(
         fluid, [density = fluid.data(Field::density)](std::ptrdiff_t i) { return density[i]; }, extremes);
     return extremes;
 }

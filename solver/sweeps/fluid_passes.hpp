@@ -60,7 +60,7 @@ class FluidPasses {
     template <int D>
     [[nodiscard]] PassExtremes drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const;
     template <class DensityOf>
-    void look_at_densities(const ParticleGroup& fluid, const DensityOf& density_of, PassExtremes& extremes) const;
+    void update_density_range(const ParticleGroup& fluid, const DensityOf& density_of, PassExtremes& extremes) const;
     template <bool sums_powers>
     [[nodiscard]] SpeedSums kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
                                          double expected_speed) const;

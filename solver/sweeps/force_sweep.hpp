@@ -14,30 +14,30 @@ template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ForceSweep {
   public:
     ForceSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
-               const Viscosity& viscosity, const Repulsion& repulsion, const OrderFree& order_free, int threads)
+               const Viscosity& viscosity, const Repulsion& repulsion, const ReproducibleSum& rounding, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
           solid_(solid),
           viscosity_(viscosity),
-          contact_(particles, repulsion, order_free),
-          order_free_(order_free),
+          contact_(particles, repulsion, rounding),
+          rounding_(rounding),
           threads_(threads),
           fluid_(particles.fluid()),
-          rigid_(particles.of(ParticleKind::rigid)),
-          springs_(particles.of(ParticleKind::springs)) {}
+          rigid_(particles.of(PartKind::rigid)),
+          springs_(particles.of(PartKind::elastic)) {}
 
     void run(ClusterChoice choice) {
-        sweep(ParticleKind::fluid, choice, [this](const auto& near) { return force_on_fluid(near); });
-        sweep(ParticleKind::rigid, choice, [this](const auto& near) { return force_on_rigid(near); });
-        sweep(ParticleKind::springs, choice, [this](const auto& near) { return force_on_springs(near); });
+        sweep(PartKind::fluid, choice, [this](const auto& near) { return force_on_fluid(near); });
+        sweep(PartKind::rigid, choice, [this](const auto& near) { return force_on_rigid(near); });
+        sweep(PartKind::elastic, choice, [this](const auto& near) { return force_on_elastic(near); });
     }
 
   private:
     using Force = Vector<L, D>;
 
     template <class ForceOn>
-    void sweep(ParticleKind kind, ClusterChoice choice, const ForceOn& force_on) {
+    void sweep(PartKind kind, ClusterChoice choice, const ForceOn& force_on) {
         ParticleGroup& group = particles_.of(kind);
         for_each_cluster<L::width>(list_, kind, choice, threads_, [&](const Neighbourhood& near) {
             store<L, D>(force_on(near), group, Field::force, near.cluster);
@@ -48,24 +48,24 @@ class ForceSweep {
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Force force = Force::zero();
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+        for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
-            force += order_free_(fluid_pair(i, j, i.position - j.position));
+            force += rounding_(fluid_pair(i, j, i.position - j.position));
         }
-        for (const std::int32_t index : near.of(ParticleKind::rigid)) force += force_by<true>(i, rigid_(index));
-        for (const std::int32_t index : near.of(ParticleKind::springs)) force += force_by<false>(i, springs_(index));
-        return force + contact_(near, ParticleKind::rigid, Field::contact_range) +
-               contact_(near, ParticleKind::springs, Field::contact_range);
+        for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, rigid_(index));
+        for (const std::int32_t index : near.of(PartKind::elastic)) force += force_by<false>(i, springs_(index));
+        return force + contact_(near, PartKind::rigid, Field::contact_range) +
+               contact_(near, PartKind::elastic, Field::contact_range);
     }
 
     [[nodiscard, gnu::flatten]] Force force_on_rigid(const Neighbourhood& near) const {
-        return reaction_to_fluid<true>(near, rigid_) + contact_(near, ParticleKind::springs, Field::wall_contact_range);
+        return reaction_to_fluid<true>(near, rigid_) + contact_(near, PartKind::elastic, Field::wall_contact_range);
     }
 
-    [[nodiscard, gnu::flatten]] Force force_on_springs(const Neighbourhood& near) const {
+    [[nodiscard, gnu::flatten]] Force force_on_elastic(const Neighbourhood& near) const {
         return reaction_to_fluid<false>(near, springs_) +
-               contact_(near, ParticleKind::rigid, Field::wall_contact_range) +
-               contact_(near, ParticleKind::springs, Field::contact_range);
+               contact_(near, PartKind::rigid, Field::wall_contact_range) +
+               contact_(near, PartKind::elastic, Field::contact_range);
     }
 
     /// On a fluid particle by a solid one, in whose place it sees liquid.
@@ -73,9 +73,9 @@ class ForceSweep {
     [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
         const auto separation = fluid.position - solid.position;
         if constexpr (IsRigid) {
-            return order_free_(fluid_pair(fluid, solid_.rigid(fluid, solid, separation), separation));
+            return rounding_(fluid_pair(fluid, solid_.rigid(fluid, solid, separation), separation));
         } else {
-            return order_free_(fluid_pair(fluid, solid_.springs(fluid, solid, separation), separation));
+            return rounding_(fluid_pair(fluid, solid_.springs(fluid, solid, separation), separation));
         }
     }
 
@@ -83,8 +83,8 @@ class ForceSweep {
     template <bool IsRigid, class Reader>
     [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);
-        Force force = contact_(near, ParticleKind::fluid, Field::contact_range);
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
+        Force force = contact_(near, PartKind::fluid, Field::contact_range);
+        for (const std::int32_t index : near.of(PartKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
         return force;
     }
 
@@ -101,7 +101,7 @@ class ForceSweep {
     const Solid& solid_;
     const Viscosity& viscosity_;
     ContactSum<L, D> contact_;
-    const OrderFree& order_free_;
+    const ReproducibleSum& rounding_;
     int threads_;
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;

@@ -16,10 +16,10 @@ namespace dmp::solver {
 /// the other gives. Where next to nothing diffuses that would be too coarse for d^2; they are then rounded as d^2 w_ij
 /// with the longest d.
 template <class L, int D, bool Shifting>
-class SpeciesAlong {
+class FusedDiffusion {
   public:
     /// @param steepest of the kernel, |dW/dr| [1/m^(D+1)]
-    SpeciesAlong(ParticleStore& particles, const SpeciesSums& sums, double volume, double steepest)
+    FusedDiffusion(ParticleStore& particles, const SpeciesSums& sums, double volume, double steepest)
         : sums_(sums),
           concentration_(particles.fluid().data(sums.values, sums.array_of_values)),
           result_(particles.fluid().data(sums.result, sums.array_of_result)),
@@ -67,7 +67,7 @@ class SpeciesAlong {
     const SpeciesSums& sums_;
     const double* concentration_;
     double* result_;
-    OrderFree whole_, moments_;
+    ReproducibleSum whole_, moments_;
     bool exactly_;
     double factor_, left_;  ///< of SUM w_ij: what the terms have; what is to be added with d^2 [m^2]
 };

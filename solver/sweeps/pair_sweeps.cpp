@@ -10,7 +10,7 @@ namespace {
 void declare_fields(const PairSettings& settings, ParticleStore& particles) {
     const bool plain = settings.walls == WallModel::plain, contact = settings.repulsion_strength > 0;
     for (ParticleGroup& group : particles.groups()) {
-        const bool is_fluid = group.kind() == ParticleKind::fluid;
+        const bool is_fluid = group.kind() == PartKind::fluid;
         if (is_fluid || plain) group.declare({Field::density, Field::pressure});
         if ((is_fluid && !settings.density_by_summation) || plain) group.declare({Field::density_rate});
         if (is_fluid) group.declare({Field::viscosity});
@@ -21,10 +21,10 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
         if (settings.implicit_viscosity) group.declare({Field::viscous_force});
-        if (settings.implicit_viscosity && group.kind() != ParticleKind::rigid)
+        if (settings.implicit_viscosity && group.kind() != PartKind::rigid)
             group.declare(
                 {Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction, Field::viscous_diagonal});
-        if (group.kind() != ParticleKind::rigid) continue;
+        if (group.kind() != PartKind::rigid) continue;
         group.declare({Field::wall_normal, Field::wall_distance});
         if (settings.slip_walls) group.declare({Field::wall_slip});
         if (settings.moving_walls && !plain) group.declare({Field::wall_acceleration});

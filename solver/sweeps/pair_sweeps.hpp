@@ -26,7 +26,7 @@ struct PairSettings {
     bool approaching_pairs_only = false;  ///< of Monaghan's viscosity
     bool arithmetic_viscosity = false;    ///< of Monaghan's viscosity: the mean of two fluids' viscosities
     /// A free surface, or a body force along an axis that is not periodic: diffusion and shifting mind it.
-    bool stratified = false;
+    bool hydrostatic = false;
     bool density_by_summation = false;
     bool gradient_correction = false;
     bool transport_velocity = false;
@@ -75,7 +75,7 @@ struct SpeciesSums {
     bool adds = false;                              ///< to what the result field has
     double time = 1;                                ///< during which amounts are taken [s]
     double largest_term = 0;                        ///< of one pair; sums stay exact up to 128 times that
-    bool with_rigid = false, with_springs = false;  ///< some of these particles take part
+    bool with_rigid = false, with_elastic = false;  ///< some of these particles take part
     double shift_per_sum = 0;                       ///< displacement for a unit of Field::shift [m^2]; 0: none
     double longest_shift = 0;                       ///< [m]
     double diffusivity = -1;                        ///< of all fluid particles [m^2/s]; negative: by particle
@@ -112,7 +112,7 @@ class PairSweeps {
                                ClusterChoice choice = ClusterChoice::all, const SpeciesSums* along = nullptr) const = 0;
     /// Whether density_rates can do so: no solid takes part, all the fluid has one diffusivity, and walls and densities
     /// are those of most scenes.
-    [[nodiscard]] virtual bool takes_along(const SpeciesSums& sums) const = 0;
+    [[nodiscard]] virtual bool can_fuse(const SpeciesSums& sums) const = 0;
 
     /// viscous_force [N] alone, of fluid and spring bodies, and, where walls move, of walls.
     virtual void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
@@ -132,7 +132,7 @@ class PairSweeps {
     virtual void species(ParticleStore& particles, const SpeciesPairs& pairs, const SpeciesSums& sums) const = 0;
 
     /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
-    virtual void keep_near(const ParticleStore& particles, ClusterList& list, double reach) const = 0;
+    virtual void prune(const ParticleStore& particles, ClusterList& list, double reach) const = 0;
 
     /// Largest stable c dt / support and nu dt / support^2 of the kernel (linear theory).
     [[nodiscard]] virtual double sound_limit() const = 0;

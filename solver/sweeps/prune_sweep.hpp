@@ -11,16 +11,16 @@ namespace dmp::solver {
 /// Looks through all that is listed and keeps what is within `reach` of a member of its cluster as neighbours, L
 /// members at a time.
 template <class L, int D>
-class NearSweep {
+class PruneSweep {
   public:
-    NearSweep(const ParticleStore& particles, ClusterList& list, double reach, int threads)
+    PruneSweep(const ParticleStore& particles, ClusterList& list, double reach, int threads)
         : particles_(particles), list_(list), reach_square_(reach * reach), threads_(threads) {}
 
     void run() {
-        for (const ParticleKind own : all_kinds) {
+        for (const PartKind own : all_kinds) {
             const auto count = static_cast<std::ptrdiff_t>(list_.clusters(own).size());
 #pragma omp parallel for num_threads(threads_) schedule(static)
-            for (std::ptrdiff_t c = 0; c < count; ++c) look_around(own, static_cast<std::size_t>(c));
+            for (std::ptrdiff_t c = 0; c < count; ++c) search_around(own, static_cast<std::size_t>(c));
         }
     }
 
@@ -28,11 +28,11 @@ class NearSweep {
     static constexpr std::size_t parts = (cluster_size + L::width - 1) / L::width;
     using Members = std::array<Vector<L, D>, parts>;
 
-    void look_around(ParticleKind own, std::size_t number) {
+    void search_around(PartKind own, std::size_t number) {
         const Members members = members_of(particles_.of(own), list_.clusters(own)[number]);
-        for (const ParticleKind other : all_kinds) {
+        for (const PartKind other : all_kinds) {
             const auto positions = axes_of<D>(particles_.of(other), Field::position);
-            list_.keep_near(
+            list_.prune(
                 own, number, other,
                 [&](std::int32_t index) { return is_near(members, load_vector<L, D>(positions, index)); },
                 omp_get_thread_num());

@@ -12,9 +12,9 @@ namespace dmp::solver {
 /// (Fixed-point accumulation in the mantissa of a double; after Demmel & Nguyen 2013, with one bin.)
 /// The quantum is 2^-46 of the largest term expected: terms up to 32 times that, and sums up to 128 times it, stay
 /// exact. What is larger still is added like any other number, and only its last bits then depend on the order.
-class OrderFree {
+class ReproducibleSum {
   public:
-    explicit OrderFree(double largest_term) : magic_(1.5 * std::ldexp(1.0, std::ilogb(largest_term) - 46 + 52)) {}
+    explicit ReproducibleSum(double largest_term) : magic_(1.5 * std::ldexp(1.0, std::ilogb(largest_term) - 46 + 52)) {}
 
     template <class T>
     [[nodiscard]] T operator()(const T& term) const {

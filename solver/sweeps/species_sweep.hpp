@@ -10,7 +10,7 @@
 namespace dmp::solver {
 
 /// Reads particles in the form that the diffusion of a species takes.
-template <class L, int D, ParticleKind kind>
+template <class L, int D, PartKind kind>
 class SpeciesReader {
   public:
     SpeciesReader(const ParticleGroup& group, const SpeciesSums& sums)
@@ -41,7 +41,7 @@ class SpeciesReader {
     [[nodiscard]] auto read(const Index& at, const T& diffusivity) const {
         const SpeciesPoint<T, D> point{load_vector<L, D>(position_, at), load<L>(volume_, at),
                                        load<L>(concentration_, at), diffusivity};
-        if constexpr (kind == ParticleKind::rigid) {
+        if constexpr (kind == PartKind::rigid) {
             using std::max;
             const T wall = load<L>(wall_, at);
             return SpeciesWallPoint<T, D>{point, load_vector<L, D>(normal_, at), load<L>(depth_, at), max(wall, T(0.0)),
@@ -67,55 +67,55 @@ class SpeciesSweep {
           kernel_(kernel),
           sums_(sums),
           diffusion_(diffusion),
-          order_free_(sums.largest_term),
+          rounding_(sums.largest_term),
           threads_(threads) {}
 
     void run() {
-        run_kind<ParticleKind::fluid>();
-        if (sums_.with_rigid) run_kind<ParticleKind::rigid>();
-        if (sums_.with_springs) run_kind<ParticleKind::springs>();
+        run_kind<PartKind::fluid>();
+        if (sums_.with_rigid) run_kind<PartKind::rigid>();
+        if (sums_.with_elastic) run_kind<PartKind::elastic>();
     }
 
   private:
-    template <ParticleKind own>
+    template <PartKind own>
     void run_kind() {
         double* result = particles_.of(own).data(sums_.result, sums_.array_of_result);
         for_each_cluster<L::width>(pairs_.meeting, own, ClusterChoice::all, threads_, [&](const Neighbourhood& near) {
-            L sum = from<own, ParticleKind::fluid>(near, near.of(ParticleKind::fluid));
-            if (sums_.with_rigid) sum += from<own, ParticleKind::rigid>(near, of<own, ParticleKind::rigid>(near));
-            if (sums_.with_springs) {
-                sum += from<own, ParticleKind::springs>(near, near.of(ParticleKind::springs));
-                if constexpr (own == ParticleKind::springs) sum += from<own, own>(near, within<own>(near));
+            L sum = from<own, PartKind::fluid>(near, near.of(PartKind::fluid));
+            if (sums_.with_rigid) sum += from<own, PartKind::rigid>(near, of<own, PartKind::rigid>(near));
+            if (sums_.with_elastic) {
+                sum += from<own, PartKind::elastic>(near, near.of(PartKind::elastic));
+                if constexpr (own == PartKind::elastic) sum += from<own, own>(near, within<own>(near));
             }
             double* to = result + near.cluster.first;
             (sums_.adds ? L::load(to) + sum : sum).store(to, static_cast<std::size_t>(near.cluster.count));
         });
     }
 
-    template <ParticleKind own, ParticleKind other>
+    template <PartKind own, PartKind other>
     [[nodiscard]] std::span<const std::int32_t> of(const Neighbourhood& near) const {
-        if constexpr (own == ParticleKind::rigid && other == own)
+        if constexpr (own == PartKind::rigid && other == own)
             return within<own>(near);
         else
             return near.of(other);
     }
     /// Neighbours in the cluster's own solid.
-    template <ParticleKind own>
+    template <PartKind own>
     [[nodiscard]] std::span<const std::int32_t> within(const Neighbourhood& near) const {
         if (pairs_.within_solids == nullptr) return {};
         return pairs_.within_solids->neighbours(own, near.number, own);
     }
 
-    template <ParticleKind kind, class Index>
+    template <PartKind kind, class Index>
     [[nodiscard]] auto read(const SpeciesReader<L, D, kind>& reader, const Index& at) const {
-        if constexpr (Alike && kind == ParticleKind::fluid)
+        if constexpr (Alike && kind == PartKind::fluid)
             return reader.with(sums_.diffusivity, at);
         else
             return reader(at);
     }
 
     // Flattened: the law becomes part of its loop, whatever the compiler thinks of its size.
-    template <ParticleKind own, ParticleKind other>
+    template <PartKind own, PartKind other>
     [[nodiscard, gnu::flatten]] L from(const Neighbourhood& near, std::span<const std::int32_t> others) const {
         L sum = 0.0;
         if (others.empty()) return sum;
@@ -126,14 +126,14 @@ class SpeciesSweep {
             for (const std::int32_t index : others) sum += conductance(i, read<other>(reader, index));
             return sum;
         }
-        if constexpr (own == ParticleKind::fluid && other == own) {
+        if constexpr (own == PartKind::fluid && other == own) {
             if (sums_.shift_per_sum != 0) return with_shift(near, i, others, reader);
         }
         for (const std::int32_t index : others) {
             const auto j = read<other>(reader, index);
             const auto separation = i.position - j.position;
             const L slope = kernel_.slope(sqrt(dot(separation, separation)));
-            sum += order_free_(slope * (sums_.time * taken<own, other>(i, j)));
+            sum += rounding_(slope * (sums_.time * taken<own, other>(i, j)));
         }
         return sum;
     }
@@ -141,22 +141,22 @@ class SpeciesSweep {
     /// Among fluid particles that are about to be shifted.
     template <class I>
     [[nodiscard]] L with_shift(const Neighbourhood& near, const I& i, std::span<const std::int32_t> others,
-                               const SpeciesReader<L, D, ParticleKind::fluid>& reader) const {
+                               const SpeciesReader<L, D, PartKind::fluid>& reader) const {
         const Vector<L, D> shift =
             sums_.displacement(load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::shift), near.cluster));
         L sum = 0.0;
         for (const std::int32_t index : others) {
-            const auto j = read<ParticleKind::fluid>(reader, index);
+            const auto j = read<PartKind::fluid>(reader, index);
             const auto separation = i.position - j.position;
             const L slope = kernel_.slope(sqrt(dot(separation, separation)));
-            sum += order_free_(slope * diffusion_.law_with_shift(i, j, sums_.time, shift));
+            sum += rounding_(slope * diffusion_.law_with_shift(i, j, sums_.time, shift));
         }
         return sum;
     }
 
-    template <ParticleKind own, ParticleKind other, class I, class J>
+    template <PartKind own, PartKind other, class I, class J>
     [[nodiscard]] auto taken(const I& i, const J& j) const {
-        if constexpr (Alike && own == ParticleKind::fluid && other == own)
+        if constexpr (Alike && own == PartKind::fluid && other == own)
             return (i.volume * j.volume) * (2 * sums_.diffusivity) * (i.concentration - j.concentration);
         else
             return diffusion_.law(i, j);
@@ -168,7 +168,7 @@ class SpeciesSweep {
         const auto separation = i.position - j.position;
         const L square = dot(separation, separation);
         const L term = kernel_.slope(sqrt(square)) * (sums_.time * diffusion_.conductance(i, j));
-        return order_free_(where_less(L(0.0), square, -term, L(0.0)));
+        return rounding_(where_less(L(0.0), square, -term, L(0.0)));
     }
 
     ParticleStore& particles_;
@@ -176,7 +176,7 @@ class SpeciesSweep {
     const Kernel& kernel_;
     const SpeciesSums& sums_;
     const SpeciesDiffusion& diffusion_;
-    OrderFree order_free_;
+    ReproducibleSum rounding_;
     int threads_;
 };
 

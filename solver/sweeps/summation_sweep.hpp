@@ -16,18 +16,18 @@ template <class L, int D, class Kernel>
 class SummationSweep {
   public:
     /// `rest_density` by part number [kg/m^3].
-    SummationSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const OrderFree& order_free,
-                   std::span<const double> rest_density, int threads)
+    SummationSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
+                   const ReproducibleSum& rounding, std::span<const double> rest_density, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
-          order_free_(order_free),
+          rounding_(rounding),
           rest_density_(rest_density),
           threads_(threads) {}
 
     void run(ClusterChoice choice) {
         ParticleGroup& fluid = particles_.fluid();
-        for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, PartKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             density_of(near).store(fluid.data(Field::density) + near.cluster.first,
                                    static_cast<std::size_t>(near.cluster.count));
         });
@@ -39,20 +39,20 @@ class SummationSweep {
         L rest = 0.0;
         for (std::int32_t k = 0; k < near.cluster.count; ++k)
             rest.set(static_cast<std::size_t>(k), rest_density_[tags[near.cluster.first + k].part]);
-        return sum(near, ParticleKind::fluid, Field::mass, L(1.0)) +
-               sum(near, ParticleKind::rigid, Field::volume, rest) +
-               sum(near, ParticleKind::springs, Field::volume, rest);
+        return sum(near, PartKind::fluid, Field::mass, L(1.0)) +
+               sum(near, PartKind::rigid, Field::volume, rest) +
+               sum(near, PartKind::elastic, Field::volume, rest);
     }
 
     /// SUM factor_i weight_j W_ij, the particle itself included where it is of this kind.
-    [[nodiscard]] L sum(const Neighbourhood& near, ParticleKind kind, Field weights, const L& factor) const {
+    [[nodiscard]] L sum(const Neighbourhood& near, PartKind kind, Field weights, const L& factor) const {
         const auto position = load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::position), near.cluster);
         const auto others = axes_of<D>(particles_.of(kind), Field::position);
         const double* weight = particles_.of(kind).data(weights);
         L density = 0.0;
         for (const std::int32_t index : near.of(kind)) {
             const auto separation = position - load_vector<L, D>(others, index);
-            density += order_free_(
+            density += rounding_(
                 SummationDensity::law(factor * weight[index], kernel_.value(sqrt(dot(separation, separation)))));
         }
         return density;
@@ -61,7 +61,7 @@ class SummationSweep {
     ParticleStore& particles_;
     const ClusterList& list_;
     const Kernel& kernel_;
-    const OrderFree& order_free_;
+    const ReproducibleSum& rounding_;
     std::span<const double> rest_density_;
     int threads_;
 };

@@ -13,8 +13,8 @@ namespace dmp::solver {
 template <class L, int D, class Kernel>
 class TransportSweep {
   public:
-    TransportSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const OrderFree& force,
-                   const OrderFree& spreading, int threads)
+    TransportSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel,
+                   const ReproducibleSum& force, const ReproducibleSum& spreading, int threads)
         : particles_(particles),
           list_(list),
           kernel_(kernel),
@@ -26,7 +26,7 @@ class TransportSweep {
 
     void run(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
-        for_each_cluster<L::width>(list_, ParticleKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
+        for_each_cluster<L::width>(list_, PartKind::fluid, choice, threads_, [&](const Neighbourhood& near) {
             const Sum sum = around_fluid(near);
             const auto force = load_vector<L, D>(axes_of<D>(group, Field::force), near.cluster);
             store<L, D>(force + sum.force, group, Field::force, near.cluster);
@@ -43,7 +43,7 @@ class TransportSweep {
         const auto i = fluid_(near.cluster);
         const auto of_i = load_vector<L, D>(transport_, near.cluster);
         Sum sum{Vector<L, D>::zero(), Vector<L, D>::zero()};
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+        for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
             const auto separation = i.position - j.position;
             const L distance = sqrt(dot(separation, separation));
@@ -53,7 +53,7 @@ class TransportSweep {
             sum.force += force_rounding_(slope * TransportVelocity::law(pair, j, load_vector<L, D>(transport_, index)));
             sum.spreading += spreading_rounding_(slope * TransportVelocity::spreading(pair));
         }
-        for (const ParticleKind kind : {ParticleKind::rigid, ParticleKind::springs}) {
+        for (const PartKind kind : {PartKind::rigid, PartKind::elastic}) {
             const SolidReader<L, D, false, false> solid(particles_.of(kind));
             for (const std::int32_t index : near.of(kind)) {
                 const auto j = solid(index);
@@ -69,8 +69,8 @@ class TransportSweep {
     ParticleStore& particles_;
     const ClusterList& list_;
     const Kernel& kernel_;
-    const OrderFree& force_rounding_;
-    const OrderFree& spreading_rounding_;
+    const ReproducibleSum& force_rounding_;
+    const ReproducibleSum& spreading_rounding_;
     int threads_;
     FluidReader<L, D> fluid_;
     std::array<const double*, D> transport_;

@@ -14,7 +14,7 @@ template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ViscousSweep {
   public:
     struct Motion {
-        OrderFree order_free;
+        ReproducibleSum rounding;
         Field velocity;      ///< of fluid particles and spring bodies
         double wall_motion;  ///< times the walls' own velocity: 1, or 0 for what is proportional to `velocity`
     };
@@ -26,39 +26,39 @@ class ViscousSweep {
           kernel_(kernel),
           solid_(solid),
           viscosity_(viscosity),
-          order_free_(motion.order_free),
+          rounding_(motion.rounding),
           wall_motion_(motion.wall_motion),
           threads_(threads),
           fluid_(particles.fluid()),
-          rigid_(particles.of(ParticleKind::rigid)),
-          springs_(particles.of(ParticleKind::springs)),
+          rigid_(particles.of(PartKind::rigid)),
+          springs_(particles.of(PartKind::elastic)),
           fluid_velocity_(axes_of<D>(particles.fluid(), motion.velocity)),
-          springs_velocity_(axes_of<D>(particles.of(ParticleKind::springs), motion.velocity)) {}
+          elastic_velocity_(axes_of<D>(particles.of(PartKind::elastic), motion.velocity)) {}
 
     /// viscous_force on fluid and spring bodies; where walls move, theirs too.
     void forces(ClusterChoice choice) {
-        sweep(ParticleKind::fluid, Field::viscous_force, choice,
+        sweep(PartKind::fluid, Field::viscous_force, choice,
               [this](const auto& near) { return force_on_fluid(near); });
-        sweep(ParticleKind::springs, Field::viscous_force, choice,
+        sweep(PartKind::elastic, Field::viscous_force, choice,
               [this](const auto& near) { return reaction_to_fluid<false>(near, spring_at()); });
         if (wall_motion_ != 0)
-            sweep(ParticleKind::rigid, Field::viscous_force, choice,
+            sweep(PartKind::rigid, Field::viscous_force, choice,
                   [this](const auto& near) { return reaction_to_fluid<true>(near, wall_at()); });
     }
 
     /// viscous_diagonal of fluid and spring bodies: by axis, how much force a particle's own velocity costs it [kg/s].
     void diagonal(ClusterChoice choice) {
-        sweep(ParticleKind::fluid, Field::viscous_diagonal, choice,
+        sweep(PartKind::fluid, Field::viscous_diagonal, choice,
               [this](const auto& near) { return diagonal_of_fluid(near); });
-        sweep(ParticleKind::springs, Field::viscous_diagonal, choice,
-              [this](const auto& near) { return diagonal_of_springs(near); });
+        sweep(PartKind::elastic, Field::viscous_diagonal, choice,
+              [this](const auto& near) { return diagonal_of_elastic(near); });
     }
 
   private:
     using Force = Vector<L, D>;
 
     template <class SumOver>
-    void sweep(ParticleKind kind, Field result, ClusterChoice choice, const SumOver& sum_over) {
+    void sweep(PartKind kind, Field result, ClusterChoice choice, const SumOver& sum_over) {
         ParticleGroup& group = particles_.of(kind);
         for_each_cluster<L::width>(list_, kind, choice, threads_, [&](const Neighbourhood& near) {
             store<L, D>(sum_over(near), group, result, near.cluster);
@@ -74,7 +74,7 @@ class ViscousSweep {
     [[nodiscard]] auto spring_at() const {
         return [this](const auto& at) {
             auto point = springs_(at);
-            point.velocity = load_vector<L, D>(springs_velocity_, at);
+            point.velocity = load_vector<L, D>(elastic_velocity_, at);
             return point;
         };
     }
@@ -90,12 +90,12 @@ class ViscousSweep {
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_at(near.cluster);
         Force force = Force::zero();
-        for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+        for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_at(index);
-            force += order_free_(pair(i, j, i.position - j.position));
+            force += rounding_(pair(i, j, i.position - j.position));
         }
-        for (const std::int32_t index : near.of(ParticleKind::rigid)) force += force_by<true>(i, wall_at()(index));
-        for (const std::int32_t index : near.of(ParticleKind::springs)) force += force_by<false>(i, spring_at()(index));
+        for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, wall_at()(index));
+        for (const std::int32_t index : near.of(PartKind::elastic)) force += force_by<false>(i, spring_at()(index));
         return force;
     }
 
@@ -103,7 +103,7 @@ class ViscousSweep {
     [[nodiscard, gnu::flatten]] Force reaction_to_fluid(const Neighbourhood& near, const ReadAt& read_at) const {
         const auto solid = read_at(near.cluster);
         Force force = Force::zero();
-        for (const std::int32_t index : near.of(ParticleKind::fluid))
+        for (const std::int32_t index : near.of(PartKind::fluid))
             force -= force_by<IsRigid>(fluid_at(index), solid);
         return force;
     }
@@ -113,27 +113,27 @@ class ViscousSweep {
         Force sum = Force::zero();
         for (int axis = 0; axis < D; ++axis) {
             const auto moving = moving_along(axis, i);
-            for (const std::int32_t index : near.of(ParticleKind::fluid)) {
+            for (const std::int32_t index : near.of(PartKind::fluid)) {
                 const auto j = at_rest(fluid_(index));
                 const Force separation = moving.position - j.position;
                 // A cluster's members are among their own neighbours.
                 const L term =
                     where_less(L(0.0), dot(separation, separation), pair(moving, j, separation)[axis], L(0.0));
-                sum[axis] -= order_free_(term);
+                sum[axis] -= rounding_(term);
             }
-            for (const std::int32_t index : near.of(ParticleKind::rigid))
+            for (const std::int32_t index : near.of(PartKind::rigid))
                 sum[axis] -= force_by<true>(moving, at_rest(rigid_(index)))[axis];
-            for (const std::int32_t index : near.of(ParticleKind::springs))
+            for (const std::int32_t index : near.of(PartKind::elastic))
                 sum[axis] -= force_by<false>(moving, at_rest(springs_(index)))[axis];
         }
         return sum;
     }
 
-    [[nodiscard, gnu::flatten]] Force diagonal_of_springs(const Neighbourhood& near) const {
+    [[nodiscard, gnu::flatten]] Force diagonal_of_elastic(const Neighbourhood& near) const {
         const auto node = springs_(near.cluster);
         Force sum = Force::zero();
         for (int axis = 0; axis < D; ++axis)
-            for (const std::int32_t index : near.of(ParticleKind::fluid))
+            for (const std::int32_t index : near.of(PartKind::fluid))
                 sum[axis] += force_by<false>(at_rest(fluid_(index)), moving_along(axis, node))[axis];
         return sum;
     }
@@ -155,9 +155,9 @@ class ViscousSweep {
     [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
         const auto separation = fluid.position - solid.position;
         if constexpr (IsRigid) {
-            return order_free_(pair(fluid, solid_.rigid(fluid, solid, separation), separation));
+            return rounding_(pair(fluid, solid_.rigid(fluid, solid, separation), separation));
         } else {
-            return order_free_(pair(fluid, solid_.springs(fluid, solid, separation), separation));
+            return rounding_(pair(fluid, solid_.springs(fluid, solid, separation), separation));
         }
     }
 
@@ -173,13 +173,13 @@ class ViscousSweep {
     const Kernel& kernel_;
     const Solid& solid_;
     const Viscosity& viscosity_;
-    OrderFree order_free_;
+    ReproducibleSum rounding_;
     double wall_motion_;
     int threads_;
     FluidReader<L, D> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
     SolidReader<L, D, Solid::needs_state, false> springs_;
-    std::array<const double*, D> fluid_velocity_, springs_velocity_;
+    std::array<const double*, D> fluid_velocity_, elastic_velocity_;
 };
 
 }  // namespace dmp::solver

@@ -48,8 +48,8 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       acceleration_(scene.flow.acceleration),
-      depends_on_place_(std::any_of(acceleration_.begin(), acceleration_.end(),
-                                    [](const Expression& axis) { return axis.depends_on_place(); })),
+      depends_on_position_(std::any_of(acceleration_.begin(), acceleration_.end(),
+                                       [](const Expression& axis) { return axis.depends_on_position(); })),
       solidifies_(!scene.solidify.empty()) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
@@ -59,7 +59,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     ranks.sum(mass);
     fluid_mass_ = mass.value();
     if (settings.implicit_viscosity)
-        viscosity_.emplace(*sweeps_, ranks_, scene.accuracy.viscosity_tolerance, settings.threads);
+        viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
     if (!scene.species.empty()) {
         species_.emplace(scene, set, particles, settings, rest_density_, ranks);
         if (species_->conducts_in_solids()) neighbours_.list_within_solids();
@@ -77,13 +77,13 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
-    if (!springs_.empty()) timer_.timed("springs", [&] { look_at_contacts(); });
+    if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
     if (solidifies_) drive_what_turned_solid(t + dt / 2, dt);
-    if (depends_on_place_) timer_.timed("kick", [&] { kick_by_place(t + dt / 2, dt); });
+    if (depends_on_position_) timer_.timed("kick", [&] { kick_by_position(t + dt / 2, dt); });
     if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + dt / 2, dt); });
     if (viscosity_) add_viscous_forces(t + dt / 2, dt);
     timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
-    timer_.timed("springs", [&] { advance_springs(dt); });
+    timer_.timed("elastic", [&] { advance_elastic(dt); });
     walls_.show_velocities(particles_);
     FieldList at_rates{Field::velocity};
     std::optional<SpeciesSums> along;
@@ -108,10 +108,10 @@ FluidExtremes FluidStep::advance(double t, double dt) {
 /// their way.
 void FluidStep::sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over) {
     timer_.timed("halo", [&] { neighbours_.start_exchange(particles_, fields); });
-    const bool at_once = ranks_.size() == 1 || neighbours_.near_outdated(particles_);
+    const bool at_once = ranks_.size() == 1 || neighbours_.pruned_list_outdated(particles_);
     if (!at_once) timer_.timed(stage, [&] { over(ClusterChoice::inner); });
     timer_.timed("halo", [&] { neighbours_.finish_exchange(particles_); });
-    timer_.timed("near", [&] { look_through_list(); });
+    timer_.timed("near", [&] { prune_list(); });
     timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
 }
 
@@ -141,7 +141,7 @@ void FluidStep::find_corrections() {
           [this](ClusterChoice clusters) { sweeps_->corrections(particles_, neighbours_.list(), clusters); });
 }
 
-void FluidStep::advance_springs(double dt) {
+void FluidStep::advance_elastic(double dt) {
     if (springs_.empty()) return;
     const auto given = springs_.advance(particles_, dt, settings_.threads);
     for (int axis = 0; axis < 3; ++axis) {
@@ -159,18 +159,18 @@ void FluidStep::exchange(const FieldList& fields) { neighbours_.exchange(particl
 
 void FluidStep::refresh_neighbours() {
     renew_list();
-    if (!neighbours_.near_outdated(particles_)) return;
+    if (!neighbours_.pruned_list_outdated(particles_)) return;
     exchange({Field::position});
-    look_through_list();
+    prune_list();
 }
 
-void FluidStep::look_at_contacts() {
+void FluidStep::update_contact_rate() {
     contact_rate_ = springs_.largest_contact_rate(particles_, neighbours_.list(), settings_.threads);
 }
 
-void FluidStep::look_through_list() {
-    neighbours_.look_through(particles_,
-                             [this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
+void FluidStep::prune_list() {
+    neighbours_.prune_list(particles_,
+                           [this](ClusterList& list, double reach) { sweeps_->prune(particles_, list, reach); });
 }
 
 void FluidStep::renew_list() {
@@ -185,7 +185,7 @@ void FluidStep::change_bodies(const BodyChange& change) {
     for (const BodyParts::Node& node : change.nodes)
         if (!node.of_wall) turning.push_back(node.id);
     std::ranges::sort(turning);
-    if (!turning.empty()) turn_solid(particles_, turning, bodies_ahead_, neighbours_.list());
+    if (!turning.empty()) solidify_particles(particles_, turning, bodies_ahead_, neighbours_.list());
     springs_.change(change, particles_.space());
     springs_.number_particles(particles_);
     neighbours_.forget();
@@ -194,7 +194,8 @@ void FluidStep::change_bodies(const BodyChange& change) {
 
 std::array<double, 3> FluidStep::body_acceleration(double t) const {
     std::array<double, 3> g{};
-    for (int axis = 0; axis < 3; ++axis) g[axis] = acceleration_[axis].depends_on_place() ? 0 : acceleration_[axis](t);
+    for (int axis = 0; axis < 3; ++axis)
+        g[axis] = acceleration_[axis].depends_on_position() ? 0 : acceleration_[axis](t);
     return g;
 }
 
@@ -215,16 +216,16 @@ void FluidStep::kick(double t, double dt) {
     add_up(dt, g, speeds.fourth_powers);
 }
 
-double FluidStep::place_in_box(double x, int axis) const {
+double FluidStep::position_in_box(double x, int axis) const {
     const ParticleSpace& space = particles_.space();
     return space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : space.mirrored_back(x, axis);
 }
 
-void FluidStep::kick_by_place(double t, double dt) {
+void FluidStep::kick_by_position(double t, double dt) {
     ParticleGroup& fluid = particles_.fluid();
     const double* mass = fluid.data(Field::mass);
     for (int axis = 0; axis < particles_.dimension(); ++axis) {
-        if (!acceleration_[axis].depends_on_place()) continue;
+        if (!acceleration_[axis].depends_on_position()) continue;
         double* v = fluid.data(Field::velocity, axis);
         ExactSum mass_times_g;
         for (std::size_t i = 0; i < fluid.owned(); ++i) {
@@ -232,7 +233,8 @@ void FluidStep::kick_by_place(double t, double dt) {
             // Beyond a plane of symmetry the image is driven.
             const double x = fluid.data(Field::position, axis)[i];
             // Wherever it was wrapped last, a formula has the place in the box.
-            for (int a = 0; a < particles_.dimension(); ++a) p[a] = place_in_box(fluid.data(Field::position, a)[i], a);
+            for (int a = 0; a < particles_.dimension(); ++a)
+                p[a] = position_in_box(fluid.data(Field::position, a)[i], a);
             const double sign = particles_.space().is_mirrored(axis) && p[axis] != x ? -1 : 1;
             const double local = sign * acceleration_[axis](t, p[0], p[1], p[2]);
             v[i] += dt * local;
@@ -245,24 +247,24 @@ void FluidStep::kick_by_place(double t, double dt) {
 
 /// The body acceleration of the fluid goes on to act on what was fluid.
 void FluidStep::drive_what_turned_solid(double t, double dt) {
-    ParticleGroup& springs = particles_.of(ParticleKind::springs);
+    ParticleGroup& springs = particles_.of(PartKind::elastic);
     const double* mass = springs.data(Field::mass);
     const auto g = body_acceleration(t);
     for (int axis = 0; axis < particles_.dimension(); ++axis) {
         if (acceleration_[axis].is_zero()) continue;
-        const bool by_place = acceleration_[axis].depends_on_place();
+        const bool by_position = acceleration_[axis].depends_on_position();
         double* force = springs.data(Field::force, axis);
         ExactSum driven;
         for (std::size_t i = 0; i < springs.owned(); ++i) {
-            if (particles_.space().parts[springs.tags()[i].part].kind != ParticleKind::fluid) continue;
+            if (particles_.space().parts[springs.tags()[i].part].kind != PartKind::fluid) continue;
             std::array<double, 3> p{};
-            for (int a = 0; by_place && a < particles_.dimension(); ++a)
-                p[a] = place_in_box(springs.data(Field::position, a)[i], a);
-            const double weight = mass[i] * (by_place ? acceleration_[axis](t, p[0], p[1], p[2]) : g[axis]);
+            for (int a = 0; by_position && a < particles_.dimension(); ++a)
+                p[a] = position_in_box(springs.data(Field::position, a)[i], a);
+            const double weight = mass[i] * (by_position ? acceleration_[axis](t, p[0], p[1], p[2]) : g[axis]);
             force[i] += weight;
-            if (by_place) driven.add(weight);
+            if (by_position) driven.add(weight);
         }
-        if (!by_place) continue;  // counted with the fluid's
+        if (!by_position) continue;  // counted with the fluid's
         ranks_.sum(driven);
         impulses_.of_body_forces[axis] += dt * driven.value();
     }
@@ -272,7 +274,7 @@ void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum
     const auto axes = static_cast<std::size_t>(particles_.dimension());
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
-        sums.push_back(total_force(particles_.of(ParticleKind::rigid), static_cast<int>(axis), !viscosity_));
+        sums.push_back(total_force(particles_.of(PartKind::rigid), static_cast<int>(axis), !viscosity_));
     if (settings_.shifting > 0) {
         sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));

@@ -46,7 +46,7 @@ class FluidStep {
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
     /// Takes note of how stiff the contacts of spring bodies are where they were drawn. Neighbours must be up to date.
-    void look_at_contacts();
+    void update_contact_rate();
     /// Largest stable step of those contacts [s], as of the middle of the last step (or the start).
     [[nodiscard]] double contact_step_limit() const { return solver::contact_step_limit(contact_rate_); }
     /// Makes the neighbour list and the copies fit the present positions.
@@ -85,18 +85,18 @@ class FluidStep {
     /// The same without axes that are periodic: along them nothing holds the fluid, and no pressure builds up.
     [[nodiscard]] std::array<double, 3> hydrostatic_acceleration(double t) const;
     void renew_list();
-    void look_through_list();
+    void prune_list();
     void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);
     void find_densities();
     void find_corrections();
-    void advance_springs(double dt);
+    void advance_elastic(double dt);
     [[nodiscard]] ShiftStep shift_step(double dt) const;
     void drive_what_turned_solid(double t, double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
-    void kick_by_place(double t, double dt);
+    void kick_by_position(double t, double dt);
     /// A coordinate as formulas have it: wrapped, mirrored back.
-    [[nodiscard]] double place_in_box(double x, int axis) const;
+    [[nodiscard]] double position_in_box(double x, int axis) const;
     void add_viscous_forces(double t, double dt);
     void drive(double t, double dt);
     void drift_to_middle(double dt);
@@ -119,9 +119,9 @@ class FluidStep {
     Driving driving_;
     Neighbours neighbours_;
     std::array<Expression, 3> acceleration_;
-    bool depends_on_place_;  ///< the acceleration
-    bool solidifies_;        ///< liquid may turn solid
-    double fluid_mass_;      ///< of all ranks, what turned solid included [kg]
+    bool depends_on_position_;  ///< the acceleration
+    bool solidifies_;           ///< liquid may turn solid
+    double fluid_mass_;         ///< of all ranks, what turned solid included [kg]
     double bodies_ahead_ = 0;
     double largest_speed_ = 0;
     /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].

@@ -38,10 +38,10 @@ class BlowUp : public SmallValve {
 
 TEST_F(BlowUp, FromTooLongAStepNamesTheStep) {
     const auto ended =
-        run("out", {"--set", "accuracy.step_factor=1", "--set", "accuracy.shifting=0", "--set", "contact.range=0"});
+        run("out", {"--set", "numerics.step_factor=1", "--set", "numerics.shifting=0", "--set", "contact.range=0"});
     ASSERT_EQ(ended.code, 3) << ended.errors;
     EXPECT_THAT(ended.errors,
-                AllOf(HasSubstr("speed "), HasSubstr("likely causes: accuracy.step_factor = 1 is too large")));
+                AllOf(HasSubstr("speed "), HasSubstr("likely causes: numerics.step_factor = 1 is too large")));
     expect_snapshot_of(ended.errors, "out");
 }
 
@@ -49,7 +49,7 @@ TEST_F(BlowUp, FromTooStrongADriveNamesTheSpeed) {
     const auto ended =
         run("out", {"--set", "flow.acceleration=[\"73 m/s^2 * cos(2*pi*t / 4 s)\", 0]", "--until", "0.5 s"});
     ASSERT_EQ(ended.code, 3) << ended.errors;
-    EXPECT_THAT(ended.errors, AllOf(HasSubstr("sound speed 2.5 m/s"), HasSubstr("likely cause: accuracy.sound_speed")));
+    EXPECT_THAT(ended.errors, AllOf(HasSubstr("sound speed 2.5 m/s"), HasSubstr("likely cause: numerics.sound_speed")));
     expect_snapshot_of(ended.errors, "out");
 }
 

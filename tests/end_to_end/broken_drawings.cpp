@@ -212,9 +212,9 @@ std::vector<Broken> broken_files() {
     };
 }
 
-class BrokenDrawing : public testing::TestWithParam<Broken> {};
+class BrokenGeometryFile : public testing::TestWithParam<Broken> {};
 
-TEST_P(BrokenDrawing, EndsWithTwoAndSaysWhatWhereAndWhatToDo) {
+TEST_P(BrokenGeometryFile, EndsWithTwoAndSaysWhatWhereAndWhatToDo) {
     const Broken& broken = GetParam();
     const TemporaryFolder folder;
     folder.write(broken.file, broken.contents);
@@ -230,10 +230,10 @@ TEST_P(BrokenDrawing, EndsWithTwoAndSaysWhatWhereAndWhatToDo) {
     EXPECT_LT(outcome.errors.size(), 2000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Input, BrokenDrawing, testing::ValuesIn(broken_files()),
+INSTANTIATE_TEST_SUITE_P(Input, BrokenGeometryFile, testing::ValuesIn(broken_files()),
                          [](const auto& broken) { return broken.param.name; });
 
-TEST(BrokenDrawings, OfWhichNothingIsThere) {
+TEST(BrokenGeometryFiles, OfWhichNothingIsThere) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "folder.stl");
     EXPECT_EQ(run_dmp(folder.path(), {"inspect", "folder.stl"}).errors,
@@ -243,14 +243,15 @@ TEST(BrokenDrawings, OfWhichNothingIsThere) {
     EXPECT_EQ(run_dmp(folder.path(), {"inspect", "none.stl"}).code, 2);
 }
 
-TEST(BrokenDrawings, ThatNeverEndAreGivenUp) {
+TEST(BrokenGeometryFiles, ThatNeverEndAreGivenUp) {
     const TemporaryFolder folder;
     folder.write("endless.geo", "For i In {1 : 1000000000000}\n  a = i;\nEndFor\n");
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = (folder.path() / "endless.geo").string();
     const auto start = std::chrono::steady_clock::now();
     try {
-        (void)read_drawing_apart(options, {.command = {DMP_PROGRAM, dmp::cli::read_drawing_word}, .seconds = 1});
+        (void)read_geometry_in_process(options,
+                                       {.command = {DMP_PROGRAM, dmp::cli::read_geometry_command}, .seconds = 1});
         ADD_FAILURE() << "it ended";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the drawing cannot be read: gmsh was not done "
@@ -259,7 +260,7 @@ TEST(BrokenDrawings, ThatNeverEndAreGivenUp) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
-TEST(BrokenDrawings, MakeNoFirstScene) {
+TEST(BrokenGeometryFiles, MakeNoFirstScene) {
     const TemporaryFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
     const Outcome outcome = run_dmp(folder.path(), {"new", "mine", "--from", "body.stl", "--unit", "mm"});
@@ -272,7 +273,7 @@ TEST(BrokenDrawings, MakeNoFirstScene) {
                 testing::HasSubstr("no solid: it is not closed: 4 edges of its surface have one side only, the first"));
 }
 
-TEST(BrokenDrawings, LeaveTheTrianglesThatAreToBlame) {
+TEST(BrokenGeometryFiles, LeaveTheTrianglesThatAreToBlame) {
     const TemporaryFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
     folder.write("scene.toml", scene_of("body.stl", "0.125 mm"));
@@ -288,7 +289,7 @@ TEST(BrokenDrawings, LeaveTheTrianglesThatAreToBlame) {
                                                    "0.5) mm"));
 }
 
-TEST(BrokenDrawings, AreRepairedAsFarAsTheSceneSays) {
+TEST(BrokenGeometryFiles, AreRepairedAsFarAsTheSceneSays) {
     const TemporaryFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
     folder.write("scene.toml", scene_of("body.stl", "0.125 mm"));

@@ -30,7 +30,7 @@ std::string tube(double scale = 1) {
     return text;
 }
 
-class Drawings : public testing::Test {
+class Geometries : public testing::Test {
   protected:
     [[nodiscard]] Outcome dmp(const std::vector<std::string>& words, const Surroundings& with = {}) const {
         return run_dmp(folder_.path(), words, with);
@@ -45,7 +45,7 @@ class Drawings : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(Drawings, InspectTellsPartsSizesAndThatTheUnitIsUnknown) {
+TEST_F(Geometries, InspectTellsPartsSizesAndThatTheUnitIsUnknown) {
     folder_.write("tube.obj", tube());
     Outcome shown = dmp({"inspect", "tube.obj"});
     EXPECT_EQ(shown.code, 0) << shown.errors;
@@ -63,7 +63,7 @@ TEST_F(Drawings, InspectTellsPartsSizesAndThatTheUnitIsUnknown) {
     EXPECT_TRUE(nlohmann::json::parse(dmp({"inspect", "tube.obj", "--json"}).output)["unit"].is_null());
 }
 
-TEST_F(Drawings, WhatIsWrongIsSaidInOneMessage) {
+TEST_F(Geometries, WhatIsWrongIsSaidInOneMessage) {
     folder_.write("broken.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.");
     folder_.write("nan.obj", "v nan 0 0\n");
     for (const auto& [words, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
@@ -80,7 +80,7 @@ TEST_F(Drawings, WhatIsWrongIsSaidInOneMessage) {
     }
 }
 
-TEST_F(Drawings, ANewSceneOfAStepFileRunsAsItIs) {
+TEST_F(Geometries, ANewSceneOfAStepFileRunsAsItIs) {
     write_step();
     const Outcome made = dmp({"new", "my_pipe", "--from", "pipe.step"});
     ASSERT_EQ(made.code, 0) << made.errors;
@@ -98,7 +98,7 @@ TEST_F(Drawings, ANewSceneOfAStepFileRunsAsItIs) {
     EXPECT_THAT(again.errors, HasSubstr("there is something of this name already"));
 }
 
-TEST_F(Drawings, ANewSceneOfAnArteryWithAStentKnowsBloodAndWhatStandsInIt) {
+TEST_F(Geometries, ANewSceneOfAnArteryWithAStentKnowsBloodAndWhatStandsInIt) {
     const std::string drawing = DMP_SOURCE_DIR "/cases/stent/stent.step";
     const Outcome made = dmp({"new", "my_stent", "--from", drawing});
     ASSERT_EQ(made.code, 0) << made.errors;
@@ -114,7 +114,7 @@ TEST_F(Drawings, ANewSceneOfAnArteryWithAStentKnowsBloodAndWhatStandsInIt) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
-TEST_F(Drawings, ANewSceneOfTrianglesNeedsTheirUnit) {
+TEST_F(Geometries, ANewSceneOfTrianglesNeedsTheirUnit) {
     folder_.write("tube.obj", tube());
     const Outcome refused = dmp({"new", "my_tube", "--from", "tube.obj"});
     EXPECT_EQ(refused.code, 2);
@@ -126,7 +126,7 @@ TEST_F(Drawings, ANewSceneOfTrianglesNeedsTheirUnit) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
-TEST_F(Drawings, AClosedBodyBecomesABasinAtRest) {
+TEST_F(Geometries, AClosedBodyBecomesABasinAtRest) {
     folder_.write("ball.geo",
                   "SetFactory(\"OpenCASCADE\");\nSphere(1) = {0, 0, 0, 0.001};\nPhysical Volume(\"b\") = {1};\n");
     const Outcome made = dmp({"new", "ball", "--from", "ball.geo"});
@@ -137,7 +137,7 @@ TEST_F(Drawings, AClosedBodyBecomesABasinAtRest) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
-TEST_F(Drawings, ASheetInTheFluidIsAShellHeldByTheWall) {
+TEST_F(Geometries, ASheetInTheFluidIsAShellHeldByTheWall) {
     folder_.write("duct.geo",
                   "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 0.004, 0.002, 0.002};\n"
                   "Point(101) = {0.002, 0, 0.0005};\nPoint(102) = {0.002, 0.0015, 0.0005};\n"
@@ -155,9 +155,9 @@ TEST_F(Drawings, ASheetInTheFluidIsAShellHeldByTheWall) {
 }
 
 /// A case's drawing as a newcomer takes it: a scene is made of it, and runs with nothing changed but fewer steps.
-class DrawingsInThePlane : public Drawings, public testing::WithParamInterface<const char*> {};
+class PlanarGeometries : public Geometries, public testing::WithParamInterface<const char*> {};
 
-TEST_P(DrawingsInThePlane, MakeAFirstSceneThatRunsAsItIs) {
+TEST_P(PlanarGeometries, MakeAFirstSceneThatRunsAsItIs) {
     const std::string name = GetParam();
     const std::string drawing = DMP_SOURCE_DIR "/cases/" + name + "/" + name + ".geo";
     const Outcome made = dmp({"new", "mine", "--from", drawing});
@@ -167,11 +167,11 @@ TEST_P(DrawingsInThePlane, MakeAFirstSceneThatRunsAsItIs) {
     EXPECT_THAT(run.output, HasSubstr("Done"));
 }
 
-INSTANTIATE_TEST_SUITE_P(OfCases, DrawingsInThePlane,
+INSTANTIATE_TEST_SUITE_P(OfCases, PlanarGeometries,
                          testing::Values("vein_valve", "bent_channel", "heart_valve", "double_vein_valve", "clotting"),
                          [](const auto& one) { return std::string(one.param); });
 
-TEST_F(Drawings, AVeinValveHasWallsLeafletsAndAPeriod) {
+TEST_F(Geometries, AVeinValveHasWallsLeafletsAndAPeriod) {
     const Outcome made = dmp({"new", "valve", "--from", DMP_SOURCE_DIR "/cases/vein_valve/vein_valve.geo"});
     ASSERT_EQ(made.code, 0) << made.errors;
     EXPECT_THAT(made.output,
@@ -180,10 +180,10 @@ TEST_F(Drawings, AVeinValveHasWallsLeafletsAndAPeriod) {
                       HasSubstr("'leaflets' lies in the fluid: flexible, clamped at 'leaflet_roots'"),
                       HasSubstr("what leaves along x comes in again"), HasSubstr("6 at the narrowest tip")));
     EXPECT_THAT(folder_.read("valve/scene.toml"),
-                AllOf(HasSubstr("dimension = 2"), HasSubstr("kind = \"springs\""), HasSubstr("periodic = [\"x\"]")));
+                AllOf(HasSubstr("dimension = 2"), HasSubstr("kind = \"elastic\""), HasSubstr("periodic = [\"x\"]")));
 }
 
-TEST_F(Drawings, EdgesWithoutANameAreSelected) {
+TEST_F(Geometries, EdgesWithoutANameAreSelected) {
     // A closed basin with a flap on its floor, of which only the area and the flap have a name.
     folder_.write(
         "basin.geo",
@@ -201,7 +201,7 @@ TEST_F(Drawings, EdgesWithoutANameAreSelected) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
-TEST_F(Drawings, AFaceOfAStepFileIsADrawingInThePlane) {
+TEST_F(Geometries, AFaceOfAStepFileIsADrawingInThePlane) {
     folder_.write("export.geo",
                   "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 12, 3};\nDisk(2) = {4, 1.5, 0, 0.5};\n"
                   "BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };\n"
@@ -217,7 +217,7 @@ TEST_F(Drawings, AFaceOfAStepFileIsADrawingInThePlane) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
-TEST_F(Drawings, ANewSceneKnowsSurfacesAndPointsThatTheDrawingNames) {
+TEST_F(Geometries, ANewSceneKnowsSurfacesAndPointsThatTheDrawingNames) {
     folder_.write("duct.geo",
                   "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 0.004, 0.001, 0.001};\n"
                   "Physical Volume(\"water\") = {1};\nPhysical Surface(\"floor\") = {3};\n"

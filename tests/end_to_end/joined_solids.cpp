@@ -74,7 +74,7 @@ kind = "rigid"
 
 [[part]]
 name = "stem"
-kind = "springs"
+kind = "elastic"
 density = "1100 kg/m^3"
 youngs_modulus = "20 kPa"
 anchor = "wall"
@@ -82,7 +82,7 @@ bonds_within = "0.08 mm"
 
 [[part]]
 name = "cap"
-kind = "springs"
+kind = "elastic"
 density = "1100 kg/m^3"
 youngs_modulus = "50 kPa"
 bonds_within = "0.08 mm"

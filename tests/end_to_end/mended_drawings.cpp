@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
-class MendedDrawings : public testing::Test {
+class RepairedGeometries : public testing::Test {
   protected:
     /// `dmp mesh` of the scene: what it says, and its report.
     std::string mesh(const std::string& scene) {
@@ -30,7 +30,7 @@ class MendedDrawings : public testing::Test {
         notes_ = json["notes"].get<std::vector<std::string>>();
         for (const auto& part : json["parts"])
             if (part["name"] == "body") {
-                drawn_ = 1e9 * part["drawn"].get<double>();
+                initial_ = 1e9 * part["drawn"].get<double>();
                 filled_ = 1e9 * part["filled"].get<double>();
             }
         for (const std::string& note : notes_) EXPECT_THAT(outcome.output, HasSubstr("note: " + note));
@@ -38,10 +38,10 @@ class MendedDrawings : public testing::Test {
     }
     TemporaryFolder folder_;
     std::vector<std::string> notes_;
-    double drawn_ = 0, filled_ = 0;  ///< volume of "body" [mm^3]
+    double initial_ = 0, filled_ = 0;  ///< volume of "body" [mm^3]
 };
 
-TEST_F(MendedDrawings, ABallWithHolesAndFacesThatAreTurnedIsABallAgain) {
+TEST_F(RepairedGeometries, ABallWithHolesAndFacesThatAreTurnedIsABallAgain) {
     TriangleSurface surface = ball(32);
     const double volume = surface.enclosed_volume();
     std::size_t turned = 0;
@@ -56,28 +56,28 @@ TEST_F(MendedDrawings, ABallWithHolesAndFacesThatAreTurnedIsABallAgain) {
                                        HasSubstr("filled with 2 triangles"))));
     EXPECT_THAT(notes_,
                 Contains(AllOf(HasSubstr("body: a hole of 3 edges around ("), HasSubstr("filled with 1 triangle"))));
-    EXPECT_NEAR(drawn_, volume, 1e-3 * volume);
+    EXPECT_NEAR(initial_, volume, 1e-3 * volume);
     EXPECT_NEAR(filled_, volume, 0.01 * volume) << "40 spacings across";
     EXPECT_NEAR(filled_, 4.0 / 3 * std::numbers::pi, 0.02 * 4.0 / 3 * std::numbers::pi);
 }
 
-TEST_F(MendedDrawings, ABodyInsideOutIsTurned) {
+TEST_F(RepairedGeometries, ABodyInsideOutIsTurned) {
     TriangleSurface surface = ball(8);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) flip(surface, t);
     folder_.write("body.stl", stl_text(surface, "body"));
     mesh(scene_of("body.stl", "0.2 mm"));
     EXPECT_THAT(notes_, Contains("512 of the 512 triangles of 'body' faced inward and were turned"));
-    EXPECT_NEAR(drawn_, ball(8).enclosed_volume(), 1e-6);
+    EXPECT_NEAR(initial_, ball(8).enclosed_volume(), 1e-6);
 }
 
-TEST_F(MendedDrawings, ABinaryFileWhoseHeaderSaysSolidIsRead) {
+TEST_F(RepairedGeometries, ABinaryFileWhoseHeaderSaysSolidIsRead) {
     folder_.write("body.stl", stl_binary(box({0, 0, 0}, {1, 1, 1})));
     mesh(scene_of("body.stl"));
     EXPECT_EQ(notes_.size(), 0U);
     EXPECT_NEAR(filled_, 1, 1e-9);
 }
 
-TEST_F(MendedDrawings, ASurfaceThatGoesThroughItselfIsSaidWithItsPlace) {
+TEST_F(RepairedGeometries, ASurfaceThatGoesThroughItselfIsSaidWithItsPlace) {
     TriangleSurface surface = box({0, 0, 0}, {2, 2, 2});
     for (std::size_t k = 0; k < 8; ++k)
         if (surface.corners[k] == Vec(2, 2, 2)) surface.corners[k] = Vec(0.9, 0.8, -1);  // through the bottom
@@ -90,7 +90,7 @@ TEST_F(MendedDrawings, ASurfaceThatGoesThroughItselfIsSaidWithItsPlace) {
                 HasSubstr("note: 'body' meets itself in "));
 }
 
-TEST_F(MendedDrawings, BodiesOfOneNameThatCrossAreJoined) {
+TEST_F(RepairedGeometries, BodiesOfOneNameThatCrossAreJoined) {
     TriangleSurface surface = box({0, 0, 0}, {2, 2, 2});
     append(surface, box({1, 0.9, 0.8}, {4, 1.5, 1.6}));
     for (const bool inward : {false, true}) {
@@ -103,7 +103,7 @@ TEST_F(MendedDrawings, BodiesOfOneNameThatCrossAreJoined) {
     }
 }
 
-TEST_F(MendedDrawings, SolidsThatOverlapAreSaidWithTheirPlace) {
+TEST_F(RepairedGeometries, SolidsThatOverlapAreSaidWithTheirPlace) {
     folder_.write("two.stl",
                   stl_text(box({0, 0, 0}, {2, 2, 2}), "body") + stl_text(box({0.5, 0.6, 1}, {1, 1.1, 3}), "post"));
     mesh(scene_of("two.stl") + "[[part]]\nname = \"post\"\nkind = \"rigid\"\n");
@@ -116,7 +116,7 @@ TEST_F(MendedDrawings, SolidsThatOverlapAreSaidWithTheirPlace) {
                 HasSubstr("note: 'body' and 'post' share 0.25 units^3, around ("));
 }
 
-TEST_F(MendedDrawings, BodiesThatTouchAlongARoundSurfaceDoNotOverlap) {
+TEST_F(RepairedGeometries, BodiesThatTouchAlongARoundSurfaceDoNotOverlap) {
     folder_.write("pipe.geo",
                   "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 0, 0, 2, 0.5};\n"
                   "Cylinder(2) = {0, 0, 0, 0, 0, 2, 0.8};\nCylinder(3) = {0, 0, 0, 0, 0, 2, 0.5};\n"
@@ -127,7 +127,7 @@ TEST_F(MendedDrawings, BodiesThatTouchAlongARoundSurfaceDoNotOverlap) {
     EXPECT_THAT(notes_, Not(Contains(HasSubstr(" cross "))));
 }
 
-TEST_F(MendedDrawings, AMillionTrianglesTakeSeconds) {
+TEST_F(RepairedGeometries, AMillionTrianglesTakeSeconds) {
     folder_.write("ball.stl", stl_binary(ball(354)));
     const auto processor_seconds = [] {
         rusage usage{};

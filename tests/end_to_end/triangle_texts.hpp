@@ -18,8 +18,8 @@ inline std::string stl_text(const TriangleSurface& surface, const std::string& n
     for (const auto& triangle : surface.triangles) {
         text += "facet normal 0 0 0\nouter loop\n";
         for (const int corner : triangle) {
-            const Vec& place = surface.corners[static_cast<std::size_t>(corner)];
-            text += fmt::format("vertex {:.9g} {:.9g} {:.9g}\n", place[0], place[1], place[2]);
+            const Vec& position = surface.corners[static_cast<std::size_t>(corner)];
+            text += fmt::format("vertex {:.9g} {:.9g} {:.9g}\n", position[0], position[1], position[2]);
         }
         text += "endloop\nendfacet\n";
     }

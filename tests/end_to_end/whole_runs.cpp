@@ -182,13 +182,13 @@ TEST_F(Poiseuille, ExplainMeasuresNothingWhenToldSo) {
 
 TEST_F(Poiseuille, ExplainAndRunWarnOfWhatHasNoEffect) {
     const std::string problem =
-        "--set accuracy.spring_stepping=subcycled: accuracy.spring_stepping has no effect: no part has springs; leave "
+        "--set numerics.spring_stepping=subcycled: numerics.spring_stepping has no effect: no part has springs; leave "
         "it "
         "out\n";
-    const auto explained = dmp({"explain", ".", "--no-measure", "--set", "accuracy.spring_stepping=subcycled"});
+    const auto explained = dmp({"explain", ".", "--no-measure", "--set", "numerics.spring_stepping=subcycled"});
     EXPECT_THAT(explained.output, HasSubstr("Warnings\n  " + problem));
     const auto outcome = dmp({"run", ".", "--until", "0.01 s", "--out", "warned", "--set", "output.pictures=false",
-                              "--set", "accuracy.spring_stepping=subcycled"});
+                              "--set", "numerics.spring_stepping=subcycled"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.errors, "warning: " + problem);
 }
@@ -198,7 +198,7 @@ TEST_F(Poiseuille, ExplainSaysWhatTheQualityHasChosen) {
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output,
                 testing::AllOf(HasSubstr("draft (quality, --set quality=draft)"),
-                               HasSubstr("lucy (accuracy.kernel, quality = \"draft\" at --set quality=draft)")));
+                               HasSubstr("lucy (numerics.kernel, quality = \"draft\" at --set quality=draft)")));
 }
 
 TEST(BentChannel, ADifferentDrawingNeedsNoNewCode) {

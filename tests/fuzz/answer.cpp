@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         else if (data[0] == 'I')
             read_twice(bytes, dmp::error_text_of);
         else if (data[0] == 'Q')
-            read_twice(bytes, dmp::drawing_options_of);
+            read_twice(bytes, dmp::geometry_options_from_bytes);
     } catch (const std::runtime_error&) {
         return 0;
     }

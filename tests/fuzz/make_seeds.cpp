@@ -117,10 +117,10 @@ int main(int count, char** words) {
     write("stl/two_solids", "solid a\nendsolid a\n" + stl_text(soup));
     write("stl/binary", stl_binary(soup));
 
-    dmp::DrawingOptions options;
+    dmp::GeometryOptions options;
     options.file = "box.obj";
     options.unit = 1e-3;
-    dmp::Geometry geometry = dmp::triangle_drawing(soup, options);
+    dmp::Geometry geometry = dmp::triangle_geometry(soup, options);
     write("answer/in_space", "G" + dmp::bytes_of(geometry));
     geometry = {};
     geometry.regions.push_back({"water", {{{dmp::Vec(0, 0, 0), dmp::Vec(1, 0, 0), dmp::Vec(0, 1, 0)}, true}}});
@@ -130,7 +130,7 @@ int main(int count, char** words) {
     write("answer/in_the_plane", "G" + dmp::bytes_of(geometry));
     write("answer/error", "I" + dmp::bytes_of(dmp::ErrorText{{"a.geo", 3, 4}, "it is wrong", "correct it"}));
     options.parameters["width"] = 2;
-    options.parameter_places["width"] = {"scene.toml", 5, 6};
+    options.parameter_locations["width"] = {"scene.toml", 5, 6};
     write("answer/request", "Q" + dmp::bytes_of(options));
     write("repair/box", surface(0, "", "", 0));
     write("repair/hole", surface(2, "", "", 1));

@@ -21,9 +21,9 @@ void need(bool holds) {
 
 /// 0 to 15, half of them off by what welding may or may not close.
 double coordinate(std::uint8_t byte) {
-    constexpr std::uint8_t places = 15;
+    constexpr std::uint8_t positions = 15;
     const int off = byte >> 4;
-    return (byte & places) + (off < 8 ? 0 : (off - 7) * 1e-3);
+    return (byte & positions) + (off < 8 ? 0 : (off - 7) * 1e-3);
 }
 
 dmp::TriangleSurface surface_of(std::span<const std::uint8_t> bytes) {

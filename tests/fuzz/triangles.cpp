@@ -35,7 +35,7 @@ dmp::TriangleSoup read(std::string_view text, const std::string& file) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    dmp::DrawingOptions options;
+    dmp::GeometryOptions options;
     options.file = "fuzzed." DMP_FORMAT;
     options.unit = 1e-3;
     try {
@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const int group : soup.group) need(group >= 0 && static_cast<std::size_t>(group) < soup.names.size());
         if (soup.surface.triangles.empty()) return 0;
         check(soup.surface);
-        const dmp::Geometry geometry = dmp::triangle_drawing(std::move(soup), options);
+        const dmp::Geometry geometry = dmp::triangle_geometry(std::move(soup), options);
         need(!geometry.solids.empty() || !geometry.surfaces.empty());
         for (const dmp::Solid& solid : geometry.solids) {
             check(solid.surface);

@@ -33,7 +33,7 @@ struct Seat {
         all.insert(all.end(), {"part.drug.centres=[[0, 0, \"" + quantity(-overlap(), "m") + "\"]]",
                                set_to("part.drug.initial_velocity", {0, 0, speed}, "m/s"),
                                set_to("output.every", until, "s"), set_to("output.measure_every", measure_every, "s")});
-        if (step > 0) all.push_back(set_to("accuracy.contact_step", step, "s"));
+        if (step > 0) all.push_back(set_to("numerics.contact_step", step, "s"));
         return run_case("verification/adhesion", all, until, nullptr, 1);
     }
 };

@@ -97,7 +97,7 @@ struct Lattice {
                 "part.strip.lower_axial_stiffness=false",
                 set_to("part.strip.mass_per_length", mass_per_length, "kg/m"),
                 std::string("part.strip.cross_bonds=") + (hinge > 0 ? "false" : "true"),
-                set_to("accuracy.sound_speed", 0.9 * cell() / dt, "m/s")};
+                set_to("numerics.sound_speed", 0.9 * cell() / dt, "m/s")};
     }
     /// A force on the free end, along x or y, that comes in its own time and stays until `until`.
     [[nodiscard]] std::vector<std::string> force(int axis, double newton, double until) const {
@@ -149,7 +149,7 @@ TEST_P(Cantilever, StretchesBendsAndShears) {
     record.percent("GA, of 6 cells", sheared(stout, stout_load) / (short_one.moved - bent(stout, stout_load)) - 1,
                    0.002);
     const auto springs = std::find_if(across.run.limits.begin(), across.run.limits.end(),
-                                      [](const StepLimit& limit) { return limit.model.starts_with("springs"); });
+                                      [](const StepLimit& limit) { return limit.model.starts_with("elastic"); });
     ASSERT_NE(springs, across.run.limits.end());
     const double dt = across.run.simulated_s / static_cast<double>(across.run.steps);
     record.at_least("stiffness over the largest that an explicit step could stand", std::pow(dt / springs->dt, 2), 1e4);

@@ -33,11 +33,11 @@ inline std::vector<Station> stations_at(int reynolds) {
         std::istringstream words(line);
         int number = 0;
         std::string what;
-        double place = 0, ghia = 0, differences = 0;
-        if (!(words >> number >> what >> place >> ghia >> differences) || number != reynolds) continue;
-        if (place == 0 || place == 1) continue;
-        stations.push_back(what == "u" ? Station{Vec(0.5, place, 0), 0, differences}
-                                       : Station{Vec(place, 0.5, 0), 1, differences});
+        double position = 0, ghia = 0, differences = 0;
+        if (!(words >> number >> what >> position >> ghia >> differences) || number != reynolds) continue;
+        if (position == 0 || position == 1) continue;
+        stations.push_back(what == "u" ? Station{Vec(0.5, position, 0), 0, differences}
+                                       : Station{Vec(position, 0.5, 0), 1, differences});
     }
     return stations;
 }

@@ -106,8 +106,8 @@ TEST(Chain, OfOneLinkSwingsWithThePeriodOfItsSteps) {
         Height height;
         last = run_case(
             "verification/chain",
-            {"geometry.parameters={ width = \"1 mm\", length = \"1 mm\" }", "accuracy.spring_stepping=subcycled",
-             "accuracy.spring_step_factor=1", set_to("accuracy.sound_speed", 0.2e-3 / dt, "m/s"),
+            {"geometry.parameters={ width = \"1 mm\", length = \"1 mm\" }", "numerics.spring_stepping=subcycled",
+             "numerics.spring_step_factor=1", set_to("numerics.sound_speed", 0.2e-3 / dt, "m/s"),
              "solidify.chain.bond_damping=0", "solidify.chain.interval=1000 s",
              "flow.acceleration=[0, \"t > " + quantity(pulled, "s") + " ? -0.05 m/s^2 : 0\"]",
              set_to("output.every", dt, "s"), set_to("output.measure_every", dt, "s")},

@@ -93,7 +93,7 @@ TEST_P(ChannelFlow, FollowsItsSeriesFromRest) {
 constexpr double slow = 1.25e-5, fast = 0.1;  // Re = 0.0125 and 100 [m/s]
 /// Shifting carries momentum from fast layers to slow ones; where the flow itself does not pull particles apart, little
 /// of it will do.
-const std::vector<std::string> gentle{"accuracy.shifting=1"};
+const std::vector<std::string> gentle{"numerics.shifting=1"};
 
 INSTANTIATE_TEST_SUITE_P(
     Poiseuille, ChannelFlow,

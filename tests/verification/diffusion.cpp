@@ -55,7 +55,7 @@ TEST_P(Diffusion, AcrossAJump) {
     LastFrame last;
     const RunSummary run = run_case(
         "verification/diffusion",
-        {"accuracy.kernel=lucy", "geometry.parameters={ lower = \"120 mm\", upper = \"120 mm\", length = \"8 mm\" }",
+        {"numerics.kernel=lucy", "geometry.parameters={ lower = \"120 mm\", upper = \"120 mm\", length = \"8 mm\" }",
          "species.vapour.diffusivity={ air = \"20 mm^2/s\", felt = \"" + std::to_string(20 / ratio) + " mm^2/s\" }"},
         t, &last);
     const double exact_face = std::sqrt(air) / (std::sqrt(air) + std::sqrt(felt));
@@ -109,7 +109,7 @@ TEST(DiffusionBetweenPlates, FollowsTheSeries) { expect_slab("plates held at 1 a
 
 TEST(DiffusionBetweenPlates, SteppedImplicitly) {
     expect_slab("plates held at 1 and 0, 20 across, implicit",
-                {"accuracy.species_stepping=implicit", "accuracy.viscosity_stepping=implicit"}, 0.02);
+                {"numerics.species_stepping=implicit", "numerics.viscosity_stepping=implicit"}, 0.02);
 }
 
 TEST(Conservation, OfASpeciesStirredForManySteps) {

@@ -74,7 +74,7 @@ struct Impact {
 
 Seen Impact::run() const {
     const double dt = duration() / steps, gap = begins * dt * approach(), angle = degrees * pi / 180;
-    std::vector<std::string> overrides{set_to("accuracy.contact_step", dt, "s"), set_to("output.every", dt, "s"),
+    std::vector<std::string> overrides{set_to("numerics.contact_step", dt, "s"), set_to("output.every", dt, "s"),
                                        set_to("output.measure_every", dt, "s")};
     for (const std::string part : {"part.ball.", "part.partner."}) {
         overrides.push_back(set_to(part + "radius", ball.radius, "m"));

@@ -50,20 +50,20 @@ class KillTrials : public SmallValve {
     /// Starts or goes on with the run in `out` and kills it at a moment by chance: at some time, or while a file is
     /// being written in one of its folders; nine times out of ten when there is a checkpoint to go on from.
     Outcome run_and_kill(const std::string& out, const Words& more) {
-        const std::string place = std::vector<std::string>{"", "/checkpoints", "/frames"}[any(0, 2)];
+        const std::string position = std::vector<std::string>{"", "/checkpoints", "/frames"}[any(0, 2)];
         const bool needs_checkpoint = any(0, 9) > 0;
         const double wait = 1e-3 * any(0, longest_wait_ms_), into_the_file = 1e-6 * any(0, 3000);
         const auto start = Clock::now();
         std::optional<Clock::time_point> seen;  // since when a file has been written
         const auto is_time = [&] {
             if (seconds_since(start) < wait || (needs_checkpoint && !has_checkpoint(out))) return false;
-            if (place.empty()) return true;
-            if (unfinished_in(folder_.path() / (out + place)).empty()) {
+            if (position.empty()) return true;
+            if (unfinished_in(folder_.path() / (out + position)).empty()) {
                 seen.reset();
                 return false;
             }
             if (!seen) seen = Clock::now();
-            return place == "/frames" || seconds_since(*seen) >= into_the_file;
+            return position == "/frames" || seconds_since(*seen) >= into_the_file;
         };
         return run(out, more, {.interrupt_when = is_time, .signal = SIGKILL});
     }

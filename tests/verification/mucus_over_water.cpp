@@ -47,11 +47,11 @@ TEST(MucusOverWater, has_its_steady_profile_with_20_and_40_rows_of_water) {
 }
 
 TEST(MucusOverWater, has_it_with_the_longest_step_that_sound_allows) {
-    expect_steady_profile("the longest step that sound allows", {"accuracy.step_factor=0.1"});
+    expect_steady_profile("the longest step that sound allows", {"numerics.step_factor=0.1"});
 }
 
 TEST(MucusOverWater, needs_the_harmonic_mean) {
-    const auto [summary, error] = run_with({"accuracy.viscosity_mean=arithmetic", "accuracy.step_factor=0.1"});
+    const auto [summary, error] = run_with({"numerics.viscosity_mean=arithmetic", "numerics.step_factor=0.1"});
     Record("mucus_over_water", "arithmetic mean of viscosities, which is wrong", summary)
         .at_least("off the steady profile", 100 * error, 3, "%");
 }

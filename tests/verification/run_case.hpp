@@ -31,12 +31,12 @@ inline Scene scene_of_case(const std::string& name, const std::vector<std::strin
 /// What the scene's drawing is filled with, or where its spheres are.
 inline ParticleSet particles_of(const Scene& scene) {
     if (is_of_spheres(scene)) return mesh_spheres(scene).particles;
-    DrawingOptions drawing;
+    GeometryOptions drawing;
     drawing.file = scene.directory + "/" + scene.geometry.file.value;
     drawing.unit = scene.geometry.unit;
     drawing.chord_error = 1e-3 * scene.particles.spacing;
     for (const auto& [parameter, value] : scene.geometry.parameters) drawing.parameters[parameter] = value;
-    return mesh(read_drawing(drawing), scene).particles;
+    return mesh(read_geometry(drawing), scene).particles;
 }
 
 /// Runs a scene without writing anything; frames go to the sink. Few particles are fastest on one thread.

@@ -56,7 +56,7 @@ TEST_P(TaylorGreen, DecaysAsItShould) {
 }
 
 /// A wider kernel and stronger shifting: half of the error, for 1.3 times the time.
-const std::vector<std::string> fine{"accuracy.support=4", "accuracy.shifting=6"};
+const std::vector<std::string> fine{"numerics.support=4", "numerics.shifting=6"};
 
 INSTANTIATE_TEST_SUITE_P(
     Starts, TaylorGreen,

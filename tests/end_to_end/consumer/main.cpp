@@ -11,10 +11,10 @@
 int main(int argc, char** argv) {
     if (argc != 4) return 2;
     const dmp::Scene scene = dmp::read_scene(argv[1]);
-    dmp::DrawingOptions drawing;
+    dmp::GeometryOptions drawing;
     drawing.file = scene.directory + "/" + *scene.geometry.file;
     for (const auto& [name, value] : scene.geometry.parameters) drawing.parameters[name] = value;
-    dmp::MeshResult made = dmp::mesh(dmp::read_drawing(drawing), scene);
+    dmp::MeshResult made = dmp::mesh(dmp::read_geometry(drawing), scene);
     const std::size_t count = made.particles.size();
     dmp::VtkSink sink(argv[3], {"consumer", scene.hash, "installed"});
     dmp::Simulation simulation(scene, std::move(made.particles), 1);

@@ -9,14 +9,14 @@ namespace dmp::tests {
 namespace {
 
 TEST(PlaceText, ShowsWhatIsKnown) {
-    EXPECT_EQ((Place{"scene.toml", 12, 5}.text()), "scene.toml:12:5");
-    EXPECT_EQ((Place{"scene.toml", 12, 0}.text()), "scene.toml:12");
-    EXPECT_EQ((Place{"scene.toml", 0, 0}.text()), "scene.toml");
-    EXPECT_EQ((Place{"--set a=1", 0, 7}.text()), "--set a=1");  // a column alone says nothing
-    EXPECT_EQ(Place{}.text(), "");
-    EXPECT_EQ((Place{"", 3, 4}.text()), "");
-    EXPECT_TRUE((Place{"scene.toml", 0, 0}.known()));
-    EXPECT_FALSE(Place{}.known());
+    EXPECT_EQ((SourceLocation{"scene.toml", 12, 5}.text()), "scene.toml:12:5");
+    EXPECT_EQ((SourceLocation{"scene.toml", 12, 0}.text()), "scene.toml:12");
+    EXPECT_EQ((SourceLocation{"scene.toml", 0, 0}.text()), "scene.toml");
+    EXPECT_EQ((SourceLocation{"--set a=1", 0, 7}.text()), "--set a=1");  // a column alone says nothing
+    EXPECT_EQ(SourceLocation{}.text(), "");
+    EXPECT_EQ((SourceLocation{"", 3, 4}.text()), "");
+    EXPECT_TRUE((SourceLocation{"scene.toml", 0, 0}.known()));
+    EXPECT_FALSE(SourceLocation{}.known());
 }
 
 TEST(ErrorText, WhereThenWhatThenWhatToDo) {

@@ -24,10 +24,10 @@ TEST(LengthText, among_others_has_theirs) {
 }
 
 TEST(LengthText, of_a_place_is_in_one_unit) {
-    EXPECT_EQ(place_text({0.0005, 0, -0.00325}), "(0.5, 0, -3.25) mm");
-    EXPECT_EQ(place_text({0.0005, 2, 0}, 2), "(0.0005, 2) m");
-    EXPECT_EQ(place_text({3.99988, 1.015625, 0}, 2), "(3.9999, 1.0156) m");
-    EXPECT_EQ(place_text(Vec::Zero()), "(0, 0, 0) m");
+    EXPECT_EQ(position_text({0.0005, 0, -0.00325}), "(0.5, 0, -3.25) mm");
+    EXPECT_EQ(position_text({0.0005, 2, 0}, 2), "(0.0005, 2) m");
+    EXPECT_EQ(position_text({3.99988, 1.015625, 0}, 2), "(3.9999, 1.0156) m");
+    EXPECT_EQ(position_text(Vec::Zero()), "(0, 0, 0) m");
 }
 
 TEST(LengthText, of_a_box_is_its_extent) {

@@ -93,10 +93,10 @@ TEST(BenchMeasure, ParticleFileHoldsThemAll) {
     EXPECT_EQ(head["support"], options.channel.support * set.spacing);
     for (std::size_t i = 0; i < set.size(); ++i) {
         int fixed = -1;
-        Vec place;
-        text >> fixed >> place[0] >> place[1] >> place[2];
+        Vec position;
+        text >> fixed >> position[0] >> position[1] >> position[2];
         ASSERT_EQ(fixed, set.fixed[i]);
-        ASSERT_EQ(place, set.position[i]);
+        ASSERT_EQ(position, set.position[i]);
     }
 }
 

@@ -43,7 +43,7 @@ TEST(BenchOptions, PlainIsTheDefault) {
 TEST(BenchOptions, AccurateIsWhatScenesHaveByDefault) {
     const Channel channel = options_of({"--accurate", "--case", "channel2d"}).channel;
     const Scene scene;
-    EXPECT_EQ(channel.support, scene.accuracy.support);
+    EXPECT_EQ(channel.support, scene.numerics.support);
     EXPECT_EQ(channel.walls, WallModel::extrapolated);
     EXPECT_GT(channel.shifting, 0);
     EXPECT_GT(channel.density_diffusion, 0);
@@ -79,10 +79,10 @@ TEST(BenchOptions, ReadsNumbersAndWords) {
 
 TEST(BenchOptions, SetsKeysOfTheScene) {
     const Channel channel =
-        options_of({"--case", "channel2d", "--set", "accuracy.shifting=2", "--set", "contact.range=1"}).channel;
-    EXPECT_EQ(channel.overrides, (std::vector<std::string>{"accuracy.shifting=2", "contact.range=1"}));
+        options_of({"--case", "channel2d", "--set", "numerics.shifting=2", "--set", "contact.range=1"}).channel;
+    EXPECT_EQ(channel.overrides, (std::vector<std::string>{"numerics.shifting=2", "contact.range=1"}));
     const Scene scene = make_scene(channel);
-    EXPECT_EQ(*scene.accuracy.shifting, 2);
+    EXPECT_EQ(*scene.numerics.shifting, 2);
     EXPECT_EQ(*scene.contact.range, 1);
     EXPECT_THAT(fault_of({"--case", "channel2d", "--set"}), HasSubstr("--set"));
 }

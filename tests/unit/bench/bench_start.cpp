@@ -23,7 +23,7 @@ Channel small(int dimension, bool disordered = false) {
 TEST(BenchStart, HoldsAboutTheFluidAskedFor) {
     for (const int dimension : {2, 3}) {
         const ParticleSet set = make_particles(small(dimension));
-        EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)), dimension == 2 ? 1000 : 2000, 150);
+        EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)), dimension == 2 ? 1000 : 2000, 150);
     }
 }
 
@@ -39,8 +39,8 @@ TEST(BenchStart, PutsFluidOnALatticeBetweenWalls) {
             ASSERT_NEAR(cells, std::round(cells), 1e-9);
         }
         const double y = set.position[i][1];
-        ASSERT_EQ(set.kind(i) == ParticleKind::fluid, y > 0 && y < top);
-        ASSERT_EQ(set.fixed[i] != 0, set.kind(i) == ParticleKind::rigid);
+        ASSERT_EQ(set.kind(i) == PartKind::fluid, y > 0 && y < top);
+        ASSERT_EQ(set.fixed[i] != 0, set.kind(i) == PartKind::rigid);
         ASSERT_DOUBLE_EQ(set.mass[i], 1056 * dx * dx * dx);
         if (set.fixed[i] == 0) continue;
         ASSERT_NEAR(set.wall_distance[i], y < 0 ? -y : y - top, 1e-12);
@@ -68,7 +68,7 @@ TEST(BenchStart, DisorderMovesFluidByUpToThreeTenthsOfTheSpacing) {
                 continue;
             }
             largest = largest.cwiseMax(by.cwiseAbs());
-            mean += by / static_cast<double>(ordered.count(ParticleKind::fluid));
+            mean += by / static_cast<double>(ordered.count(PartKind::fluid));
         }
         for (int axis = 0; axis < 3; ++axis) {
             const bool there = axis < dimension;
@@ -95,11 +95,11 @@ TEST(BenchStart, TheSceneIsTheChannels) {
     channel.shifting = 2;
     const Scene scene = make_scene(channel);
     EXPECT_DOUBLE_EQ(scene.particles.spacing, dx);
-    EXPECT_EQ(scene.accuracy.kernel.value, KernelKind::lucy);
-    EXPECT_DOUBLE_EQ(scene.accuracy.support, 2.7);
-    EXPECT_EQ(scene.accuracy.walls.value, WallModel::extrapolated);
-    EXPECT_DOUBLE_EQ(scene.accuracy.density_diffusion, 0.05);
-    EXPECT_DOUBLE_EQ(scene.accuracy.shifting, 2);
+    EXPECT_EQ(scene.numerics.kernel.value, KernelKind::lucy);
+    EXPECT_DOUBLE_EQ(scene.numerics.support, 2.7);
+    EXPECT_EQ(scene.numerics.walls.value, WallModel::extrapolated);
+    EXPECT_DOUBLE_EQ(scene.numerics.density_diffusion, 0.05);
+    EXPECT_DOUBLE_EQ(scene.numerics.shifting, 2);
     EXPECT_DOUBLE_EQ(scene.contact.range, 0);
     EXPECT_TRUE(scene.flow.periodic[0]);
 }

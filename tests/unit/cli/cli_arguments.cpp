@@ -127,7 +127,7 @@ TEST(Arguments, InspectAndNewTakeADrawingAndItsUnit) {
 }
 
 TEST(Arguments, TheReaderOfDrawingsIsNoCommandToSee) {
-    EXPECT_TRUE(std::holds_alternative<ReadDrawingCommand>(read({"read-drawing"})));
+    EXPECT_TRUE(std::holds_alternative<ReadGeometryCommand>(read({"read-drawing"})));
     EXPECT_THAT(text_of({"--help"}), testing::Not(HasSubstr("read-drawing")));
 }
 

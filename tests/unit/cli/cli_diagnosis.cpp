@@ -112,14 +112,14 @@ TEST(Doctor, WarnsOfLittleMemoryLittleDiskAndNoScreen) {
 }
 
 TEST(Doctor, SeesThisMachine) {
-    const Machine machine = look_at_machine(testing::TempDir());
+    const Machine machine = inspect_machine(testing::TempDir());
     EXPECT_GE(machine.processors, 1);
     EXPECT_GT(machine.memory, 0);
     EXPECT_GT(machine.disk_free, 0);
     EXPECT_EQ(machine.write_error, "");
     ASSERT_FALSE(machine.vector_units.empty());
-    EXPECT_EQ(machine.vector_units.back(), word(chosen_vector_unit(VectorUnit::widest)));
-    EXPECT_NE(look_at_machine("/no/such/folder").write_error, "");
+    EXPECT_EQ(machine.vector_units.back(), to_string(chosen_vector_unit(VectorUnit::widest)));
+    EXPECT_NE(inspect_machine("/no/such/folder").write_error, "");
 }
 
 }  // namespace

@@ -15,10 +15,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Geometry read_case(const std::string& drawing, const std::map<std::string, double>& parameters = {}) {
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = DMP_SOURCE_DIR "/cases/" + drawing;
     options.parameters = parameters;
-    return read_drawing(options);
+    return read_geometry(options);
 }
 
 Geometry vein_valve(const std::map<std::string, double>& parameters = {}) {

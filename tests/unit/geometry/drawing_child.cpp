@@ -19,26 +19,26 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class DrawingChildren : public DrawingTest {
+class GeometryProcesses : public GeometryFileTest {
   protected:
     void SetUp() override {
-        DrawingTest::SetUp();
-        drawing_ = write("d.geo", unit_square + "Physical Surface(\"water\") = {1};\n");
+        GeometryFileTest::SetUp();
+        geometry_file_ = write("d.geo", unit_square + "Physical Surface(\"water\") = {1};\n");
     }
 
-    std::string drawing_;
+    std::string geometry_file_;
 
     /// What comes of a child that runs this shell command.
     [[nodiscard]] std::string fault(const std::string& command, double seconds = 20) const {
         return text_thrown<Error>([&] {
-            (void)read_drawing_apart(options_for(drawing_),
-                                     {.command = {"/bin/sh", "-c", command}, .seconds = seconds});
+            (void)read_geometry_in_process(options_for(geometry_file_),
+                                           {.command = {"/bin/sh", "-c", command}, .seconds = seconds});
         });
     }
 };
 
-TEST_F(DrawingChildren, HandsOnItsGeometryBitForBit) {
-    Geometry geometry = read_drawing(options_for(drawing_));
+TEST_F(GeometryProcesses, HandsOnItsGeometryBitForBit) {
+    Geometry geometry = read_geometry(options_for(geometry_file_));
     geometry.box.high.x() = 0.1 + 0.2;
     geometry.warnings = {"one", ""};
     geometry.solids.push_back({"body", {{Vec(1, 2, 3)}, {{0, 0, 0}}, 7}});
@@ -47,73 +47,75 @@ TEST_F(DrawingChildren, HandsOnItsGeometryBitForBit) {
     geometry.unit_source = UnitSource::file;
     const std::string bytes = bytes_of(geometry);
     (void)write("answer", "G" + bytes);
-    const Geometry again =
-        read_drawing_apart(options_for(drawing_), {.command = {"/bin/sh", "-c", "cat " + path("answer") + " >&3"}});
+    const Geometry again = read_geometry_in_process(options_for(geometry_file_),
+                                                    {.command = {"/bin/sh", "-c", "cat " + path("answer") + " >&3"}});
     EXPECT_EQ(bytes_of(again), bytes);
     EXPECT_EQ(again.surfaces[0].why_open, "it is open");
     EXPECT_EQ(again.region("water")->area(), 1);
 }
 
-TEST_F(DrawingChildren, IsAskedForTheDrawingWithItsOptions) {
-    auto options = options_for(drawing_);
+TEST_F(GeometryProcesses, IsAskedForTheDrawingWithItsOptions) {
+    auto options = options_for(geometry_file_);
     options.unit = 0.5;
     options.parameters["width"] = 3;
-    options.parameter_places["width"] = {"scene.toml", 1, 2};
+    options.parameter_locations["width"] = {"scene.toml", 1, 2};
     (void)text_thrown<Error>([&] {
-        (void)read_drawing_apart(options, {.command = {"/bin/sh", "-c", "cat > " + path("request")}});
+        (void)read_geometry_in_process(options, {.command = {"/bin/sh", "-c", "cat > " + path("request")}});
     });
     std::ifstream stream(path("request"), std::ios::binary);
     const std::string request{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     EXPECT_EQ(request, bytes_of(options));
-    EXPECT_EQ(drawing_options_of(request).parameters.at("width"), 3);
-    EXPECT_EQ(drawing_options_of(request).unit, 0.5);
+    EXPECT_EQ(geometry_options_from_bytes(request).parameters.at("width"), 3);
+    EXPECT_EQ(geometry_options_from_bytes(request).unit, 0.5);
 }
 
-TEST_F(DrawingChildren, ACrashIsAnErrorWithTheFileAndWhatHappened) {
+TEST_F(GeometryProcesses, ACrashIsAnErrorWithTheFileAndWhatHappened) {
     EXPECT_EQ(fault("kill -SEGV $$"),
-              drawing_ +
+              geometry_file_ +
                   ": the drawing cannot be read: gmsh crashed on it (Segmentation fault)\n"
                   "  Open it in the program that made it, check it there, and save it again; 'gmsh " +
-                  drawing_ + "' may tell more.");
+                  geometry_file_ + "' may tell more.");
     EXPECT_THAT(fault("kill -KILL $$"), HasSubstr("gmsh crashed on it (Killed, perhaps for want of memory)"));
     EXPECT_THAT(fault("exit 3"), HasSubstr("its reader ended with code 3 and without a result"));
     EXPECT_THAT(fault("exit 0"), HasSubstr("its reader ended with code 0 and without a result"));
     EXPECT_THAT(fault("printf Gxyz >&3"), HasSubstr("its reader broke off"));
-    (void)write("answer", "G" + bytes_of(read_drawing(options_for(drawing_))));
+    (void)write("answer", "G" + bytes_of(read_geometry(options_for(geometry_file_))));
     EXPECT_THAT(fault("head -c 100 " + path("answer") + " >&3"), HasSubstr("its reader broke off"));
     EXPECT_THAT(fault("cat " + path("answer") + " >&3; kill -ABRT $$"), HasSubstr("gmsh crashed on it (Aborted)"));
 }
 
-TEST_F(DrawingChildren, AHangIsAnErrorToo) {
+TEST_F(GeometryProcesses, AHangIsAnErrorToo) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_THAT(fault("sleep 60", 0.3), HasSubstr("gmsh was not done after 0.3 s"));
     EXPECT_THAT(fault("printf G >&3; exec sleep 60", 0.3), HasSubstr("gmsh was not done after 0.3 s"));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
-TEST_F(DrawingChildren, AnAnswerOfNoKindOrWithoutAnEndIsRefused) {
+TEST_F(GeometryProcesses, AnAnswerOfNoKindOrWithoutAnEndIsRefused) {
     (void)write("answer", "Z" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
     EXPECT_THAT(fault("cat " + path("answer") + " >&3"), HasSubstr("its reader broke off"));
-    EXPECT_THAT(text_thrown<InputError>([&] {
-                    (void)read_drawing_apart(options_for(drawing_), {.command = {"/bin/sh", "-c", "cat /dev/zero >&3"},
-                                                                     .seconds = 20,
-                                                                     .largest_answer = 1U << 20U});
-                }),
-                HasSubstr("what gmsh made of it takes more than 1.04858e+06 bytes"));
+    EXPECT_THAT(
+        text_thrown<InputError>([&] {
+            (void)read_geometry_in_process(
+                options_for(geometry_file_),
+                {.command = {"/bin/sh", "-c", "cat /dev/zero >&3"}, .seconds = 20, .largest_answer = 1U << 20U});
+        }),
+        HasSubstr("what gmsh made of it takes more than 1.04858e+06 bytes"));
 }
 
-TEST_F(DrawingChildren, ErrorsComeThroughWordForWord) {
+TEST_F(GeometryProcesses, ErrorsComeThroughWordForWord) {
     (void)write("answer", "I" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
     EXPECT_EQ(fault("cat " + path("answer") + " >&3"), "scene.toml:3:4: what\n  to do");
-    EXPECT_THAT(text_thrown<ResourceError>(
-                    [&] { (void)read_drawing_apart(options_for(drawing_), {.command = {"/no/such/program"}}); }),
+    EXPECT_THAT(text_thrown<ResourceError>([&] {
+                    (void)read_geometry_in_process(options_for(geometry_file_), {.command = {"/no/such/program"}});
+                }),
                 HasSubstr("the process that reads drawings cannot be started: /no/such/program"));
 }
 
-TEST_F(DrawingChildren, FilesOfTrianglesNeedNone) {
+TEST_F(GeometryProcesses, FilesOfTrianglesNeedNone) {
     auto options = options_for(write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
     options.unit = 1;
-    EXPECT_EQ(read_drawing_apart(options, {.command = {"/no/such/program"}}).surfaces.size(), 1U);
+    EXPECT_EQ(read_geometry_in_process(options, {.command = {"/no/such/program"}}).surfaces.size(), 1U);
 }
 
 TEST(GeometryBytes, CutShortOrTooLongAreRefused) {
@@ -148,9 +150,10 @@ TEST(GeometryBytes, OfNoGeometryAreRefused) {
 }
 
 TEST(GeometryBytes, OfNoTruthValueAreRefused) {
-    std::string bytes = bytes_of(DrawingOptions{});
+    std::string bytes = bytes_of(GeometryOptions{});
     bytes[8] = 2;  // behind the file's empty name: whether there is a unit
-    EXPECT_THAT(text_thrown<std::runtime_error>([&] { (void)drawing_options_of(bytes); }), HasSubstr("truth value"));
+    EXPECT_THAT(text_thrown<std::runtime_error>([&] { (void)geometry_options_from_bytes(bytes); }),
+                HasSubstr("truth value"));
 }
 
 TEST(GeometryBytes, ThatStateMoreThanTheyCanHoldAreRefusedBeforeRoomIsMade) {

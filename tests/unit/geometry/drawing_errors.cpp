@@ -13,12 +13,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class DrawingErrors : public DrawingTest {
+class GeometryFileErrors : public GeometryFileTest {
   protected:
     /// The whole message of the error that reading ends in, with the test's folder cut out of it.
-    [[nodiscard]] std::string error_of(const DrawingOptions& options) const {
+    [[nodiscard]] std::string error_of(const GeometryOptions& options) const {
         try {
-            (void)read_drawing(options);
+            (void)read_geometry(options);
         } catch (const InputError& error) {
             std::string message = error.what();
             const std::string folder = path("");
@@ -36,7 +36,7 @@ class DrawingErrors : public DrawingTest {
 
 const std::string named = "Physical Surface(\"water\") = {1};\n";
 
-TEST_F(DrawingErrors, Files) {
+TEST_F(GeometryFileErrors, Files) {
     EXPECT_EQ(error_of_file("none.geo"), "scene.toml:6:8: the drawing 'none.geo' does not exist\n  Check the path.");
     EXPECT_EQ(error_of(options_for("")), "scene.toml:6:8: the drawing '' does not exist\n  Check the path.");
     std::filesystem::create_directories(path("folder.geo"));
@@ -44,7 +44,7 @@ TEST_F(DrawingErrors, Files) {
               "scene.toml:6:8: the drawing 'folder.geo' is a folder\n  Name a file in it.");
 }
 
-TEST_F(DrawingErrors, UnreadableFile) {
+TEST_F(GeometryFileErrors, UnreadableFile) {
     // Root may read everything: for a moment this is nobody's process.
     constexpr uid_t nobody = 65534;
     const bool is_root = geteuid() == 0;
@@ -58,12 +58,12 @@ TEST_F(DrawingErrors, UnreadableFile) {
     }
 }
 
-TEST_F(DrawingErrors, APipeIsNoDrawing) {
+TEST_F(GeometryFileErrors, APipeIsNoDrawing) {
     ASSERT_EQ(mkfifo(path("pipe.geo").c_str(), 0600), 0);
     EXPECT_THAT(error_of_file("pipe.geo"), HasSubstr("scene.toml:6:8: the drawing 'pipe.geo' cannot be read"));
 }
 
-TEST_F(DrawingErrors, Formats) {
+TEST_F(GeometryFileErrors, Formats) {
     (void)write("part.txt", "");
     (void)write("part", "");
     EXPECT_EQ(
@@ -75,7 +75,7 @@ TEST_F(DrawingErrors, Formats) {
               ".stp, .iges, .igs, .brep, .stl, .obj, .ply and .off drawings.");
 }
 
-TEST_F(DrawingErrors, Options) {
+TEST_F(GeometryFileErrors, Options) {
     auto options = options_for(write("d.geo", unit_square + named));
     options.unit = 0;
     EXPECT_THAT(error_of(options), HasSubstr("scene.toml:6:8: the drawing's unit must be a positive length"));
@@ -86,7 +86,7 @@ TEST_F(DrawingErrors, Options) {
     EXPECT_THAT(error_of(options), HasSubstr("the chord error must be a positive length"));
 }
 
-TEST_F(DrawingErrors, SyntaxErrorsHaveTheirLine) {
+TEST_F(GeometryFileErrors, SyntaxErrorsHaveTheirLine) {
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0}\nLine(1) = {1, 2};\n"),
               "d.geo:3: gmsh cannot read the drawing: syntax error near 'Line'\n"
               "  Look for a missing ';' or bracket on this line or the one before.");
@@ -96,7 +96,7 @@ TEST_F(DrawingErrors, SyntaxErrorsHaveTheirLine) {
                 HasSubstr("d.geo:12: gmsh cannot read the drawing: syntax error near"));
 }
 
-TEST_F(DrawingErrors, OtherErrorsOfGmshAllAppear) {
+TEST_F(GeometryFileErrors, OtherErrorsOfGmshAllAppear) {
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {a, 0, 0};\nLine(1) = {1, 7};\n"),
               "d.geo:2: gmsh cannot read the drawing: Unknown variable 'a'; Unknown control point 7 in GEO curve 1; "
               "line 3: Could not add line\n  Correct the drawing; 'gmsh d.geo' shows it.");
@@ -105,7 +105,7 @@ TEST_F(DrawingErrors, OtherErrorsOfGmshAllAppear) {
     EXPECT_THAT(error_of_text("Include \"none.geo\";\n" + unit_square + named), HasSubstr("none.geo"));
 }
 
-TEST_F(DrawingErrors, WhatGmshPassesOver) {
+TEST_F(GeometryFileErrors, WhatGmshPassesOver) {
     EXPECT_EQ(error_of_text(unit_square + named + "// For\nFor i In {1:3}\n  a = i;\n"),
               "d.geo:13: 'For' without its 'EndFor'\n  Add 'EndFor'; gmsh itself does not notice.");
     EXPECT_EQ(error_of_text("/* If\n */ If (1)\n  If (1)\n  EndIf\n" + unit_square + named),
@@ -118,13 +118,13 @@ TEST_F(DrawingErrors, WhatGmshPassesOver) {
     EXPECT_EQ(error_of_text(unit_square + "text = \"If For\"; // EndIf\n" + named), "no error");
 }
 
-TEST_F(DrawingErrors, UnknownParameter) {
+TEST_F(GeometryFileErrors, UnknownParameter) {
     auto options = options_for(write("d.geo",
                                      "DefineConstant[ leaflet_length = {1, Name \"leaflet_length\"},\n"
                                      "  tip_gap = {2, Name \"tip_gap\"}, plain = 3 ];\nfixed = 4;\n" +
                                          unit_square + named));
     options.parameters = {{"leaflet_lenght", 2}};
-    options.parameter_places["leaflet_lenght"] = {.file = "scene.toml", .line = 7, .column = 16};
+    options.parameter_locations["leaflet_lenght"] = {.file = "scene.toml", .line = 7, .column = 16};
     EXPECT_EQ(error_of(options),
               "scene.toml:7:16: the drawing 'd.geo' offers no constant 'leaflet_lenght' for setting\n"
               "  Did you mean 'leaflet_length'? It offers 'leaflet_length' and 'tip_gap'.");
@@ -143,7 +143,7 @@ TEST_F(DrawingErrors, UnknownParameter) {
     EXPECT_THAT(error_of(options), HasSubstr("offers no constant 'Gmsh/Model dimension'"));
 }
 
-TEST_F(DrawingErrors, ParameterOfADrawingThatOffersNone) {
+TEST_F(GeometryFileErrors, ParameterOfADrawingThatOffersNone) {
     auto options = options_for(write("d.geo", unit_square + named));
     options.parameters = {{"a", 1}};
     EXPECT_EQ(error_of(options),
@@ -155,7 +155,7 @@ TEST_F(DrawingErrors, ParameterOfADrawingThatOffersNone) {
               "  A mesh has no parameters; give its .geo script.");
 }
 
-TEST_F(DrawingErrors, ParameterThatTheDrawingFixes) {
+TEST_F(GeometryFileErrors, ParameterThatTheDrawingFixes) {
     const std::string advice =
         "\n  Remove ReadOnly or SetNumber for it from the drawing, or the parameter from the scene.";
     auto options = options_for(write(
@@ -168,7 +168,7 @@ TEST_F(DrawingErrors, ParameterThatTheDrawingFixes) {
     EXPECT_EQ(error_of(options), "no error");
 }
 
-TEST_F(DrawingErrors, Groups) {
+TEST_F(GeometryFileErrors, Groups) {
     const std::string no_names =
         "d.geo: the drawing has no named groups\n"
         "  Name its parts, as in Physical Surface(\"blood\") = {1}; or Physical Curve(\"wall\") = {2, 3};";
@@ -178,7 +178,7 @@ TEST_F(DrawingErrors, Groups) {
               "d.geo: Physical Curve 7 has no name\n  Name it, as in Physical Curve(\"wall\") = {...};, or remove it.");
 }
 
-TEST_F(DrawingErrors, ThreeDimensions) {
+TEST_F(GeometryFileErrors, ThreeDimensions) {
     EXPECT_EQ(error_of_text("SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"),
               "d.geo: the drawing has volumes, but none with a name\n"
               "  Name its parts, as in Physical Volume(\"blood\") = {1}; and Physical Surface(\"wall\") = {2};.");
@@ -188,7 +188,7 @@ TEST_F(DrawingErrors, ThreeDimensions) {
               "  Draw it in the x-y plane, or give it volumes.");
 }
 
-TEST_F(DrawingErrors, RegionsThatAreNone) {
+TEST_F(GeometryFileErrors, RegionsThatAreNone) {
     EXPECT_EQ(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {2, 0, 0};\nPoint(3) = {1, 0, 0};\n"
                             "Line(1) = {1, 2};\nLine(2) = {2, 3};\nLine(3) = {3, 1};\n"
                             "Curve Loop(1) = {1, 2, 3};\nPlane Surface(1) = {1};\n" +
@@ -208,26 +208,26 @@ TEST_F(DrawingErrors, RegionsThatAreNone) {
         HasSubstr("d.geo"));
 }
 
-TEST_F(DrawingErrors, CurveWithoutLength) {
+TEST_F(GeometryFileErrors, CurveWithoutLength) {
     EXPECT_EQ(error_of_text("Point(1) = {1, 1, 0};\nPoint(2) = {1, 1, 0};\nLine(3) = {1, 2};\n"
                             "Physical Curve(\"line\") = {3};\n"),
               "d.geo: curve 3 has no length\n  Remove it, or move one of its ends.");
 }
 
-TEST_F(DrawingErrors, DrawingsThatAreNotFinite) {
+TEST_F(GeometryFileErrors, DrawingsThatAreNotFinite) {
     EXPECT_NE(error_of_text("Point(1) = {0, 0, 0};\nPoint(2) = {1 / 0, 0, 0};\nLine(1) = {1, 2};\n"
                             "Physical Curve(\"line\") = {1};\n"),
               "no error");
 }
 
-TEST_F(DrawingErrors, BrokenMeshes) {
+TEST_F(GeometryFileErrors, BrokenMeshes) {
     (void)write("d.msh", "nothing of the kind\n");
     EXPECT_THAT(error_of_file("d.msh"), HasSubstr("d.msh"));
     (void)write("d.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n");
     EXPECT_THAT(error_of_file("d.msh"), HasSubstr("d.msh: gmsh cannot read the drawing: Could not read nodes"));
 }
 
-TEST_F(DrawingErrors, EmptyFiles) {
+TEST_F(GeometryFileErrors, EmptyFiles) {
     for (const char* name : {"d.geo", "d.msh", "d.step", "d.igs", "d.brep", "d.stl", "d.obj", "d.ply", "d.off"}) {
         (void)write(name, "");
         EXPECT_EQ(error_of_file(name),
@@ -235,7 +235,7 @@ TEST_F(DrawingErrors, EmptyFiles) {
     }
 }
 
-TEST_F(DrawingErrors, PointsThatAreNoPlaces) {
+TEST_F(GeometryFileErrors, PointsThatAreNoPlaces) {
     const std::string box =
         "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n"
         "Physical Volume(\"water\") = {1};\n";

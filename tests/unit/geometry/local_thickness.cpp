@@ -39,8 +39,8 @@ TEST(LocalThickness, of_a_hollow_body_is_its_wall) {
     for (std::size_t t = 12; t < 24; ++t) flip(hollow, t);
     const ThicknessSample thinnest = *local_thickness(hollow, 0.5).thinnest();
     EXPECT_NEAR(thinnest.thickness, 1, 1e-13);
-    EXPECT_NEAR(std::min(thinnest.place.x(), thinnest.opposite.x()), 0, 1e-13);
-    EXPECT_NEAR(std::max(thinnest.place.x(), thinnest.opposite.x()), 1, 1e-13);
+    EXPECT_NEAR(std::min(thinnest.position.x(), thinnest.opposite.x()), 0, 1e-13);
+    EXPECT_NEAR(std::max(thinnest.position.x(), thinnest.opposite.x()), 1, 1e-13);
 }
 
 TEST(LocalThickness, finds_a_thin_place_between_large_triangles) {
@@ -70,7 +70,7 @@ TEST(LocalThickness, is_the_same_by_any_number_of_threads) {
     EXPECT_EQ(one.area, three.area);
     ASSERT_EQ(one.samples.size(), three.samples.size());
     for (std::size_t k = 0; k < one.samples.size(); ++k) {
-        ASSERT_EQ(one.samples[k].place, three.samples[k].place);
+        ASSERT_EQ(one.samples[k].position, three.samples[k].position);
         ASSERT_EQ(one.samples[k].thickness, three.samples[k].thickness);
     }
 }

@@ -17,15 +17,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-using ReadDrawing = DrawingTest;
+using ReadGeometry = GeometryFileTest;
 
 const std::string named_square =
     unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"wall\") = {1, 3};\n";
 
-TEST_F(ReadDrawing, NamesScalesAndBoundsASquare) {
+TEST_F(ReadGeometry, NamesScalesAndBoundsASquare) {
     auto options = options_for(write("drawing.geo", named_square + "Physical Point(\"corner\") = {3};\n"));
     options.unit = 0.001;
-    const Geometry geometry = read_drawing(options);
+    const Geometry geometry = read_geometry(options);
     EXPECT_EQ(geometry.file, options.file);
     EXPECT_EQ(geometry.dimension, 2);
     EXPECT_EQ(geometry.names(), (std::vector<std::string>{"corner", "wall", "water"}));
@@ -38,7 +38,7 @@ TEST_F(ReadDrawing, NamesScalesAndBoundsASquare) {
     EXPECT_TRUE(geometry.warnings.empty());
 }
 
-TEST_F(ReadDrawing, LoopsCloseBitForBitAndTurnLeft) {
+TEST_F(ReadGeometry, LoopsCloseBitForBitAndTurnLeft) {
     const Geometry geometry = read(
         "Point(1) = {0.1, 0.2, 0};\nPoint(2) = {0.4, 0.2, 0};\nPoint(3) = {0.1, 0.5, 0};\n"
         "Line(1) = {1, 2};\nCircle(2) = {2, 1, 3};\nLine(3) = {3, 1};\n"
@@ -58,14 +58,14 @@ TEST_F(ReadDrawing, LoopsCloseBitForBitAndTurnLeft) {
     EXPECT_NEAR(twice / 2, pi * 0.09 / 4, 1e-6);
 }
 
-TEST_F(ReadDrawing, AnArcStaysWithinTheChordErrorAndIsNotFinerThanNeeded) {
+TEST_F(ReadGeometry, AnArcStaysWithinTheChordErrorAndIsNotFinerThanNeeded) {
     auto options = options_for(write("drawing.geo",
                                      "Point(1) = {0, 0, 0};\nPoint(2) = {7, 0, 0};\nPoint(3) = {0, 7, 0};\n"
                                      "Circle(1) = {2, 1, 3};\nPhysical Curve(\"arc\") = {1};\n"));
     options.unit = 1e-3;
     for (const double chord_error : {1e-4, 1e-5, 1e-6, 1e-8}) {
         options.chord_error = chord_error;
-        const Geometry geometry = read_drawing(options);
+        const Geometry geometry = read_geometry(options);
         const auto& points = geometry.curve_set("arc")->pieces.at(0).points;
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             EXPECT_NEAR(points[i].norm(), 7e-3, 1e-17);
@@ -79,7 +79,7 @@ TEST_F(ReadDrawing, AnArcStaysWithinTheChordErrorAndIsNotFinerThanNeeded) {
     }
 }
 
-TEST_F(ReadDrawing, ASplineKeepsItsEndsAndPassesItsPoints) {
+TEST_F(ReadGeometry, ASplineKeepsItsEndsAndPassesItsPoints) {
     const Geometry geometry = read(
         "Point(1) = {0, 0, 0};\nPoint(2) = {1, 1, 0};\nPoint(3) = {2, -1, 0};\nPoint(4) = {3, 0, 0};\n"
         "Spline(1) = {1, 2, 3, 4};\nPhysical Curve(\"s\") = {1};\n");
@@ -90,7 +90,7 @@ TEST_F(ReadDrawing, ASplineKeepsItsEndsAndPassesItsPoints) {
     EXPECT_LE(set.nearest({2, -1, 0}).distance, 1e-6);
 }
 
-TEST_F(ReadDrawing, CurvesJoinIntoChainsAcrossTheGroupsNumbers) {
+TEST_F(ReadGeometry, CurvesJoinIntoChainsAcrossTheGroupsNumbers) {
     const Geometry geometry = read(unit_square + "Physical Curve(\"u\") = {4, 1, 2};\n");
     const auto& pieces = geometry.curve_set("u")->pieces;
     ASSERT_EQ(pieces.size(), 1U);
@@ -98,7 +98,7 @@ TEST_F(ReadDrawing, CurvesJoinIntoChainsAcrossTheGroupsNumbers) {
     EXPECT_EQ(geometry.curve_set("u")->length(), 3);
 }
 
-TEST_F(ReadDrawing, TheEdgeBetweenTwoSurfacesOfARegionIsInside) {
+TEST_F(ReadGeometry, TheEdgeBetweenTwoSurfacesOfARegionIsInside) {
     const Geometry geometry = read(unit_square +
                                    "Point(5) = {2, 0, 0};\nPoint(6) = {2, 1, 0};\n"
                                    "Line(5) = {2, 5};\nLine(6) = {5, 6};\nLine(7) = {6, 3};\n"
@@ -111,7 +111,7 @@ TEST_F(ReadDrawing, TheEdgeBetweenTwoSurfacesOfARegionIsInside) {
     EXPECT_EQ(geometry.region("right")->area(), 1);
 }
 
-TEST_F(ReadDrawing, HolesOfTheOpenCascadeKernel) {
+TEST_F(ReadGeometry, HolesOfTheOpenCascadeKernel) {
     const Geometry geometry = read(
         "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 4, 4};\nDisk(2) = {2, 2, 0, 1};\n"
         "BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };\nPhysical Surface(\"plate\") = {3};\n");
@@ -122,33 +122,34 @@ TEST_F(ReadDrawing, HolesOfTheOpenCascadeKernel) {
     EXPECT_EQ(plate.side_of({0.5, 2, 0}), Side::inside);
 }
 
-TEST_F(ReadDrawing, ParametersReplaceConstants) {
+TEST_F(ReadGeometry, ParametersReplaceConstants) {
     const std::string text =
         "DefineConstant[ width = {2, Name \"width\"}, height = {3, Min 1, Max 5, Name \"Size/height\"} ];\n"
         "Point(1) = {0, 0, 0};\nPoint(2) = {width, height, 0};\nLine(1) = {1, 2};\nPhysical Curve(\"line\") = {1};\n";
     auto options = options_for(write("drawing.geo", text));
-    EXPECT_EQ(read_drawing(options).box.high, Vec(2, 3, 0));
+    EXPECT_EQ(read_geometry(options).box.high, Vec(2, 3, 0));
     options.parameters = {{"width", 0.1}, {"Size/height", 0.7}};
-    EXPECT_EQ(read_drawing(options).box.high, Vec(0.1, 0.7, 0));
+    EXPECT_EQ(read_geometry(options).box.high, Vec(0.1, 0.7, 0));
     options.parameters = {};
-    EXPECT_EQ(read_drawing(options).box.high, Vec(2, 3, 0));  // nothing is left of the last reading
+    EXPECT_EQ(read_geometry(options).box.high, Vec(2, 3, 0));  // nothing is left of the last reading
 }
 
-TEST_F(ReadDrawing, AParameterMayBringOthersToLight) {
+TEST_F(ReadGeometry, AParameterMayBringOthersToLight) {
     auto options = options_for(write("drawing.geo",
                                      "DefineConstant[ round = {0, Name \"round\"} ];\nr = 1;\n"
                                      "If (round)\n  DefineConstant[ radius = {2, Name \"radius\"} ];\n  r = radius;\n"
                                      "EndIf\nPoint(1) = {r, 0, 0};\nPoint(2) = {0, 0, 0};\nLine(1) = {1, 2};\n"
                                      "Physical Curve(\"line\") = {1};\n"));
     options.parameters = {{"radius", 5}, {"round", 1}};
-    EXPECT_EQ(read_drawing(options).box.high, Vec(5, 0, 0));
+    EXPECT_EQ(read_geometry(options).box.high, Vec(5, 0, 0));
     options.parameters = {{"radius", 5}};
-    EXPECT_THROW(read_drawing(options), InputError);
+    EXPECT_THROW(read_geometry(options), InputError);
 }
 
-TEST_F(ReadDrawing, ReadsUnrolledScriptsAndOddFileNames) {
-    EXPECT_NEAR(read_drawing(options_for(write("a drawing.geo_unrolled", named_square))).region("water")->area(), 1, 0);
-    EXPECT_NEAR(read_drawing(options_for(write("DRAWING.GEO", named_square))).region("water")->area(), 1, 0);
+TEST_F(ReadGeometry, ReadsUnrolledScriptsAndOddFileNames) {
+    EXPECT_NEAR(read_geometry(options_for(write("a drawing.geo_unrolled", named_square))).region("water")->area(), 1,
+                0);
+    EXPECT_NEAR(read_geometry(options_for(write("DRAWING.GEO", named_square))).region("water")->area(), 1, 0);
 }
 
 /// A square of two triangles (order 1) with the lower side named, in MSH 4.1.
@@ -159,10 +160,10 @@ const std::string square_mesh =
     "$Nodes\n3 5 1 5\n0 1 0 1\n1\n0 0 0\n1 1 0 2\n2\n3\n1 0 0\n2 0 0\n2 1 0 2\n4\n5\n2 2 0\n0 2 0\n$EndNodes\n"
     "$Elements\n3 6 1 6\n0 1 15 1\n1 1\n1 1 1 2\n2 1 2\n3 2 3\n2 1 2 3\n4 1 2 5\n5 2 4 5\n6 2 3 4\n$EndElements\n";
 
-TEST_F(ReadDrawing, AMeshGivesItsEdges) {
+TEST_F(ReadGeometry, AMeshGivesItsEdges) {
     auto options = options_for(write("square.msh", square_mesh));
     options.unit = 0.5;
-    const Geometry geometry = read_drawing(options);
+    const Geometry geometry = read_geometry(options);
     EXPECT_EQ(geometry.names(), (std::vector<std::string>{"corner", "wall", "water"}));
     EXPECT_EQ(geometry.region("water")->loops.size(), 1U);
     EXPECT_EQ(geometry.region("water")->loops[0].points.size(), 5U);
@@ -173,7 +174,7 @@ TEST_F(ReadDrawing, AMeshGivesItsEdges) {
     EXPECT_EQ(geometry.points.at("corner"), (std::vector<Vec>{{0, 0, 0}}));
 }
 
-TEST_F(ReadDrawing, LeavesThreadsAndLocaleAsTheyWere) {
+TEST_F(ReadGeometry, LeavesThreadsAndLocaleAsTheyWere) {
     omp_set_num_threads(3);
     ASSERT_NE(std::setlocale(LC_ALL, "C.UTF-8"), nullptr);
     (void)read(named_square);
@@ -182,7 +183,7 @@ TEST_F(ReadDrawing, LeavesThreadsAndLocaleAsTheyWere) {
     EXPECT_STREQ(std::setlocale(LC_ALL, nullptr), "C.UTF-8");
 }
 
-TEST_F(ReadDrawing, SaysNothingOnTheTerminal) {
+TEST_F(ReadGeometry, SaysNothingOnTheTerminal) {
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
     (void)read(named_square + "Printf(\"hello\");\n");
@@ -191,18 +192,18 @@ TEST_F(ReadDrawing, SaysNothingOnTheTerminal) {
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_F(ReadDrawing, ReadsAgainAfterAnError) {
+TEST_F(ReadGeometry, ReadsAgainAfterAnError) {
     EXPECT_THROW((void)read("a = 7;\nPoint(1) = {0, 0\n"), InputError);
     EXPECT_EQ(read(named_square).region("water")->area(), 1);
     EXPECT_THROW((void)read("Point(1) = {a, 0, 0};\n"), InputError);  // the constant of the first script is gone
 }
 
-TEST_F(ReadDrawing, SeveralThreadsMayRead) {
+TEST_F(ReadGeometry, SeveralThreadsMayRead) {
     const auto options = options_for(write("drawing.geo", named_square));
     std::array<double, 4> areas{};
     std::vector<std::thread> threads;
     threads.reserve(areas.size());
-    for (auto& area : areas) threads.emplace_back([&] { area = read_drawing(options).region("water")->area(); });
+    for (auto& area : areas) threads.emplace_back([&] { area = read_geometry(options).region("water")->area(); });
     for (auto& thread : threads) thread.join();
     for (const double area : areas) EXPECT_EQ(area, 1);
 }

@@ -8,7 +8,7 @@
 namespace dmp::tests {
 namespace {
 
-using ReadSolids = DrawingTest;
+using ReadSolids = GeometryFileTest;
 
 const std::string occ = "SetFactory(\"OpenCASCADE\");\n";
 
@@ -18,7 +18,7 @@ TEST_F(ReadSolids, ABoxWithANamedSide) {
                                                       "Physical Surface(\"wall\") = {5, 6};\n"
                                                       "Physical Point(\"corner\") = {1};\n"));
     options.unit = 0.001;
-    const Geometry geometry = read_drawing(options);
+    const Geometry geometry = read_geometry(options);
     EXPECT_EQ(geometry.dimension, 3);
     EXPECT_EQ(geometry.names(), (std::vector<std::string>{"corner", "wall", "water"}));
     ASSERT_NE(geometry.solid("water"), nullptr);
@@ -35,7 +35,7 @@ TEST_F(ReadSolids, ARoundPipeFollowsItsCircleWithinTheChordError) {
                                                        "Physical Volume(\"blood\") = {1};\n"
                                                        "Physical Surface(\"wall\") = {1};\n"));
     options.chord_error = 0.002;
-    const Geometry geometry = read_drawing(options);
+    const Geometry geometry = read_geometry(options);
     const TriangleSurface& wall = geometry.surface_set("wall")->surface;
     double deepest = 0;
     for (const auto& [a, b, c] : wall.triangles)
@@ -49,22 +49,22 @@ TEST_F(ReadSolids, ARoundPipeFollowsItsCircleWithinTheChordError) {
 }
 
 TEST_F(ReadSolids, WhatLiesBetweenTwoVolumesOfOneNameIsNoSurface) {
-    const Geometry geometry =
-        read_drawing(options_for(write("two.geo", occ + "Box(1) = {0, 0, 0, 1, 1, 1};\nBox(2) = {1, 0, 0, 1, 1, 1};\n"
-                                                        "BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }\n"
-                                                        "Physical Volume(\"water\") = {1, 2};\n")));
+    const Geometry geometry = read_geometry(
+        options_for(write("two.geo", occ + "Box(1) = {0, 0, 0, 1, 1, 1};\nBox(2) = {1, 0, 0, 1, 1, 1};\n"
+                                           "BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }\n"
+                                           "Physical Volume(\"water\") = {1, 2};\n")));
     EXPECT_NEAR(geometry.solid("water")->volume(), 2, 1e-12);
     EXPECT_NEAR(geometry.solid("water")->surface.area(), 10, 1e-12);
 }
 
 TEST_F(ReadSolids, AHollowBodyAndTheBuiltInKernel) {
-    const Geometry hollow = read_drawing(
+    const Geometry hollow = read_geometry(
         options_for(write("hollow.geo", occ + "Box(1) = {0, 0, 0, 3, 3, 3};\nBox(2) = {1, 1, 1, 1, 1, 1};\n"
                                               "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\n"
                                               "Physical Volume(\"shell\") = {3};\n")));
     EXPECT_NEAR(hollow.solid("shell")->volume(), 26, 1e-12);
 
-    const Geometry prism = read_drawing(options_for(write(
+    const Geometry prism = read_geometry(options_for(write(
         "prism.geo", unit_square + "out[] = Extrude {0, 0, 2} { Surface{1}; };\n"
                                    "Physical Volume(\"prism\") = {out[1]};\nPhysical Surface(\"lid\") = {out[0]};\n")));
     EXPECT_NEAR(prism.solid("prism")->volume(), 2, 1e-12);
@@ -77,8 +77,8 @@ TEST_F(ReadSolids, AMeshIsTakenAsItIs) {
                                                     "Physical Surface(\"wall\") = {1, 2};\nMesh.SaveAll = 1;\n"
                                                     "Mesh 2;\nSave \"" +
                                                     path("box.msh") + "\";\n");
-    (void)read_drawing(options_for(script));
-    const Geometry geometry = read_drawing(options_for(path("box.msh")));
+    (void)read_geometry(options_for(script));
+    const Geometry geometry = read_geometry(options_for(path("box.msh")));
     EXPECT_NEAR(geometry.solid("water")->volume(), 1, 1e-12);
     EXPECT_NEAR(geometry.surface_set("wall")->surface.area(), 2, 1e-12);
 }

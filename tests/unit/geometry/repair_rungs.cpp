@@ -122,7 +122,7 @@ TEST(FillHoles, fills_what_is_small_with_the_least_area) {
     EXPECT_EQ(holes[0].edges, 4U);
     EXPECT_EQ(holes[0].triangles, 2U);
     EXPECT_NEAR(holes[0].perimeter, 4, 1e-15);
-    EXPECT_LT((holes[0].place - Vec(0.5, 0.5, 0)).norm(), 1e-15);
+    EXPECT_LT((holes[0].position - Vec(0.5, 0.5, 0)).norm(), 1e-15);
     EXPECT_TRUE(count_edges(surface).closed());
     EXPECT_NEAR(surface.enclosed_volume(), 1, 1e-15);
 }

@@ -235,7 +235,7 @@ TEST(Repair, throws_crumbs_away_and_says_so) {
     ASSERT_EQ(found.report.thrown.size(), 2U);
     EXPECT_EQ(found.report.thrown[0].triangles, 12U);
     EXPECT_NEAR(found.report.thrown[0].area, 0.06, 1e-14);
-    EXPECT_LT((found.report.thrown[0].place - Vec(2.05, 2.05, 2.05)).norm(), 1e-14);
+    EXPECT_LT((found.report.thrown[0].position - Vec(2.05, 2.05, 2.05)).norm(), 1e-14);
     EXPECT_EQ(found.report.thrown[1].triangles, 2U);
     EXPECT_THAT(found.report.lines().at(0),
                 HasSubstr("a piece of 12 triangles at (2.05, 2.05, 2.05) m thrown away: it is 0.34641 spacings large"));

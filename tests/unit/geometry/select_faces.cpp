@@ -14,16 +14,16 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class SelectFaces : public DrawingTest {
+class SelectFaces : public GeometryFileTest {
   protected:
     /// A pipe of radius 1 along x, from 0 to 4.
     void SetUp() override {
-        DrawingTest::SetUp();
+        GeometryFileTest::SetUp();
         auto options = options_for(write("pipe.geo",
                                          "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 4, 0, 0, 1};\n"
                                          "Physical Volume(\"blood\") = {1};\n"));
         options.chord_error = 0.01;
-        pipe_ = read_drawing(options);
+        pipe_ = read_geometry(options);
     }
 
     Geometry pipe_;
@@ -58,7 +58,7 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     const auto fault = [&](const FaceSelection& selection) {
         return text_thrown<InputError>([&] { select_faces(pipe_, {selection}); });
     };
-    FaceSelection selection{.name = "lid", .of = "blod", .place = {"scene.toml", 9, 1}};
+    FaceSelection selection{.name = "lid", .of = "blod", .position = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(selection),
                 HasSubstr("scene.toml:9:1: selection 'lid': the drawing has no volume or surface 'blod'"));
     EXPECT_THAT(fault(selection), HasSubstr("did you mean 'blood'?"));
@@ -71,7 +71,7 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     EXPECT_THAT(fault(selection), HasSubstr("the drawing has a 'blood' already"));
 }
 
-using SelectCurves = DrawingTest;
+using SelectCurves = GeometryFileTest;
 
 TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
     Geometry square = read(unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"floor\") = {1};\n");
@@ -98,7 +98,7 @@ TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
     const auto fault = [&](const FaceSelection& selection) {
         return text_thrown<InputError>([&] { select_faces(square, {selection}); });
     };
-    FaceSelection wrong{.name = "rim", .of = "wter", .place = {"scene.toml", 9, 1}};
+    FaceSelection wrong{.name = "rim", .of = "wter", .position = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(wrong), HasSubstr("scene.toml:9:1: selection 'rim': the drawing has no area or curve 'wter'"));
     EXPECT_THAT(fault(wrong), HasSubstr("did you mean 'water'?"));
     wrong.of = "water";

@@ -61,7 +61,7 @@ TEST(SolidsThatMeet, themselves_are_named_with_the_place) {
     EXPECT_EQ(found[0].one, "through");
     EXPECT_EQ(found[0].other, "");
     EXPECT_GT(found[0].crossings, 0U);
-    EXPECT_LT((found[0].place - Vec(1, 1, 0)).norm(), 1.8);
+    EXPECT_LT((found[0].position - Vec(1, 1, 0)).norm(), 1.8);
     EXPECT_THAT(
         found[0].text(1e-3, "mm"),
         ::testing::MatchesRegex("'through' meets itself in [0-9]+ pairs of triangles, the first at \\(.*\\) mm"));
@@ -80,8 +80,8 @@ TEST(SolidsThatMeet, share_a_volume_or_cross_each_other) {
     EXPECT_EQ(found[0].text(0.5, "ells").substr(0, 35), "'a' and 'b' share 2 ells^3, around ");
     EXPECT_EQ(found[1].one + found[1].other, "ablade");
     EXPECT_GE(found[1].crossings, 4U);
-    EXPECT_NEAR(found[1].place.z(), 1, 1e-12);
-    const SolidMeeting thin{.one = "a", .other = "blade", .crossings = 4, .place = Vec(1e-3, 2e-3, 0)};
+    EXPECT_NEAR(found[1].position.z(), 1, 1e-12);
+    const SolidMeeting thin{.one = "a", .other = "blade", .crossings = 4, .position = Vec(1e-3, 2e-3, 0)};
     EXPECT_EQ(thin.text(1e-3, "mm"), "'a' and 'blade' cross each other in 4 places, the first at (1, 2, 0) mm");
     EXPECT_THAT(solids_that_overlap(geometry, {"b", "far"}, 1e-6), IsEmpty());
 }
@@ -92,7 +92,7 @@ TEST(SolidsThatMeet, do_not_where_round_surfaces_are_of_other_triangles) {
     EXPECT_THAT(solids_that_overlap(geometry, {"pin", "block"}, 0.02), IsEmpty());
     const auto deeper = solids_that_overlap(geometry, {"pin", "block"}, 1e-4);
     ASSERT_EQ(deeper.size(), 1U);
-    EXPECT_NEAR(deeper[0].place.head<2>().norm(), 1, 0.01);
+    EXPECT_NEAR(deeper[0].position.head<2>().norm(), 1, 0.01);
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ constexpr double pi = std::numbers::pi, chord_error = 5e-6;
 using Parameters = std::map<std::string, double>;
 
 Geometry read_case(const std::string& drawing, const Parameters& parameters = {}) {
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = DMP_SOURCE_DIR "/cases/" + drawing;
     options.parameters = parameters;
     options.chord_error = chord_error;
-    return read_drawing(options);
+    return read_geometry(options);
 }
 
 std::string error_of(const std::string& drawing, const Parameters& parameters) {

@@ -135,10 +135,10 @@ TEST(NearestTriangle, is_what_a_look_at_all_triangles_finds) {
     const double reach = 0.3;
     const NearestTriangle search(surface, reach);
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> place(-0.5, 3.5);
+    std::uniform_real_distribution<double> position(-0.5, 3.5);
     int near = 0;
     for (int k = 0; k < 20000; ++k) {
-        const Vec point(place(random), place(random) - 0.5, place(random) - 0.5);
+        const Vec point(position(random), position(random) - 0.5, position(random) - 0.5);
         double nearest = HUGE_VAL;
         for (const auto& [a, b, c] : surface.triangles) {
             const auto corner = [&](int n) { return surface.corners[static_cast<std::size_t>(n)]; };

@@ -14,7 +14,7 @@
 namespace dmp::tests {
 
 /// A folder of its own for each test, removed afterwards.
-class DrawingTest : public ::testing::Test {
+class GeometryFileTest : public ::testing::Test {
   protected:
     void SetUp() override {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -31,16 +31,16 @@ class DrawingTest : public ::testing::Test {
         return path(name);
     }
 
-    [[nodiscard]] static DrawingOptions options_for(const std::string& file) {
-        DrawingOptions options;
+    [[nodiscard]] static GeometryOptions options_for(const std::string& file) {
+        GeometryOptions options;
         options.file = file;
-        options.place = {.file = "scene.toml", .line = 6, .column = 8};
+        options.location = {.file = "scene.toml", .line = 6, .column = 8};
         return options;
     }
 
     /// Reads a script that lies in the test's folder.
     [[nodiscard]] Geometry read(const std::string& text) const {
-        return read_drawing(options_for(write("drawing.geo", text)));
+        return read_geometry(options_for(write("drawing.geo", text)));
     }
 
   private:

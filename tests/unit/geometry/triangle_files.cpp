@@ -86,13 +86,13 @@ std::string with_word(std::size_t length) {
     return "ply\nformat ascii 1.0\nelement vertex 1\nproperty " + std::string(length, 'y') + " x\nend_header\n";
 }
 
-class TriangleDrawings : public DrawingTest {
+class TriangleGeometries : public GeometryFileTest {
   protected:
     [[nodiscard]] Geometry read_file(const std::string& name, const std::string& text,
                                      std::optional<double> unit = 1e-3) const {
         auto options = options_for(write(name, text));
         options.unit = unit;
-        return read_drawing(options);
+        return read_geometry(options);
     }
     [[nodiscard]] std::string fault(const std::string& name, const std::string& text,
                                     std::optional<double> unit = 1e-3) const {
@@ -105,7 +105,7 @@ class TriangleDrawings : public DrawingTest {
     }
 };
 
-TEST_F(TriangleDrawings, ABoxInEachFormatIsOneSolidWithTheFilesName) {
+TEST_F(TriangleGeometries, ABoxInEachFormatIsOneSolidWithTheFilesName) {
     const std::vector<std::pair<std::string, std::string>> files{{"a box.obj", obj_box()},
                                                                  {"a box.off", off_box()},
                                                                  {"a box.ply", ply_text()},
@@ -126,7 +126,7 @@ TEST_F(TriangleDrawings, ABoxInEachFormatIsOneSolidWithTheFilesName) {
     }
 }
 
-TEST_F(TriangleDrawings, GroupsThatCloseTogetherAreASolidAndItsNamedSurfaces) {
+TEST_F(TriangleGeometries, GroupsThatCloseTogetherAreASolidAndItsNamedSurfaces) {
     const Geometry geometry = read_file("duct.obj", obj_box([](int side) {
                                             return side == 5   ? std::string("g inlet\n")
                                                    : side == 3 ? std::string("g outlet\n")
@@ -141,7 +141,7 @@ TEST_F(TriangleDrawings, GroupsThatCloseTogetherAreASolidAndItsNamedSurfaces) {
     EXPECT_EQ(geometry.surface_set("inlet")->surface.corners.size(), 4U);
 }
 
-TEST_F(TriangleDrawings, ClosedGroupsAreSolidsOfTheirOwnAndAHoleMakesASurface) {
+TEST_F(TriangleGeometries, ClosedGroupsAreSolidsOfTheirOwnAndAHoleMakesASurface) {
     std::string two = obj_box([](int side) { return side == 0 ? std::string("o first body\n") : ""; });
     for (const std::string& corner : box_corners) two += "v 9" + corner.substr(1) + "\n";  // flat in x, and of no use
     const Geometry geometry = read_file("two.obj", two);
@@ -155,7 +155,7 @@ TEST_F(TriangleDrawings, ClosedGroupsAreSolidsOfTheirOwnAndAHoleMakesASurface) {
                 HasSubstr("it is not closed: 4 edges of its surface have one side only, the first from"));
 }
 
-TEST_F(TriangleDrawings, SolidsOfAnStlTextHaveTheirNames) {
+TEST_F(TriangleGeometries, SolidsOfAnStlTextHaveTheirNames) {
     const auto facet = [](const char* a, const char* b, const char* c) {
         return std::string("facet normal 0 0 0\nouter loop\nvertex ") + a + "\nvertex " + b + "\nvertex " + c +
                "\nendloop\nendfacet\n";
@@ -174,7 +174,7 @@ TEST_F(TriangleDrawings, SolidsOfAnStlTextHaveTheirNames) {
                             "4 of the 4 triangles of 'part_2nd' faced inward and were turned"));
 }
 
-TEST_F(TriangleDrawings, NumbersOfCornersMayCountBackAndPolygonsMayBendInward) {
+TEST_F(TriangleGeometries, NumbersOfCornersMayCountBackAndPolygonsMayBendInward) {
     // An L of six corners, extruded.
     std::string text;
     for (const char* z : {"0", "1"})
@@ -224,7 +224,7 @@ TEST(SplitPolygon, OfOneThatCoversItselfEnds) {
     EXPECT_EQ(split_polygon(twice).size(), most_polygon_corners - 2);
 }
 
-TEST_F(TriangleDrawings, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
+TEST_F(TriangleGeometries, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
     EXPECT_EQ(
         fault("b.obj", obj_box(), std::nullopt),
         "scene.toml:6:8: the drawing '" + path("b.obj") +
@@ -234,7 +234,7 @@ TEST_F(TriangleDrawings, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
 }
 
 /// Each: file, contents, what the error says.
-TEST_F(TriangleDrawings, WrongOnesAreRefusedWithTheirLine) {
+TEST_F(TriangleGeometries, WrongOnesAreRefusedWithTheirLine) {
     const auto with = [](std::string text, const std::string& found, const std::string& replacement) {
         const auto at = text.find(found);
         EXPECT_NE(at, std::string::npos) << found;
@@ -293,7 +293,7 @@ TEST_F(TriangleDrawings, WrongOnesAreRefusedWithTheirLine) {
     for (const auto& [name, text, says] : all) EXPECT_THAT(fault(name, text), HasSubstr(says));
 }
 
-TEST_F(TriangleDrawings, ABinaryStlThatWasCutOffSaysWhatIsMissing) {
+TEST_F(TriangleGeometries, ABinaryStlThatWasCutOffSaysWhatIsMissing) {
     std::string text(80, ' ');
     text += std::string("\x10\x27\0\0", 4) + std::string(50, '\0');  // says 10,000 triangles
     EXPECT_THAT(fault("a.stl", text), HasSubstr("for its 10000 triangles it needs 500084 bytes, and it has 134"));
@@ -301,13 +301,13 @@ TEST_F(TriangleDrawings, ABinaryStlThatWasCutOffSaysWhatIsMissing) {
     EXPECT_THAT(fault("folder.stl", ""), HasSubstr("folder.stl' is a folder"));
 }
 
-TEST_F(TriangleDrawings, BlanksBehindTheLastFaceAreNothing) {
+TEST_F(TriangleGeometries, BlanksBehindTheLastFaceAreNothing) {
     EXPECT_EQ(read_file("a.ply", ply_text() + "\n \n").solids.size(), 1U);
     EXPECT_EQ(read_file("a.ply", ply_binary(true) + std::string("\n\0\0", 3)).solids.size(), 1U);
     EXPECT_EQ(read_file("a.off", off_box() + "\n # done\n").solids.size(), 1U);
 }
 
-TEST_F(TriangleDrawings, LinesGoOnInObjOnly) {
+TEST_F(TriangleGeometries, LinesGoOnInObjOnly) {
     EXPECT_EQ(read_file("a.ply", ply_header("ascii").insert(4, "comment of C:\\\n") +
                                      ply_text().substr(ply_header("ascii").size()))
                   .solids.size(),
@@ -315,14 +315,14 @@ TEST_F(TriangleDrawings, LinesGoOnInObjOnly) {
     EXPECT_EQ(read_file("a.obj", "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n 3\n").surfaces.size(), 1U);
 }
 
-TEST_F(TriangleDrawings, MessagesShowTheBeginningOfWhatCannotBePrinted) {
+TEST_F(TriangleGeometries, MessagesShowTheBeginningOfWhatCannotBePrinted) {
     const std::string long_line = "v 1 2\t\x1b[31m\xff" + std::string(100000, 'x') + "\n";
     EXPECT_THAT(fault("a.obj", long_line),
                 HasSubstr("expected three numbers after 'v', found \"v 1 2 ?[31m?" + std::string(48, 'x') + "...\""));
     EXPECT_LT(fault("a.ply", with_word(100000)).size(), 600U);
 }
 
-TEST_F(TriangleDrawings, EdgesWithoutClearSidesHaveAPlace) {
+TEST_F(TriangleGeometries, EdgesWithoutClearSidesHaveAPlace) {
     const Geometry fin = read_file("fin.obj", obj_box() + "v 5 5 5\nf 1 2 9\n", 1);
     ASSERT_NE(fin.surface_set("fin"), nullptr);
     EXPECT_THAT(fin.surface_set("fin")->why_open, HasSubstr("2 edges of its surface have one side only"));
@@ -339,7 +339,7 @@ TEST_F(TriangleDrawings, EdgesWithoutClearSidesHaveAPlace) {
                           "first near (3, 2, 0.5) m"));
 }
 
-TEST_F(TriangleDrawings, BodiesOfAGroupThatCrossAllFaceOutward) {
+TEST_F(TriangleGeometries, BodiesOfAGroupThatCrossAllFaceOutward) {
     for (const char* shift : {"1.5 0.9 0.4", "0.1 0.1 0.9", "-1 -1 -0.5"}) {
         std::string two = obj_box();
         double x = 0, y = 0, z = 0;

@@ -61,10 +61,10 @@ TEST(WindingNumber, of_dipoles_is_near_that_of_triangles) {
     append(surface, box({0.9, 0.9, 0.9}, {1.5, 1, 1.2}));
     const WindingNumber fast(surface), careful(surface, 8);
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> place(-1.5, 1.5);
+    std::uniform_real_distribution<double> position(-1.5, 1.5);
     double largest = 0, largest_careful = 0;
     for (int k = 0; k < 1000; ++k) {
-        const Vec point(place(random), place(random), place(random));
+        const Vec point(position(random), position(random), position(random));
         const double exact = winding_number(surface, point);
         largest = std::max(largest, std::abs(fast.at(point) - exact));
         largest_careful = std::max(largest_careful, std::abs(careful.at(point) - exact));

@@ -18,19 +18,20 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::vector<Bond> bonds_of(const std::vector<Vec>& place, double within) {
+std::vector<Bond> bonds_of(const std::vector<Vec>& position, double within) {
     std::vector<Bond> bonds;
-    for (int i = 0; i < static_cast<int>(place.size()); ++i)
-        for (int j = i + 1; j < static_cast<int>(place.size()); ++j)
-            if (const double apart = (place[i] - place[j]).norm(); apart < within) bonds.push_back({i, j, apart, 0});
+    for (int i = 0; i < static_cast<int>(position.size()); ++i)
+        for (int j = i + 1; j < static_cast<int>(position.size()); ++j)
+            if (const double apart = (position[i] - position[j]).norm(); apart < within)
+                bonds.push_back({i, j, apart, 0});
     return bonds;
 }
 
 /// SUM k (r n.e.n)^2: what a small uniform strain costs.
-double energy(const std::vector<Bond>& bonds, const std::vector<Vec>& place, const Eigen::Matrix3d& strain) {
+double energy(const std::vector<Bond>& bonds, const std::vector<Vec>& position, const Eigen::Matrix3d& strain) {
     double sum = 0;
     for (const Bond& bond : bonds) {
-        const Vec apart = place[bond.b] - place[bond.a];
+        const Vec apart = position[bond.b] - position[bond.a];
         sum += bond.stiffness * std::pow(apart.dot(strain * apart) / apart.norm(), 2);
     }
     return sum;
@@ -49,90 +50,90 @@ Eigen::Matrix3d strain(double xx, double yy, double zz, double xy, double yz, do
 }
 
 TEST(BondNetwork, of_a_hexagon_is_its_material_in_every_strain) {
-    std::vector<Vec> place;
+    std::vector<Vec> position;
     constexpr int rings = 6;
     for (int j = -rings; j <= rings; ++j)
         for (int i = -rings; i <= rings; ++i)
-            if (std::abs(i + j) <= rings) place.emplace_back(i + 0.5 * j, std::sqrt(0.75) * j, 0);
+            if (std::abs(i + j) <= rings) position.emplace_back(i + 0.5 * j, std::sqrt(0.75) * j, 0);
     for (const double within : {1.1, 1.8, 2.1}) {
-        auto bonds = bonds_of(place, within);
+        auto bonds = bonds_of(position, within);
         constexpr double modulus = 3e5, area = 117;
-        const NetworkConstants constants = set_stiffness(bonds, place, modulus, area, 2);
+        const NetworkConstants constants = set_stiffness(bonds, position, modulus, area, 2);
         EXPECT_LT(constants.anisotropy, 1e-12);
         EXPECT_NEAR(constants.softest / constants.stiffest, 1, 1e-12);
         for (const auto& e : {strain(1, 0, 0, 0, 0, 0), strain(0.3, -0.7, 0, 0.4, 0, 0), strain(0, 0, 0, 1, 0, 0)})
-            EXPECT_NEAR(energy(bonds, place, e) / (area * energy(modulus, e)), 1, 1e-12) << within;
+            EXPECT_NEAR(energy(bonds, position, e) / (area * energy(modulus, e)), 1, 1e-12) << within;
     }
 }
 
 TEST(BondNetwork, of_a_square_lattice_weakens_its_diagonals_until_it_is_isotropic) {
     constexpr int side = 12;
-    std::vector<Vec> place;
+    std::vector<Vec> position;
     for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) place.emplace_back(i, j, 0);
-    auto bonds = bonds_of(place, 1.5);
+        for (int i = 0; i < side; ++i) position.emplace_back(i, j, 0);
+    auto bonds = bonds_of(position, 1.5);
     constexpr double modulus = 2e4, area = side * side;
-    const NetworkConstants constants = set_stiffness(bonds, place, modulus, area, 2);
+    const NetworkConstants constants = set_stiffness(bonds, position, modulus, area, 2);
     // 2 side (side - 1) edges and 2 (side - 1)^2 diagonals: those are half as stiff, and a little more for being fewer.
     EXPECT_NEAR(constants.softest / constants.stiffest, side / (2 * (side - 1.0)), 1e-12);
     EXPECT_LT(constants.anisotropy, 1e-12);
     for (const auto& e : {strain(1, 0, 0, 0, 0, 0), strain(0.3, -0.7, 0, 0.4, 0, 0)})
-        EXPECT_NEAR(energy(bonds, place, e) / (area * energy(modulus, e)), 1, 1e-6);
+        EXPECT_NEAR(energy(bonds, position, e) / (area * energy(modulus, e)), 1, 1e-6);
 }
 
 TEST(BondNetwork, of_bonds_at_random_is_isotropic_as_a_whole) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> along(0, 1);
     for (const int dimension : {2, 3}) {
-        std::vector<Vec> place(400);
-        for (Vec& at : place) at = Vec(along(random), 0.3 * along(random), dimension == 3 ? 2 * along(random) : 0);
-        auto bonds = bonds_of(place, 0.2);
-        const NetworkConstants constants = set_stiffness(bonds, place, 7e5, 0.3, dimension);
+        std::vector<Vec> position(400);
+        for (Vec& at : position) at = Vec(along(random), 0.3 * along(random), dimension == 3 ? 2 * along(random) : 0);
+        auto bonds = bonds_of(position, 0.2);
+        const NetworkConstants constants = set_stiffness(bonds, position, 7e5, 0.3, dimension);
         EXPECT_LT(constants.anisotropy, 1e-10);
         EXPECT_GT(constants.softest, 0.1 * constants.stiffest);
         const double out = dimension == 3 ? 1 : 0;
         for (const auto& e : {strain(1, 0, 0, 0, 0, 0), strain(0.3, -0.7, 0.2 * out, 0.4, 0.5 * out, -0.1 * out)})
-            EXPECT_NEAR(energy(bonds, place, e) / (0.3 * energy(7e5, e)), 1, 1e-9) << dimension;
+            EXPECT_NEAR(energy(bonds, position, e) / (0.3 * energy(7e5, e)), 1, 1e-9) << dimension;
     }
 }
 
 TEST(BondNetwork, that_would_have_to_push_keeps_what_is_left_of_its_anisotropy) {
     // All bonds within 20 degrees of one line.
-    std::vector<Vec> place{Vec::Zero()};
+    std::vector<Vec> position{Vec::Zero()};
     std::vector<Bond> bonds;
     for (const double angle : {-0.35, -0.2, 0.0, 0.2, 0.35}) {
-        bonds.push_back({0, static_cast<int>(place.size()), 1, 0});
-        place.emplace_back(std::cos(angle), std::sin(angle), 0);
+        bonds.push_back({0, static_cast<int>(position.size()), 1, 0});
+        position.emplace_back(std::cos(angle), std::sin(angle), 0);
     }
-    const NetworkConstants constants = set_stiffness(bonds, place, 1, 1, 2);
+    const NetworkConstants constants = set_stiffness(bonds, position, 1, 1, 2);
     EXPECT_GT(constants.softest, 0);
     EXPECT_GT(constants.anisotropy, 0.1);
-    EXPECT_NEAR(energy(bonds, place, strain(1, 1, 0, 0, 0, 0)) / energy(1, strain(1, 1, 0, 0, 0, 0)), 1, 1e-12)
+    EXPECT_NEAR(energy(bonds, position, strain(1, 1, 0, 0, 0, 0)) / energy(1, strain(1, 1, 0, 0, 0, 0)), 1, 1e-12)
         << "an even one is met with E all the same";
 }
 
 TEST(BondNetwork, of_a_cube_with_edges_and_diagonals_needs_little_of_that) {
     constexpr int side = 9;
-    std::vector<Vec> place;
+    std::vector<Vec> position;
     for (int k = 0; k < side; ++k)
         for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i) place.emplace_back(i, j, k);
-    auto bonds = bonds_of(place, 1.5);
+            for (int i = 0; i < side; ++i) position.emplace_back(i, j, k);
+    auto bonds = bonds_of(position, 1.5);
     constexpr double modulus = 2e4, volume = side * side * side;
-    const NetworkConstants constants = set_stiffness(bonds, place, modulus, volume, 3);
+    const NetworkConstants constants = set_stiffness(bonds, position, modulus, volume, 3);
     EXPECT_GT(constants.softest, 0.8 * constants.stiffest);
     EXPECT_LT(constants.anisotropy, 1e-12);
     for (const auto& e : {strain(1, 1, 1, 0, 0, 0), strain(1, -0.5, -0.5, 0.4, 0.2, 0.1)})
-        EXPECT_NEAR(energy(bonds, place, e) / (volume * energy(modulus, e)), 1, 1e-12);
+        EXPECT_NEAR(energy(bonds, position, e) / (volume * energy(modulus, e)), 1, 1e-12);
     // Nearest neighbours alone resist no shear, whatever their stiffness: it is said.
-    auto edges = bonds_of(place, 1.2);
-    EXPECT_GT(set_stiffness(edges, place, modulus, volume, 3).anisotropy, 0.5);
+    auto edges = bonds_of(position, 1.2);
+    EXPECT_GT(set_stiffness(edges, position, modulus, volume, 3).anisotropy, 0.5);
 }
 
 /// The channel with a block of 0.5 m x 1 m on its bottom, clamped there, drawn over the water.
 Texts block(const std::string& arrangement, const std::string& fill, const std::string& within = "0.21 m") {
     Texts texts{channel.scene +
-                    "[[part]]\nname = \"block\"\nkind = \"springs\"\ndensity = \"1200 kg/m^3\"\n"
+                    "[[part]]\nname = \"block\"\nkind = \"elastic\"\ndensity = \"1200 kg/m^3\"\n"
                     "youngs_modulus = \"1 MPa\"\nanchor = \"wall\"\nbonds_within = \"" +
                     within + "\"\n",
                 channel.drawing + R"(Point(10) = {1.75, 0, 0};
@@ -167,7 +168,7 @@ TEST_P(BondedSolid, has_all_its_bonds_and_keeps_to_its_area) {
     std::size_t near = 0, nodes = 0;
     double squares = 0, in_layer = 0, least = 1;  // of the distance to the outline [spacings]
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::springs) continue;
+        if (set.kind(i) != PartKind::elastic) continue;
         ++nodes;
         EXPECT_EQ(set.body[i], 0);
         const Vec& at = set.position[i];
@@ -178,7 +179,7 @@ TEST_P(BondedSolid, has_all_its_bonds_and_keeps_to_its_area) {
             ++in_layer;
         }
         for (std::size_t j = i + 1; j < set.size(); ++j)
-            if (set.kind(j) == ParticleKind::springs && (set.position[i] - set.position[j]).norm() < 0.11) ++near;
+            if (set.kind(j) == PartKind::elastic && (set.position[i] - set.position[j]).norm() < 0.11) ++near;
     }
     EXPECT_EQ(bonded.size(), near);
     EXPECT_NEAR(static_cast<double>(nodes) / 128, 1, 0.04);

@@ -106,9 +106,9 @@ void write_all_formats() {
                       "Save \"block.step\";\nSave \"block.brep\";\nMesh 2;\nSave \"block.msh\";\n"
                       "Save \"block.stl\";\n",
                   "export.geo");
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = "export.geo";
-    (void)read_drawing(options);
+    (void)read_geometry(options);
     const std::string step = std::regex_replace(text_of("block.step"), std::regex("PRODUCT\\('[^']*',\\s*'[^']*'"),
                                                 "PRODUCT('block','block'");
     Folder::write(step, "block_mm.step");
@@ -163,10 +163,10 @@ TEST(CadMeshes, OneBodyInEachFormatGivesTheSameParticles) {
 TEST(CadMeshes, AMetreInAStepFileIsAMetre) {
     const Folder folder;
     write_all_formats();
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = "block_m.STP";
     options.chord_error = 1e-3;
-    const Geometry large = read_drawing(options);
+    const Geometry large = read_geometry(options);
     EXPECT_LT((large.box.high - Vec(2, 1, 1)).norm(), 1e-6);
     std::string scaled = scene;
     for (std::size_t at = 0; (at = scaled.find(" mm", at)) != std::string::npos;) scaled.replace(at, 3, " m");
@@ -185,22 +185,22 @@ TEST(CadMeshes, BodiesWithoutNamesAreNumberedAndUnitsAreChecked) {
         "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nBox(2) = {3, 0, 0, 1, 1, 2};\n"
         "Physical Volume(\"both\") = {1, 2};\nSave \"two.step\";\nSave \"two.brep\";\n",
         "export.geo");
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = "export.geo";
-    (void)read_drawing(options);
+    (void)read_geometry(options);
     options.file = "two.step";
-    const Geometry two = read_drawing(options);
+    const Geometry two = read_geometry(options);
     EXPECT_THAT(two.names(), ElementsAre("solid_1", "solid_2"));
     ASSERT_NE(two.solid("solid_2"), nullptr);
     EXPECT_NEAR(two.solid("solid_2")->volume(), 2e-9, 1e-16);
     options.unit = 1e-3;
-    options.place = {"scene.toml", 2, 3};
-    const auto fault = [&] { return text_thrown<InputError>([&] { (void)read_drawing(options); }); };
+    options.location = {"scene.toml", 2, 3};
+    const auto fault = [&] { return text_thrown<InputError>([&] { (void)read_geometry(options); }); };
     EXPECT_EQ(fault(),
               "scene.toml:2:3: the drawing 'two.step' states its unit itself, and the scene gives another\n"
               "  Leave geometry.unit out, or correct the unit in the program that made the drawing.");
     options.file = "two.brep";
-    EXPECT_THAT(read_drawing(options).names(), ElementsAre("solid_1", "solid_2"));
+    EXPECT_THAT(read_geometry(options).names(), ElementsAre("solid_1", "solid_2"));
     options.unit.reset();
     EXPECT_THAT(fault(), HasSubstr("is it 4 x 1 x 2 m, 4 x 1 x 2 mm or 4 x 1 x 2 um?"));
     options.file = "cut.step";
@@ -216,9 +216,9 @@ TEST(CadMeshes, BodiesWithoutNamesAreNumberedAndUnitsAreChecked) {
 }
 
 TEST(CadMeshes, LooseFacesOfAnIgesFileAreSewnToABody) {
-    DrawingOptions options;
+    GeometryOptions options;
     options.file = DMP_SOURCE_DIR "/tests/data/cad/box.igs";
-    const Geometry geometry = read_drawing(options);
+    const Geometry geometry = read_geometry(options);
     EXPECT_THAT(geometry.names(), ElementsAre("box"));
     ASSERT_NE(geometry.solid("box"), nullptr);
     EXPECT_NEAR(geometry.solid("box")->volume(), 2e-9, 1e-15);

@@ -21,7 +21,7 @@ const MeshReport::PartLine& line_of(const Meshed& meshed, const std::string& par
 }
 
 /// Indices of the particles of one kind.
-std::vector<std::size_t> all_of(const ParticleSet& set, ParticleKind kind) {
+std::vector<std::size_t> all_of(const ParticleSet& set, PartKind kind) {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.kind(i) == kind) indices.push_back(i);
@@ -32,9 +32,9 @@ std::vector<std::size_t> all_of(const ParticleSet& set, ParticleKind kind) {
 double fluid_to_solids(const ParticleSet& set) {
     const double period = set.box.extent()[0];
     double smallest = std::numeric_limits<double>::infinity();
-    for (const std::size_t i : all_of(set, ParticleKind::fluid))
+    for (const std::size_t i : all_of(set, PartKind::fluid))
         for (std::size_t j = 0; j < set.size(); ++j) {
-            if (set.kind(j) == ParticleKind::fluid) continue;
+            if (set.kind(j) == PartKind::fluid) continue;
             Vec apart = set.position[i] - set.position[j];
             if (std::abs(apart[1]) > set.spacing) continue;
             apart[0] -= period * std::round(apart[0] / period);
@@ -62,12 +62,12 @@ void expect_a_sound_mesh(const Meshed& meshed, const std::string& fluid, int wal
         ASSERT_GT(set.mass[i], 0);
         ASSERT_GE(point[0], set.box.low[0]);
         ASSERT_LT(point[0], set.box.high[0]);
-        if (set.kind(i) == ParticleKind::fluid) {
+        if (set.kind(i) == PartKind::fluid) {
             ASSERT_EQ(inside.side_of(point), Side::inside) << point.transpose();
             ASSERT_EQ(set.fixed[i], 0);
             ASSERT_EQ(set.body[i], -1);
         }
-        if (set.kind(i) != ParticleKind::rigid) {
+        if (set.kind(i) != PartKind::rigid) {
             ASSERT_EQ(set.wall_normal[i], Vec(Vec::Zero()));
             ASSERT_EQ(set.wall_distance[i], 0);
             continue;
@@ -100,7 +100,7 @@ void expect_two_clamped_leaflets(const Meshed& meshed, std::size_t columns) {
     const ParticleSet& set = meshed.particles;
     std::array<std::size_t, 2> nodes{}, clamped{};
     std::set<int> bodies;
-    for (const std::size_t i : all_of(set, ParticleKind::springs)) {
+    for (const std::size_t i : all_of(set, PartKind::elastic)) {
         const auto body = static_cast<std::size_t>(set.body[i]);
         ASSERT_LT(body, 2U);
         ++nodes[body];
@@ -131,12 +131,12 @@ TEST(VeinValveMesh, AtItsOwnSpacing) {
     const auto& set = meshed.particles;
     const double area = meshed.geometry.region("blood")->area();
     const double leaflets = 2 * 17.5e-3 * 2 * 0.2e-3;  // a leaflet and half a spacing more on each side
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * 4e-8 / (area - leaflets), 1, 0.005);
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::rigid)) * 4e-8 /
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) * 4e-8 / (area - leaflets), 1, 0.005);
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::rigid)) * 4e-8 /
                     (3 * 0.2e-3 * meshed.geometry.curve_set("wall")->length()),
                 1, 0.03);
     double mass = 0;
-    for (const std::size_t i : all_of(set, ParticleKind::springs)) mass += set.mass[i];
+    for (const std::size_t i : all_of(set, PartKind::elastic)) mass += set.mass[i];
     EXPECT_NEAR(mass / (0.42 * 2 * 17.5e-3), 89.0 / 88, 1e-12);  // the end columns have full mass
     EXPECT_EQ(set.periodic, (std::array{true, false, false}));
     EXPECT_EQ(set.box.low[0], -0.046);
@@ -156,8 +156,8 @@ TEST(VeinValveMesh, AtHalfTheSpacingHasTheParticlesOfThePublishedOnes) {
         const Meshed meshed =
             mesh_case("vein_valve", {"particles.spacing=0.1 mm", "geometry.parameters.leaflet_length=" + length});
         const ParticleSet& set = meshed.particles;
-        EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) / blood, 1, 0.03) << length;
-        EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::springs)) / leaflets, 1, 0.03) << length;
+        EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) / blood, 1, 0.03) << length;
+        EXPECT_NEAR(static_cast<double>(set.count(PartKind::elastic)) / leaflets, 1, 0.03) << length;
         EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
         EXPECT_GT(line_of(meshed, "blood").nearest, 0.75);
         EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 3e-6, 1, 1e-12);
@@ -199,12 +199,12 @@ TEST(VeinValveMesh, WithoutItsLeaflets) {
     const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.2 mm", "part.leaflets.enabled=false"});
     expect_a_sound_mesh(meshed, "blood");
     const ParticleSet& set = meshed.particles;
-    EXPECT_EQ(set.count(ParticleKind::springs), 0U);
+    EXPECT_EQ(set.count(PartKind::elastic), 0U);
     EXPECT_TRUE(set.bonds.empty());
     EXPECT_TRUE(set.hinges.empty());
     EXPECT_TRUE(meshed.report.springs.empty());
     EXPECT_TRUE(meshed.report.notes.empty());
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * 4e-8 / meshed.geometry.region("blood")->area(), 1,
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) * 4e-8 / meshed.geometry.region("blood")->area(), 1,
                 0.002);
 }
 
@@ -234,7 +234,7 @@ TEST(HeartValveMesh, AtHalfItsSpacing) {
     const auto& set = meshed.particles;
     const double area = meshed.geometry.region("blood")->area();
     const double leaflets = 2 * 16e-3 * 2 * 0.5e-3;
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * 0.25e-6 / (area - leaflets), 1, 0.005);
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) * 0.25e-6 / (area - leaflets), 1, 0.005);
     EXPECT_EQ(set.box.low[0], -0.0525);
     EXPECT_EQ(set.box.high[0], 0.0525);
 }
@@ -243,8 +243,8 @@ TEST(HeartValveMesh, AtAQuarterHasTheParticlesOfThePublishedOne) {
     const Meshed meshed =
         mesh_case("heart_valve", {"particles.spacing=0.25 mm", "geometry.parameters.leaflet_length=16.75 mm"});
     const ParticleSet& set = meshed.particles;
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) / 49224, 1, 0.03);
-    EXPECT_EQ(set.count(ParticleKind::springs), 272U);
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) / 49224, 1, 0.03);
+    EXPECT_EQ(set.count(PartKind::elastic), 272U);
     EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
     EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 4.4e-5, 1, 1e-12);
     EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 1400, 1, 1e-12);
@@ -272,13 +272,13 @@ TEST(DoubleVeinValveMesh, HasSoundPartsOnBothSidesOfItsWalls) {
             EXPECT_NEAR(line.axial_stiffness / 2500, 1, 1e-12);
         }
     }
-    EXPECT_EQ(set.count(ParticleKind::springs), 4U * 2 * (26 + 111));  // 10 mm and 44 mm of 0.4 mm, two rows
+    EXPECT_EQ(set.count(PartKind::elastic), 4U * 2 * (26 + 111));  // 10 mm and 44 mm of 0.4 mm, two rows
     // The shells are thick enough to keep blood and tissue out of each other's support.
     double nearest = std::numeric_limits<double>::infinity();
     const auto part_of = [&](std::size_t i) { return set.parts[set.part[i]].name; };
-    for (const std::size_t i : all_of(set, ParticleKind::fluid))
+    for (const std::size_t i : all_of(set, PartKind::fluid))
         if (part_of(i) == "blood" && std::abs(set.position[i][0]) < 0.021 && set.position[i][1] > 3e-3)
-            for (const std::size_t j : all_of(set, ParticleKind::fluid))
+            for (const std::size_t j : all_of(set, PartKind::fluid))
                 if (part_of(j) == "tissue") nearest = std::min(nearest, (set.position[i] - set.position[j]).norm());
     EXPECT_GT(nearest, 3 * set.spacing);
 }
@@ -298,7 +298,7 @@ TEST(CiliaMesh, SixCellsToAPitch) {
     const auto& cilia = meshed.report.springs[0];
     EXPECT_EQ(cilia.bodies, 36);
     EXPECT_EQ(cilia.anchored, 36U * 2);
-    EXPECT_EQ(set.count(ParticleKind::springs), 36U * 2 * 55);
+    EXPECT_EQ(set.count(PartKind::elastic), 36U * 2 * 55);
     EXPECT_NEAR(cilia.bending_stiffness / 1.32e-19, 1, 1e-12);
     EXPECT_NEAR(cilia.axial_stiffness / 2.64e-6, 1, 1e-12);
 }
@@ -307,8 +307,8 @@ TEST(PoiseuilleMesh, HasTwentyRowsAndExactWalls) {
     const Meshed meshed = mesh_case("verification/poiseuille");
     expect_a_sound_mesh(meshed, "water");
     const ParticleSet& set = meshed.particles;
-    EXPECT_EQ(set.count(ParticleKind::fluid), 20U * 8);
-    EXPECT_EQ(set.count(ParticleKind::rigid), 2U * 3 * 8);
+    EXPECT_EQ(set.count(PartKind::fluid), 20U * 8);
+    EXPECT_EQ(set.count(PartKind::rigid), 2U * 3 * 8);
     EXPECT_TRUE(meshed.report.notes.empty());
     std::set<long> rows;
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -317,7 +317,7 @@ TEST(PoiseuilleMesh, HasTwentyRowsAndExactWalls) {
         ASSERT_NEAR(row, std::round(row), 1e-10);
         EXPECT_NEAR(set.volume[i], 2.5e-9, 1e-20);
         EXPECT_NEAR(set.mass[i], 2.5e-6, 1e-17);
-        if (set.kind(i) == ParticleKind::fluid) {
+        if (set.kind(i) == PartKind::fluid) {
             rows.insert(std::lround(row));
             continue;
         }

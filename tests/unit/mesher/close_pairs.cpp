@@ -17,9 +17,9 @@ ParticleSet scattered(int dimension, std::size_t count) {
     set.dimension = dimension;
     set.box = {.low = Vec(0, 0, 0), .high = Vec(2, 1, dimension == 3 ? 1 : 0)};
     std::mt19937 random(5);
-    std::uniform_real_distribution<double> place(0, 1);
+    std::uniform_real_distribution<double> position(0, 1);
     for (std::size_t i = 0; i < count; ++i) {
-        Vec& at = set.position.emplace_back(2 * place(random), place(random), place(random));
+        Vec& at = set.position.emplace_back(2 * position(random), position(random), position(random));
         if (dimension == 2) at.z() = 0;
     }
     return set;
@@ -91,7 +91,7 @@ TEST(ClosePairs, go_with_the_particles) {
     pairs.find(set, std::vector<std::uint8_t>(set.size(), 0), 0.25, 1);
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.01, 0.01);
-    for (Vec& place : set.position) place += Vec(move(random), move(random), move(random));
+    for (Vec& position : set.position) position += Vec(move(random), move(random), move(random));
     pairs.follow(set);
     expect_what_is_near<3>(set, pairs, 0.2);  // what came nearer than this was listed
 }

@@ -21,7 +21,7 @@ Texts disturbed(const Texts& texts, const std::string& lines) {
 std::vector<double> displacements(const ParticleSet& moved, const ParticleSet& lattice, int axis) {
     std::vector<double> all;
     for (std::size_t i = 0; i < lattice.size(); ++i) {
-        if (lattice.kind(i) != ParticleKind::fluid) continue;
+        if (lattice.kind(i) != PartKind::fluid) continue;
         double d = moved.position[i][axis] - lattice.position[i][axis];
         if (axis == 0) d -= 4 * std::round(d / 4);
         all.push_back(d / 0.125);
@@ -50,7 +50,7 @@ TEST(Disorder, DisplacesTheFluidEvenlyWithinItsAmplitude) {
         EXPECT_GE(moved.position[i][0], 0);
         EXPECT_LT(moved.position[i][0], 4);
         EXPECT_EQ(moved.volume[i], lattice.volume[i]);
-        if (lattice.kind(i) == ParticleKind::fluid) continue;
+        if (lattice.kind(i) == PartKind::fluid) continue;
         EXPECT_EQ(moved.position[i], lattice.position[i]);
     }
 }
@@ -75,11 +75,11 @@ TEST(Disorder, KeepsFluidInItsRegionAndOffBodies) {
     const Meshed meshed = mesh_texts(disturbed(flap_channel, "disorder = 0.4\nseed = 3\n"));
     const ParticleSet& set = meshed.particles;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         EXPECT_GT(set.position[i][1], 0);
         EXPECT_LT(set.position[i][1], 2);
         for (std::size_t j = 0; j < set.size(); ++j) {
-            if (set.kind(j) != ParticleKind::springs) continue;
+            if (set.kind(j) != PartKind::elastic) continue;
             EXPECT_GT((set.position[i] - set.position[j]).norm(), 0.4 * 0.125);
         }
     }

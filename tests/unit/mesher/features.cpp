@@ -16,14 +16,14 @@ namespace dmp::tests {
 namespace {
 
 /// Distance of the nearest place on that side [m].
-double nearest_of(const std::vector<FeaturePlace>& places, const Vec& point, bool in_fluid) {
+double nearest_of(const std::vector<FeaturePosition>& positions, const Vec& point, bool in_fluid) {
     double nearest = HUGE_VAL;
-    for (const FeaturePlace& place : places)
-        if (place.in_fluid == in_fluid) nearest = std::min(nearest, (place.point - point).norm());
+    for (const FeaturePosition& position : positions)
+        if (position.in_fluid == in_fluid) nearest = std::min(nearest, (position.point - point).norm());
     return nearest;
 }
 
-TEST(CornerPlaces, are_half_a_spacing_from_both_lines) {
+TEST(CornerPositions, are_half_a_spacing_from_both_lines) {
     for (const double degrees : {60.0, 90.0, 120.0}) {
         const double angle = degrees * std::numbers::pi / 180;
         const CurveSet wall{"wall", {{{Vec(2, 0, 0), Vec(0, 0, 0), Vec(2 * std::cos(angle), 2 * std::sin(angle), 0)}}}};
@@ -31,32 +31,32 @@ TEST(CornerPlaces, are_half_a_spacing_from_both_lines) {
             const double at = std::atan2(p.y(), p.x());
             return at > 0 && at < angle;
         };
-        const auto places = corner_places({&wall}, in_wedge, 0.2);
-        ASSERT_EQ(places.size(), 2U);
+        const auto positions = corner_positions({&wall}, in_wedge, 0.2);
+        ASSERT_EQ(positions.size(), 2U);
         const Vec middle(std::cos(angle / 2), std::sin(angle / 2), 0);
         const Vec wanted = 0.1 / std::sin(angle / 2) * middle;
-        EXPECT_LT(nearest_of(places, wanted, true), 1e-12) << degrees;
-        EXPECT_LT(nearest_of(places, -wanted, false), 1e-12) << degrees;
+        EXPECT_LT(nearest_of(positions, wanted, true), 1e-12) << degrees;
+        EXPECT_LT(nearest_of(positions, -wanted, false), 1e-12) << degrees;
         // The same with the fluid on the other side.
-        const auto outside = corner_places(
+        const auto outside = corner_positions(
             {&wall}, [&](const Vec& p) { return !in_wedge(p); }, 0.2);
         EXPECT_LT(nearest_of(outside, -wanted, true), 1e-12) << degrees;
     }
 }
 
-TEST(CornerPlaces, are_at_sharp_corners_beside_fluid_only) {
+TEST(CornerPositions, are_at_sharp_corners_beside_fluid_only) {
     const auto below = [](const Vec& p) { return p.y() < 0; };
     const CurveSet bent{"bent", {{{Vec(-1, 0, 0), Vec(0, 0, 0), Vec(1, 0.8, 0)}}}};  // by 39 degrees
-    EXPECT_TRUE(corner_places({&bent}, below, 0.1).empty());
+    EXPECT_TRUE(corner_positions({&bent}, below, 0.1).empty());
     const CurveSet corner{"corner", {{{Vec(-1, 0, 0), Vec(0, 0, 0), Vec(1, 1, 0)}}}};
-    EXPECT_EQ(corner_places({&corner}, below, 0.1).size(), 2U);
-    EXPECT_TRUE(corner_places(
+    EXPECT_EQ(corner_positions({&corner}, below, 0.1).size(), 2U);
+    EXPECT_TRUE(corner_positions(
                     {&corner}, [](const Vec&) { return true; }, 0.1)
                     .empty());
     // Curves of several parts, each with a piece of its own, in any direction.
     const CurveSet first{"first", {{{Vec(0, 0, 0), Vec(-1, 0, 0)}}}},
         second{"second", {{{Vec(0, 0, 0), Vec(1, 1, 0)}}}};
-    EXPECT_EQ(corner_places({&first, &second}, below, 0.1).size(), 2U);
+    EXPECT_EQ(corner_positions({&first, &second}, below, 0.1).size(), 2U);
 }
 
 /// The box from the origin to this corner, in twelve triangles.
@@ -69,41 +69,42 @@ TriangleSurface box_surface(const Vec& high) {
     return box;
 }
 
-TEST(EdgePlaces, of_a_box_are_at_its_corners_and_along_its_edges) {
+TEST(EdgePositions, of_a_box_are_at_its_corners_and_along_its_edges) {
     const TriangleSurface box = box_surface(Vec(1, 1, 1));
     const auto inside = [](const Vec& p) { return p.minCoeff() > 0 && p.maxCoeff() < 1; };
-    const auto places = edge_places({&box}, inside, 0.1);
+    const auto positions = edge_positions({&box}, inside, 0.1);
     // Inside lines of 0.9 m: 9 steps; outside ones of 1.1 m: 11 steps.
-    EXPECT_EQ(places.size(), 2U * 8 + 12 * (8 + 10));
+    EXPECT_EQ(positions.size(), 2U * 8 + 12 * (8 + 10));
     for (int k = 0; k < 8; ++k) {
         const Vec sign((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
-        EXPECT_LT(nearest_of(places, Vec::Constant(0.5) + 0.45 * sign, true), 1e-12);
-        EXPECT_LT(nearest_of(places, Vec::Constant(0.5) + 0.55 * sign, false), 1e-12);
+        EXPECT_LT(nearest_of(positions, Vec::Constant(0.5) + 0.45 * sign, true), 1e-12);
+        EXPECT_LT(nearest_of(positions, Vec::Constant(0.5) + 0.55 * sign, false), 1e-12);
     }
-    for (int k = 0; k < 10; ++k) EXPECT_LT(nearest_of(places, Vec(0.05 + 0.1 * k, 0.05, 0.95), true), 1e-12) << k;
-    for (int k = 0; k < 12; ++k) EXPECT_LT(nearest_of(places, Vec(-0.05 + 0.1 * k, -0.05, 1.05), false), 1e-12) << k;
+    for (int k = 0; k < 10; ++k) EXPECT_LT(nearest_of(positions, Vec(0.05 + 0.1 * k, 0.05, 0.95), true), 1e-12) << k;
+    for (int k = 0; k < 12; ++k) EXPECT_LT(nearest_of(positions, Vec(-0.05 + 0.1 * k, -0.05, 1.05), false), 1e-12) << k;
     // Turned inside out, with faces of two surfaces: the same, as where fluid is decides.
     TriangleSurface low = box, high = box;
     low.triangles.resize(6);
     high.triangles.erase(high.triangles.begin(), high.triangles.begin() + 6);
     for (auto& triangle : high.triangles) std::swap(triangle[0], triangle[1]);
-    const auto of_two = edge_places({&low, &high}, inside, 0.1);
-    ASSERT_EQ(of_two.size(), places.size());
-    for (const FeaturePlace& place : places) EXPECT_LT(nearest_of(of_two, place.point, place.in_fluid), 1e-12);
+    const auto of_two = edge_positions({&low, &high}, inside, 0.1);
+    ASSERT_EQ(of_two.size(), positions.size());
+    for (const FeaturePosition& position : positions)
+        EXPECT_LT(nearest_of(of_two, position.point, position.in_fluid), 1e-12);
 }
 
-TEST(EdgePlaces, begin_with_half_a_step_at_open_ends) {
+TEST(EdgePositions, begin_with_half_a_step_at_open_ends) {
     TriangleSurface tube = box_surface(Vec(1, 1, 1));  // open at both ends along x
     std::erase_if(tube.triangles, [&](const auto& t) {
         const double x = tube.corners[static_cast<std::size_t>(t[0])].x();
         return std::ranges::all_of(t, [&](int k) { return tube.corners[static_cast<std::size_t>(k)].x() == x; });
     });
     const auto inside = [](const Vec& p) { return p.minCoeff() > 0 && p.maxCoeff() < 1; };
-    const auto places = edge_places({&tube}, inside, 0.1);
-    EXPECT_EQ(places.size(), 2U * 4 * 10);
+    const auto positions = edge_positions({&tube}, inside, 0.1);
+    EXPECT_EQ(positions.size(), 2U * 4 * 10);
     for (int k = 0; k < 10; ++k) {
-        EXPECT_LT(nearest_of(places, Vec(0.05 + 0.1 * k, 0.05, 0.05), true), 1e-12) << k;
-        EXPECT_LT(nearest_of(places, Vec(0.05 + 0.1 * k, -0.05, -0.05), false), 1e-12) << k;
+        EXPECT_LT(nearest_of(positions, Vec(0.05 + 0.1 * k, 0.05, 0.05), true), 1e-12) << k;
+        EXPECT_LT(nearest_of(positions, Vec(0.05 + 0.1 * k, -0.05, -0.05), false), 1e-12) << k;
     }
 }
 
@@ -130,7 +131,7 @@ TEST(FittedFeatures, corners_in_the_plane_keep_their_particles) {
             const Vec wanted = corner + side * half * into_fluid;
             double nearest = HUGE_VAL;
             for (std::size_t i = 0; i < set.size(); ++i)
-                if ((set.kind(i) == ParticleKind::fluid) == (side > 0))
+                if ((set.kind(i) == PartKind::fluid) == (side > 0))
                     nearest = std::min(nearest, (set.position[i] - wanted).norm());
             if (side > 0 && corner.x() == 2.1 && corner.y() == 0.9) continue;  // fluid lies around this one
             EXPECT_LT(nearest, 1e-12) << wanted.transpose();
@@ -157,16 +158,16 @@ TEST(FittedFeatures, edges_in_space_keep_their_particles) {
                        p.z());
         return back.minCoeff() > 0 && back.maxCoeff() < 1;
     };
-    const auto places = edge_places({&meshed.geometry.surface_set("wall")->surface}, inside, set.spacing);
+    const auto positions = edge_positions({&meshed.geometry.surface_set("wall")->surface}, inside, set.spacing);
     // Inside 1 / 0.11 - 1 = 8.1 steps between corners, outside 10.1.
-    ASSERT_EQ(places.size(), 2U * 8 + 12 * (7 + 9));
+    ASSERT_EQ(positions.size(), 2U * 8 + 12 * (7 + 9));
     EXPECT_THAT(meshed.report.notes, testing::Contains(testing::HasSubstr("; 208 particles are pinned at corners")));
-    for (const FeaturePlace& place : places) {
+    for (const FeaturePosition& position : positions) {
         double nearest = HUGE_VAL;
         for (std::size_t i = 0; i < set.size(); ++i)
-            if ((set.kind(i) == ParticleKind::fluid) == place.in_fluid)
-                nearest = std::min(nearest, (set.position[i] - place.point).norm());
-        EXPECT_LT(nearest, 1e-12) << place.point.transpose();
+            if ((set.kind(i) == PartKind::fluid) == position.in_fluid)
+                nearest = std::min(nearest, (set.position[i] - position.point).norm());
+        EXPECT_LT(nearest, 1e-12) << position.point.transpose();
     }
     EXPECT_LT(meshed.report.parts.front().near_walls.spread, 0.03);
 }

@@ -35,12 +35,12 @@ std::pair<KernelSums, KernelSums> near_and_inside(const ParticleSet& set, double
     const SearchableParticles search(set, support);
     KernelSums near, inside;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         double sum = set.volume[i] * kernel.value(0.0);
         bool sees_wall = false;
         search.for_each_neighbour(i, [&](std::size_t j, const Vec& separation) {
             sum += set.volume[j] * kernel.value(separation.norm());
-            sees_wall = sees_wall || set.kind(j) == ParticleKind::rigid;
+            sees_wall = sees_wall || set.kind(j) == PartKind::rigid;
         });
         (sees_wall ? near : inside).add(sum);
     }
@@ -67,7 +67,7 @@ TEST_P(FittedPipe, follows_its_wall) {
     int in_layer = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
         const double d = distance(i);
-        const bool fluid = set.kind(i) == ParticleKind::fluid;
+        const bool fluid = set.kind(i) == PartKind::fluid;
         EXPECT_EQ(fluid, d < 0);
         EXPECT_GT(std::abs(d), 0.45);
         if (fluid) volume += set.volume[i];
@@ -88,7 +88,7 @@ TEST_P(FittedPipe, follows_its_wall) {
     EXPECT_NEAR(volume, std::numbers::pi * radius * radius * length, 2e-3 * volume);
     // Of the three layers the last is not straight: some of it is cut off.
     const double shell = std::numbers::pi * (std::pow(radius + 3 * spacing, 2) - radius * radius) * length;
-    const double in_shell = static_cast<double>(set.count(ParticleKind::rigid)) * std::pow(spacing, 3);
+    const double in_shell = static_cast<double>(set.count(PartKind::rigid)) * std::pow(spacing, 3);
     EXPECT_NEAR(in_shell, shell, 0.1 * shell);
 
     const auto [near, inside] = near_and_inside(set, 3 * spacing);
@@ -138,7 +138,7 @@ TEST(FittedMeshes, bodies_in_a_fluid_are_followed_on_both_sides) {
     const ParticleSet& set = meshed.particles;
     for (std::size_t i = 0; i < set.size(); ++i) {
         const double d = ((set.position[i] - Vec(0.5, 0.5, 0.5)).norm() - 0.3) / set.spacing;
-        EXPECT_EQ(set.kind(i) == ParticleKind::fluid, d > 0);
+        EXPECT_EQ(set.kind(i) == PartKind::fluid, d > 0);
         EXPECT_GT(std::abs(d), 0.45);
         EXPECT_GT(d, -3.01);
     }
@@ -146,7 +146,7 @@ TEST(FittedMeshes, bodies_in_a_fluid_are_followed_on_both_sides) {
     EXPECT_LT(inside.spread, 0.01);
     EXPECT_LT(near.spread, 0.03);
     const double free_volume = 1 - 4.0 / 3 * std::numbers::pi * std::pow(0.3, 3);
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * std::pow(set.spacing, 3), free_volume,
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) * std::pow(set.spacing, 3), free_volume,
                 0.01 * free_volume);
 }
 

@@ -31,7 +31,7 @@ void expect_a_good_fit(const Meshed& meshed, const std::string& fluid) {
     const auto& line = line_of(report, fluid);
     for (const auto& surface : report.surfaces) {
         EXPECT_LT(surface.from_particles.rms, 0.05) << surface.part;
-        EXPECT_GT(surface.from_particles.places, 0U);
+        EXPECT_GT(surface.from_particles.positions, 0U);
     }
     EXPECT_NEAR(line.inside.mean, 1, 0.015) << "1.005 on a square lattice";
     EXPECT_LT(line.inside.spread, 0.01);
@@ -71,7 +71,7 @@ TEST_P(FittedIsland, is_followed_on_both_sides) {
     double volume = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
         const double d = ((set.position[i] - Vec(2, 1, 0)).norm() - 0.5) / set.spacing;
-        if (set.kind(i) == ParticleKind::fluid) {
+        if (set.kind(i) == PartKind::fluid) {
             EXPECT_GT(d, 0.45);
             volume += set.volume[i];
             continue;
@@ -111,7 +111,7 @@ TEST(FittedInPlane, goes_on_across_periodic_sides) {
             EXPECT_LT(set.position[i].x(), 4);
             const double x = std::min(set.position[i].x(), 4 - set.position[i].x());
             const double d = (std::hypot(x, set.position[i].y() - 1) - 0.5) / set.spacing;
-            if (set.kind(i) == ParticleKind::fluid) {
+            if (set.kind(i) == PartKind::fluid) {
                 EXPECT_GT(d, 0.45);
             }
         }
@@ -131,7 +131,7 @@ TEST(FittedInPlane, goes_on_behind_planes_of_symmetry) {
         const Meshed meshed = mesh_texts(relaxed(half, start));
         expect_a_good_fit(meshed, "water");
         const ParticleSet& set = meshed.particles;
-        for (const Vec& place : set.position) EXPECT_GE(place.y(), 0) << "nothing beyond the plane";
+        for (const Vec& position : set.position) EXPECT_GE(position.y(), 0) << "nothing beyond the plane";
     }
 }
 
@@ -148,7 +148,7 @@ TEST(FittedInPlane, fluids_end_at_each_other) {
         expect_a_good_fit(meshed, "oil");
         const ParticleSet& set = meshed.particles;
         for (std::size_t i = 0; i < set.size(); ++i) {
-            if (set.kind(i) != ParticleKind::fluid) continue;
+            if (set.kind(i) != PartKind::fluid) continue;
             const double d = ((set.position[i] - Vec(2, 1, 0)).norm() - 0.5) / set.spacing;
             const bool oil = set.parts[static_cast<std::size_t>(set.part[i])].name == "oil";
             EXPECT_GT(oil ? -d : d, 0.45) << set.position[i].transpose();
@@ -164,17 +164,17 @@ TEST(FittedInPlane, leaflets_stay_where_they_are) {
     EXPECT_EQ(set.bonds.size(), lattice.particles.bonds.size());
     const SearchableParticles search(set, set.spacing);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::springs) continue;
+        if (set.kind(i) != PartKind::elastic) continue;
         EXPECT_EQ(set.position[i], lattice.particles.position[i]);
         search.for_each_neighbour(i, [&](std::size_t j, const Vec& apart) {
-            if (set.kind(j) == ParticleKind::fluid) {
+            if (set.kind(j) == PartKind::fluid) {
                 EXPECT_GT(apart.norm(), 0.8 * set.spacing);
             }
         });
     }
     const CurveSet& leaflets = *meshed.geometry.curve_set("leaflets");
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::fluid) {
+        if (set.kind(i) == PartKind::fluid) {
             ASSERT_GT(leaflets.nearest(set.position[i]).distance, 0.8 * set.spacing) << "none went in between";
         }
 }

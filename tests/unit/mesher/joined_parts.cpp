@@ -19,12 +19,12 @@ constexpr double spacing = 0.125;
 
 std::string block_part(const std::string& name, const std::string& modulus) {
     return "[[part]]\nname = \"" + name +
-           "\"\nkind = \"springs\"\ndensity = \"1200 kg/m^3\"\npoisson_ratio = 0.25\nyoungs_modulus = \"" + modulus +
+           "\"\nkind = \"elastic\"\ndensity = \"1200 kg/m^3\"\npoisson_ratio = 0.25\nyoungs_modulus = \"" + modulus +
            "\"\n";
 }
 
 /// A block of 0.5 m x 1 m that stands on the channel's bottom from x on; points and lines from `first` on.
-std::string block_drawing(const std::string& name, int first, const std::string& x) {
+std::string block_geometry(const std::string& name, int first, const std::string& x) {
     const auto n = [first](int k) { return std::to_string(first + k); };
     const auto point = [&](int k, const std::string& px, const std::string& py) {
         return "Point(" + n(k) + ") = {" + px + ", " + py + ", 0};\n";
@@ -43,7 +43,7 @@ std::string join(const std::string& a, const std::string& b, const std::string& 
 /// Two blocks beside each other, `gap` [m] apart.
 Texts two_blocks(const std::string& gap, const std::string& joined) {
     return {channel.scene + block_part("left", "1 MPa") + block_part("right", "3 MPa") + joined,
-            channel.drawing + block_drawing("left", 10, "1.25") + block_drawing("right", 20, "1.75 + " + gap)};
+            channel.drawing + block_geometry("left", 10, "1.25") + block_geometry("right", 20, "1.75 + " + gap)};
 }
 
 double mean_of_own(const ParticleSet& set, const std::string& part) {
@@ -76,7 +76,7 @@ TEST(JoinedParts, are_bonded_to_their_neighbours_and_are_one_body) {
         EXPECT_EQ(bond.rest_length, (set.position[bond.a] - set.position[bond.b]).norm());
     }
     EXPECT_EQ(made, line.bonds);
-    for (std::size_t i = 0; i < set.size(); ++i) EXPECT_EQ(set.body[i], set.kind(i) == ParticleKind::springs ? 0 : -1);
+    for (std::size_t i = 0; i < set.size(); ++i) EXPECT_EQ(set.body[i], set.kind(i) == PartKind::elastic ? 0 : -1);
     for (const auto& springs : meshed.report.springs) EXPECT_EQ(springs.pieces, 1) << springs.part;
     EXPECT_THAT(meshed.report.text(), AllOf(HasSubstr("join seam: 22 bonds of k_b = "),
                                             HasSubstr("between left and right, 125 mm to 176.8 mm long")));

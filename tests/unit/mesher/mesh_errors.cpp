@@ -54,7 +54,7 @@ TEST(MeshErrors, ANameThatNoPartUses) {
     EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"\n", "")),
               "scene.toml:3:8: the drawing names a point 'root' that no part of the scene uses (channel.geo)\n  add a "
               "[[part]] with this name (enabled = false leaves it out), or take the name out of the drawing");
-    EXPECT_EQ(fault_of(flap_channel.with("kind = \"springs\"", "kind = \"springs\"\nenabled = false")), "no error");
+    EXPECT_EQ(fault_of(flap_channel.with("kind = \"elastic\"", "kind = \"elastic\"\nenabled = false")), "no error");
 }
 
 TEST(MeshErrors, AnOpenFluidBoundary) {
@@ -91,7 +91,7 @@ TEST(MeshErrors, PeriodicSidesThatDoNotMatch) {
 TEST(MeshErrors, APeriodShorterThanTheKernelReaches) {
     const Texts shortest = channel.with("{4, 0, 0}", "{0.5, 0, 0}").with("{4, 2, 0}", "{0.5, 2, 0}");
     EXPECT_EQ(fault_of(shortest), "no error");
-    EXPECT_EQ(fault_of(shortest.with("[flow]", "[accuracy]\nsupport = 2.5\n[flow]")
+    EXPECT_EQ(fault_of(shortest.with("[flow]", "[numerics]\nsupport = 2.5\n[flow]")
                            .with("{0.5, 0, 0}", "{0.4375, 0, 0}")
                            .with("{0.5, 2, 0}", "{0.4375, 2, 0}")),
               "no error");

@@ -80,7 +80,7 @@ ParticleSet without(const ParticleSet& set, const std::function<bool(std::size_t
 std::function<bool(std::size_t)> column(const ParticleSet& set, const Vec& foot, double depth) {
     return [&set, foot, depth](std::size_t i) {
         const Vec apart = set.position[i] - foot;
-        return set.kind(i) == ParticleKind::rigid && std::abs(apart.x()) < 1e-6 && std::abs(apart.z()) < 1e-6 &&
+        return set.kind(i) == PartKind::rigid && std::abs(apart.x()) < 1e-6 && std::abs(apart.z()) < 1e-6 &&
                apart.y() < 0 && apart.y() > -depth;
     };
 }
@@ -91,8 +91,8 @@ void expect_an_exact_box(const Inspected& mesh, double farthest) {
     EXPECT_NEAR(water.volume_error(), 0, 1e-12);
     ASSERT_EQ(report.surfaces.size(), 1U);
     const auto& surface = report.surfaces.front();
-    for (const auto& deviation : {surface.from_drawing, surface.from_particles}) {
-        EXPECT_GE(deviation.places, 64U);
+    for (const auto& deviation : {surface.from_geometry, surface.from_particles}) {
+        EXPECT_GE(deviation.positions, 64U);
         EXPECT_NEAR(deviation.rms, 0, 1e-9);
         EXPECT_NEAR(deviation.largest, 0, 1e-9);
     }
@@ -124,13 +124,13 @@ TEST(MeshReport, ABoxOnItsLatticeIsExactInThePlane) {
     std::size_t along = 0;
     for (const float error : mesh.detail.surface_error) along += std::isnan(error) ? 0 : 1;
     EXPECT_EQ(along, 2U * 32);
-    EXPECT_EQ(mesh.report().surfaces[0].from_particles.places, along);
+    EXPECT_EQ(mesh.report().surfaces[0].from_particles.positions, along);
 }
 
 TEST(MeshReport, ABoxOnItsLatticeIsExactInSpace) {
     const Inspected mesh = inspect_texts(duct);
     expect_an_exact_box(mesh, std::sqrt(0.75));
-    EXPECT_EQ(mesh.report().surfaces[0].from_particles.places, 16U * 28);  // of 8 x 8, those on the edge
+    EXPECT_EQ(mesh.report().surfaces[0].from_particles.positions, 16U * 28);  // of 8 x 8, those on the edge
 }
 
 TEST(MeshReport, ABallIsAsRoughAsALatticeCutAtAllAngles) {
@@ -140,12 +140,12 @@ TEST(MeshReport, ABallIsAsRoughAsALatticeCutAtAllAngles) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
         const double depth = (radius_of_ball - set.position[i].norm()) / set.spacing;
-        if (set.kind(i) != ParticleKind::fluid || depth >= 1) continue;
+        if (set.kind(i) != PartKind::fluid || depth >= 1) continue;
         squares += (depth - 0.5) * (depth - 0.5);
         ++count;
     }
     const auto& surface = mesh.report().surfaces.at(0);
-    EXPECT_NEAR(static_cast<double>(surface.from_particles.places), static_cast<double>(count),
+    EXPECT_NEAR(static_cast<double>(surface.from_particles.positions), static_cast<double>(count),
                 0.01 * static_cast<double>(count));
     EXPECT_NEAR(surface.from_particles.rms, std::sqrt(squares / static_cast<double>(count)), 2e-3);
     // Depths evenly spread over a spacing have an RMS of 12^(-1/2); (d - 1/2)^2 then has the variance 1/80 - 1/144. Of
@@ -154,9 +154,9 @@ TEST(MeshReport, ABallIsAsRoughAsALatticeCutAtAllAngles) {
     EXPECT_LE(surface.from_particles.largest, 0.5);
     // The nearest particle of a place is less than the longest half diagonal of a cell and a spacing away.
     EXPECT_LT(surface.farthest, 1 + std::sqrt(0.75));
-    EXPECT_LE(surface.from_drawing.largest, surface.farthest + 0.5);
-    EXPECT_GT(surface.from_drawing.rms, 0.1);
-    EXPECT_LT(surface.from_drawing.rms, 0.45);
+    EXPECT_LE(surface.from_geometry.largest, surface.farthest + 0.5);
+    EXPECT_GT(surface.from_geometry.rms, 0.1);
+    EXPECT_LT(surface.from_geometry.rms, 0.45);
     EXPECT_LT(std::abs(mesh.report().parts[0].volume_error()), 0.01);
     EXPECT_EQ(mesh.report().leaks->particles, 0U);
     EXPECT_GT(mesh.report().layers.at(1).fewest, 1.9);
@@ -214,7 +214,7 @@ TEST(LeakTest, WhatIsEmptyInABodyCountsAsOutside) {
     EXPECT_EQ(find_leaks(set).particles, 0U);
     const ParticleSet holed = without(set, [&](std::size_t i) {
         const Vec from_axis = set.position[i] - Vec(0, 0.525, 0.525);
-        return set.kind(i) == ParticleKind::rigid && set.position[i].x() > 1 && std::abs(from_axis.y()) < 1e-6 &&
+        return set.kind(i) == PartKind::rigid && set.position[i].x() > 1 && std::abs(from_axis.y()) < 1e-6 &&
                std::abs(from_axis.z()) < 1e-6;
     });
     EXPECT_LT(holed.size(), set.size());
@@ -243,12 +243,12 @@ TEST(MeshReport, SaysSoInWordsAndForPrograms) {
     for (const auto& bar : json["parts"][0]["nearest_histogram"]["bars"])
         counted += bar["particles"].get<std::size_t>();
     EXPECT_EQ(counted, report.parts[0].particles);
-    EXPECT_EQ(json["surfaces"][0]["from_drawing"]["rms"], report.surfaces[0].from_drawing.rms);
+    EXPECT_EQ(json["surfaces"][0]["from_drawing"]["rms"], report.surfaces[0].from_geometry.rms);
     EXPECT_EQ(json["leak_test"]["tight"], true);
     EXPECT_EQ(json["layers"].size(), report.layers.size());
     // Corners of the ladder have two bonds, all others three.
-    EXPECT_EQ(json["springs"][0]["nodes_by_number_of_bonds"][2], 4);
-    EXPECT_EQ(json["springs"][0]["pieces"], 1);
+    EXPECT_EQ(json["elastic"][0]["nodes_by_number_of_bonds"][2], 4);
+    EXPECT_EQ(json["elastic"][0]["pieces"], 1);
     EXPECT_GT(json["cost"]["seconds"]["fluids"]["clock"], 0);
 }
 

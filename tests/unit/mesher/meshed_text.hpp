@@ -25,9 +25,9 @@ inline Meshed mesh_file(const std::string& file, const std::vector<std::string>&
     Meshed meshed;
     meshed.scene = read_scene(file, overrides);
     const Scene& scene = meshed.scene;
-    DrawingOptions options = drawing_of(scene);
+    GeometryOptions options = geometry_options_of(scene);
     options.file = std::filesystem::path(options.file).lexically_normal().string();
-    meshed.geometry = read_drawing(options);
+    meshed.geometry = read_geometry(options);
     MeshResult result = mesh(meshed.geometry, scene);
     meshed.particles = std::move(result.particles);
     meshed.report = std::move(result.report);
@@ -94,7 +94,7 @@ Physical Curve("wall") = {1, 3};
 /// The channel with a flexible flap from the middle of its bottom, clamped there.
 inline const Texts flap_channel{channel.scene + R"([[part]]
 name = "flap"
-kind = "springs"
+kind = "elastic"
 bending_stiffness = "3 N*m^2"
 axial_stiffness = "100 N"
 mass_per_length = "10 kg/m"

@@ -18,7 +18,7 @@ using ::testing::Not;
 /// The channel with a block of 0.5 m x 1 m on its bottom, clamped there, drawn over the water.
 const Texts block{channel.scene + R"([[part]]
 name = "block"
-kind = "springs"
+kind = "elastic"
 density = "1200 kg/m^3"
 youngs_modulus = "1 MPa"
 poisson_ratio = 0.25
@@ -51,7 +51,7 @@ TEST(PlaneSolids, take_their_room_and_stretch_as_their_material_does) {
     EXPECT_EQ(count_of(set, "water"), 32U * 16 - 32);
     EXPECT_EQ(count_of(set, "wall"), 32U * 6);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::springs) continue;
+        if (set.kind(i) != PartKind::elastic) continue;
         EXPECT_EQ(set.volume[i], cell);
         EXPECT_NEAR(set.mass[i], 1200 * cell, 1e-12);
         EXPECT_EQ(set.body[i], 0);
@@ -132,7 +132,7 @@ TEST(PlaneSolids, without_a_cell_in_a_corner_leave_it_to_nobody_or_to_the_fluid)
     const auto over = mesh_texts(ramp);
     for (std::size_t i = 0; i < over.particles.size(); ++i) {
         const double y = over.particles.position[i].y();
-        EXPECT_EQ(over.particles.kind(i) == ParticleKind::rigid, y < 0 || y > 2);
+        EXPECT_EQ(over.particles.kind(i) == PartKind::rigid, y < 0 || y > 2);
     }
     EXPECT_EQ(over.particles.size() - count_of(over.particles, "wall"), 32U * 16);
 }
@@ -153,7 +153,7 @@ TEST(PlaneSolids, keep_fluid_off_in_every_fill) {
         for (std::size_t i = 0; i < set.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 const bool at_the_block =
-                    (set.kind(i) == ParticleKind::springs) != (set.kind(j) == ParticleKind::springs);
+                    (set.kind(i) == PartKind::elastic) != (set.kind(j) == PartKind::elastic);
                 if (!at_the_block) continue;
                 EXPECT_GT((set.position[i] - set.position[j]).norm(), 0.6 * 0.125) << fill;
             }

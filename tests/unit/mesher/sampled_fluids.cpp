@@ -25,7 +25,7 @@ ParticleSet halves(int dimension) {
     set.spacing = spacing;
     set.box = {Vec::Zero(), Vec(1, 1, dimension == 3 ? 1 : 0)};
     set.periodic = {true, true, dimension == 3};
-    set.parts = {{"water", ParticleKind::fluid}, {"oil", ParticleKind::fluid}};
+    set.parts = {{"water", PartKind::fluid}, {"oil", PartKind::fluid}};
     for (int z = 0; z < (dimension == 3 ? 20 : 1); ++z)
         for (int y = 0; y < 20; ++y)
             for (int x = 0; x < 20; ++x) {
@@ -36,7 +36,7 @@ ParticleSet halves(int dimension) {
     return set;
 }
 
-int half_at(const Vec& place) { return place.x() < 0.5 ? 0 : 1; }
+int half_at(const Vec& position) { return position.x() < 0.5 ? 0 : 1; }
 
 double cell_volume(int dimension) { return std::pow(spacing, dimension); }
 
@@ -59,9 +59,9 @@ TEST_P(SampledFluids, keep_their_distance_and_their_parts) {
     // Blocks of a quarter of the box across hold as many each as on the lattice, within what stands on their sides.
     const double in_block = std::pow(5, dimension), on_sides = dimension == 3 ? 25 : 5;
     for (const double low : {0.0, 0.25, 0.5, 0.75}) {
-        const auto inside = [&](const Vec& place) {
+        const auto inside = [&](const Vec& position) {
             for (int axis = 0; axis < dimension; ++axis)
-                if (place[axis] < low || place[axis] >= low + 0.25) return false;
+                if (position[axis] < low || position[axis] >= low + 0.25) return false;
             return true;
         };
         EXPECT_NEAR(static_cast<double>(std::ranges::count_if(set.position, inside)), in_block, on_sides);
@@ -74,7 +74,8 @@ TEST_P(SampledFluids, have_no_direction_of_a_lattice) {
     // |<exp(2 pi i x / dx)>| is 1 on the lattice, and n^-1/2, about, where there is none.
     const auto order = [&](int axis) {
         std::complex<double> sum = 0;
-        for (const Vec& place : set.position) sum += std::polar(1.0, 2 * std::numbers::pi * place[axis] / spacing);
+        for (const Vec& position : set.position)
+            sum += std::polar(1.0, 2 * std::numbers::pi * position[axis] / spacing);
         return std::abs(sum) / static_cast<double>(set.size());
     };
     for (int axis = 0; axis < dimension; ++axis) EXPECT_NEAR(order(axis), 1, 1e-9);
@@ -97,12 +98,12 @@ TEST_P(SampledFluids, follow_from_the_seed_alone) {
 TEST_P(SampledFluids, keep_away_from_what_stays) {
     const int dimension = GetParam();
     ParticleSet set = halves(dimension);
-    set.parts.push_back({"wall", ParticleKind::rigid});
+    set.parts.push_back({"wall", PartKind::rigid});
     const std::vector<Vec> wall(set.position.begin(), set.position.begin() + 40);
     for (std::size_t i = 0; i < 40; ++i) set.part[i] = 2;
     const ParticleSet before = set;
-    const auto beside_the_wall = [&](const Vec& place) {
-        return place.y() < 2 * spacing && place.z() < spacing ? -1 : half_at(place);
+    const auto beside_the_wall = [&](const Vec& position) {
+        return position.y() < 2 * spacing && position.z() < spacing ? -1 : half_at(position);
     };
     sample_fluids(set, cell_volume(dimension), 1, beside_the_wall, 2);
     std::size_t near = 0;
@@ -129,13 +130,13 @@ TEST(SampledMesh, leaves_leaflets_where_they_are) {
     const Meshed lattice = mesh_case("vein_valve", {"particles.spacing=0.2 mm"});
     const Meshed meshed = mesh_case("vein_valve", {"particles.spacing=0.2 mm", "particles.fill=sampled"});
     const ParticleSet& set = meshed.particles;
-    EXPECT_EQ(set.count(ParticleKind::fluid), lattice.particles.count(ParticleKind::fluid));
+    EXPECT_EQ(set.count(PartKind::fluid), lattice.particles.count(PartKind::fluid));
     EXPECT_EQ(set.bonds.size(), lattice.particles.bonds.size());
     const CurveSet& leaflets = *meshed.geometry.curve_set("leaflets");
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::springs) {
+        if (set.kind(i) == PartKind::elastic) {
             EXPECT_EQ(set.position[i], lattice.particles.position[i]);
-        } else if (set.kind(i) == ParticleKind::fluid) {
+        } else if (set.kind(i) == PartKind::fluid) {
             ASSERT_GT(leaflets.nearest(set.position[i]).distance, 0.8 * set.spacing) << "none went in between";
         }
 }

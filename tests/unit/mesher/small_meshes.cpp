@@ -27,7 +27,7 @@ double smallest_distance(const ParticleSet& set) {
 std::vector<Vec> clamped_nodes(const ParticleSet& set) {
     std::vector<Vec> nodes;
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::springs && set.fixed[i] != 0) nodes.push_back(set.position[i]);
+        if (set.kind(i) == PartKind::elastic && set.fixed[i] != 0) nodes.push_back(set.position[i]);
     return nodes;
 }
 
@@ -42,9 +42,9 @@ TEST(ChannelMesh, EndsAtPlanesOfSymmetry) {
     EXPECT_EQ(set.box.high[0], 4);
     const double step = 4.0 / 31;
     double first = 4, last = 0;
-    for (const Vec& place : set.position) {
-        first = std::min(first, place[0]);
-        last = std::max(last, place[0]);
+    for (const Vec& position : set.position) {
+        first = std::min(first, position[0]);
+        last = std::max(last, position[0]);
     }
     EXPECT_NEAR(first, step / 2, 1e-12);
     EXPECT_NEAR(last, 4 - step / 2, 1e-12);
@@ -75,7 +75,7 @@ TEST(ChannelMesh, CountsVolumesAndMasses) {
 }
 
 TEST(ChannelMesh, KernelSumIsThatOfTheScenesKernel) {
-    const Meshed meshed = mesh_texts(channel.with("[flow]", "[accuracy]\nkernel = \"lucy\"\nsupport = 2.6\n[flow]"));
+    const Meshed meshed = mesh_texts(channel.with("[flow]", "[numerics]\nkernel = \"lucy\"\nsupport = 2.6\n[flow]"));
     EXPECT_NEAR(meshed.report.parts[0].kernel_sum_mean, 1.00003, 1e-5);
 }
 
@@ -103,7 +103,7 @@ TEST(FlapMesh, IsClampedAtItsRoot) {
     EXPECT_EQ(count_of(set, "flap"), 2U * 9);
     EXPECT_EQ(clamped_nodes(set), (std::vector<Vec>{{2 - 0.0625, 0, 0}, {2 + 0.0625, 0, 0}}));
     for (std::size_t i = 0; i < set.size(); ++i) {
-        const bool springs = set.kind(i) == ParticleKind::springs;
+        const bool springs = set.kind(i) == PartKind::elastic;
         EXPECT_EQ(set.seated[i], 0);  // no wall particle is left where the root stands
         EXPECT_EQ(set.body[i], springs ? 0 : -1);
         if (springs) {
@@ -120,7 +120,7 @@ TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
     const ParticleSet& set = meshed.particles;
     std::size_t seated = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        EXPECT_EQ(set.seated[i] != 0, set.kind(i) == ParticleKind::springs && set.position[i][1] < 0.1);
+        EXPECT_EQ(set.seated[i] != 0, set.kind(i) == PartKind::elastic && set.position[i][1] < 0.1);
         seated += set.seated[i];
     }
     EXPECT_EQ(seated, 17U);
@@ -211,7 +211,7 @@ TEST(WallsThatMeet, ShareTheirCornersWithoutDoubles) {
     EXPECT_EQ(count_of(set, "lid"), 32U * 3);  // a corner is as near to both: the first part, the wall, has it
     EXPECT_EQ(smallest_distance(set), 1);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::rigid) continue;
+        if (set.kind(i) != PartKind::rigid) continue;
         const Vec nearest = set.position[i].cwiseMax(Vec(0, 0, 0)).cwiseMin(Vec(4, 2, 0));
         EXPECT_NEAR(set.wall_distance[i], (nearest - set.position[i]).norm(), 1e-15);
         EXPECT_NEAR((set.wall_normal[i] - (nearest - set.position[i]).normalized()).norm(), 0, 1e-12);
@@ -225,7 +225,7 @@ TEST(WallOnTheLattice, TakesThePointsOnItsSurface) {
     EXPECT_EQ(count_of(set, "water"), 32U * 16);
     std::size_t on_surface = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::rigid || set.wall_distance[i] > 0) continue;
+        if (set.kind(i) != PartKind::rigid || set.wall_distance[i] > 0) continue;
         EXPECT_EQ(set.position[i][1], 2.0625);
         EXPECT_NEAR((set.wall_normal[i] - Vec(0, -1, 0)).norm(), 0, 1e-12);  // towards the fluid
         ++on_surface;
@@ -280,7 +280,7 @@ TEST(TwoFluids, MayShareACurvedBorder) {
     const ParticleSet set = mesh_texts(drop).particles;
     EXPECT_EQ(count_of(set, "water") + count_of(set, "oil"), 32U * 16);
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::fluid) continue;
+        if (set.kind(i) != PartKind::fluid) continue;
         const double radius = (set.position[i] - Vec(2, 1, 0)).norm();
         const bool oil = set.parts[set.part[i]].name == "oil";
         EXPECT_TRUE(oil ? radius < 0.609 : radius > 0.607) << set.position[i].transpose();  // sqrt(0.37) less chords

@@ -34,7 +34,7 @@ name = "wall"
 kind = "rigid"
 [[part]]
 name = "body"
-kind = "springs"
+kind = "elastic"
 density = "1200 kg/m^3"
 youngs_modulus = "1 MPa"
 poisson_ratio = 0.25
@@ -69,7 +69,7 @@ const Texts sheet = column.with("poisson_ratio = 0.25", "thickness = \"0.05 m\""
 std::vector<std::size_t> nodes_of(const ParticleSet& set) {
     std::vector<std::size_t> nodes;
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::springs) nodes.push_back(i);
+        if (set.kind(i) == PartKind::elastic) nodes.push_back(i);
     return nodes;
 }
 
@@ -77,8 +77,8 @@ TEST(SpaceBodies, a_solid_takes_its_room_and_stretches_as_its_material_does) {
     const auto meshed = mesh_texts(column);
     const ParticleSet& set = meshed.particles;
     const double cell = std::pow(0.125, 3);
-    ASSERT_EQ(set.count(ParticleKind::springs), 4U * 6 * 4);
-    EXPECT_EQ(set.count(ParticleKind::fluid), 16U * 8 * 8 - 96);
+    ASSERT_EQ(set.count(PartKind::elastic), 4U * 6 * 4);
+    EXPECT_EQ(set.count(PartKind::fluid), 16U * 8 * 8 - 96);
     std::size_t clamped = 0;
     for (const std::size_t i : nodes_of(set)) {
         EXPECT_EQ(set.volume[i], cell);
@@ -118,7 +118,7 @@ TEST(SpaceBodies, hinges_lower_the_ratio_of_a_solid) {
 TEST(SpaceBodies, a_stretched_lattice_keeps_the_modulus_and_says_so) {
     const auto meshed = mesh_texts(column.with("{0, 0, 0, 2, 1, 1}", "{0, 0, 0, 2.03, 1, 1}"));
     const auto& line = meshed.report.springs.at(0);
-    EXPECT_EQ(meshed.particles.count(ParticleKind::springs), 96U);
+    EXPECT_EQ(meshed.particles.count(PartKind::elastic), 96U);
     EXPECT_NEAR(line.cells->constants.spacing, 0.125 * std::cbrt(1.015), 1e-9);
     EXPECT_NEAR(line.particle_mass, 1200 * std::pow(0.125, 3) * 1.015, 1e-9);
     EXPECT_THAT(meshed.report.notes, Contains(HasSubstr("lattice stretched along x by 1.5 %")));
@@ -173,7 +173,7 @@ TEST(SpaceBodies, a_sheet_becomes_a_shell) {
     const TriangleSurface& drawn = meshed.geometry.surface_set("body")->surface;
     const NearestTriangle nearest(drawn, 0.0625);
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == ParticleKind::fluid) {
+        if (set.kind(i) == PartKind::fluid) {
             EXPECT_FALSE(nearest.nearest(set.position[i]));
         }
     EXPECT_LT(meshed.report.parts.front().kernel_sum_spread, 0.05);
@@ -220,13 +220,13 @@ TEST(SpaceBodies, solids_may_be_cut_out_of_the_fluid_or_stand_beside_it) {
                                "Surface In BoundingBox{-1, 0.999, -1, 3, 1.001, 2}, "
                                "Surface In BoundingBox{-1, -1, -1e-3, 3, 2, 1e-3}, "
                                "Surface In BoundingBox{-1, -1, 0.999, 3, 2, 1.001}};"));
-    EXPECT_EQ(cut.particles.count(ParticleKind::springs), over.particles.count(ParticleKind::springs));
-    EXPECT_EQ(cut.particles.count(ParticleKind::fluid), over.particles.count(ParticleKind::fluid));
-    EXPECT_EQ(cut.particles.count(ParticleKind::rigid), over.particles.count(ParticleKind::rigid));
+    EXPECT_EQ(cut.particles.count(PartKind::elastic), over.particles.count(PartKind::elastic));
+    EXPECT_EQ(cut.particles.count(PartKind::fluid), over.particles.count(PartKind::fluid));
+    EXPECT_EQ(cut.particles.count(PartKind::rigid), over.particles.count(PartKind::rigid));
     // A soft floor, deeper than any wall: 1 m x 1 m x 1 m.
     const auto floor = mesh_texts(column.with("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.5, -1, 0, 1, 1, 1}"));
-    EXPECT_EQ(floor.particles.count(ParticleKind::springs), 8U * 8 * 8);
-    EXPECT_EQ(floor.particles.count(ParticleKind::fluid), 16U * 8 * 8);
+    EXPECT_EQ(floor.particles.count(PartKind::elastic), 8U * 8 * 8);
+    EXPECT_EQ(floor.particles.count(PartKind::fluid), 16U * 8 * 8);
 }
 
 TEST(SpaceBodies, a_thin_solid_that_is_a_sheet_becomes_a_shell) {

@@ -34,7 +34,7 @@ TEST(StentMesh, IsFittedAndTight) {
     EXPECT_LT(std::abs(blood.volume_error()), 0.01);
     EXPECT_LT(blood.inside.spread, 0.01);
     EXPECT_LT(blood.near_walls.spread, 0.03);
-    EXPECT_LT(report.surfaces.at(0).from_drawing.rms, 0.05);
+    EXPECT_LT(report.surfaces.at(0).from_geometry.rms, 0.05);
     EXPECT_LT(report.surfaces.at(0).from_particles.rms, 0.05);
     EXPECT_EQ(report.leaks->particles, 0U);
 }
@@ -44,14 +44,14 @@ TEST(StentMesh, BloodKeepsOffTheStrutsAndTheWall) {
     const ParticleSet& set = meshed.particles;
     std::size_t above_struts = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        const Vec& place = set.position[i];
-        EXPECT_GT(place.y(), 0);
-        EXPECT_GT(place.z(), 0);
-        if (set.kind(i) != ParticleKind::fluid) continue;
-        const double r = std::hypot(place.y(), place.z());
+        const Vec& position = set.position[i];
+        EXPECT_GT(position.y(), 0);
+        EXPECT_GT(position.z(), 0);
+        if (set.kind(i) != PartKind::fluid) continue;
+        const double r = std::hypot(position.y(), position.z());
         EXPECT_LT(r, 1.5e-3);
-        const double along = std::fmod(place.x() - 0.6e-3 + 1.2e-3, 1.2e-3);
-        const bool at_ring = place.x() > 0.6e-3 && place.x() < 4.5e-3 && along < 0.3e-3;
+        const double along = std::fmod(position.x() - 0.6e-3 + 1.2e-3, 1.2e-3);
+        const bool at_ring = position.x() > 0.6e-3 && position.x() < 4.5e-3 && along < 0.3e-3;
         if (!at_ring) continue;
         EXPECT_LT(r, 1.2e-3 + 1e-6);
         ++above_struts;
@@ -100,7 +100,7 @@ every = "1 s"
 )");
     const Meshed step = mesh_file("scene.toml");
     const Meshed drawn = mesh_case("stent", {"particles.fill=lattice", "particles.spacing=0.3 mm"});
-    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::rigid}) {
+    for (const PartKind kind : {PartKind::fluid, PartKind::rigid}) {
         const auto quarters = 4 * static_cast<double>(drawn.particles.count(kind));
         EXPECT_NEAR(static_cast<double>(step.particles.count(kind)) / quarters, 1, 0.005);
     }
@@ -122,8 +122,8 @@ TEST(TricuspidValveMesh, HasThreeLeafletsThatItsBloodKeepsOff) {
     const ParticleSet& set = meshed.particles;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t node = 0; node < set.size(); ++node)
-        for (std::size_t i = 0; i < set.size() && set.kind(node) == ParticleKind::springs; ++i)
-            if (set.kind(i) == ParticleKind::fluid)
+        for (std::size_t i = 0; i < set.size() && set.kind(node) == PartKind::elastic; ++i)
+            if (set.kind(i) == PartKind::fluid)
                 nearest = std::min(nearest, (set.position[i] - set.position[node]).norm());
     EXPECT_GT(nearest, 0.75 * set.spacing);
 }

@@ -52,13 +52,13 @@ TEST(SpaceMeshes, a_duct_is_filled_and_walled) {
     const auto meshed = mesh_texts(duct);
     const ParticleSet& set = meshed.particles;
     EXPECT_EQ(set.dimension, 3);
-    EXPECT_EQ(set.count(ParticleKind::fluid), 16U * 8 * 8);
+    EXPECT_EQ(set.count(PartKind::fluid), 16U * 8 * 8);
     // The outermost of each corner are more than three spacings from the surface.
-    EXPECT_EQ(set.count(ParticleKind::rigid), 16U * (14 * 14 - 4 - 8 * 8));
+    EXPECT_EQ(set.count(PartKind::rigid), 16U * (14 * 14 - 4 - 8 * 8));
     for (std::size_t i = 0; i < set.size(); ++i) {
         EXPECT_EQ(set.volume[i], std::pow(0.125, 3));
         EXPECT_EQ(set.mass[i], 1000 * std::pow(0.125, 3));
-        if (set.kind(i) == ParticleKind::fluid) continue;
+        if (set.kind(i) == PartKind::fluid) continue;
         EXPECT_EQ(set.fixed[i], 1);
         EXPECT_NEAR(set.wall_normal[i].norm(), 1, 1e-14);
         const Vec on_surface = set.position[i] + set.wall_distance[i] * set.wall_normal[i];
@@ -81,11 +81,11 @@ TEST(SpaceMeshes, a_body_that_overlaps_the_fluid_takes_its_room) {
                                        .with("spacing = \"0.125 m\"", "spacing = \"0.05 m\""));
     const ParticleSet& set = meshed.particles;
     const double volume = 4.0 / 3 * std::numbers::pi * std::pow(0.4, 3);
-    EXPECT_NEAR(static_cast<double>(set.count(ParticleKind::fluid)) * std::pow(0.05, 3), 2 - volume, 0.01);
+    EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) * std::pow(0.05, 3), 2 - volume, 0.01);
     std::size_t shell = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
         const Vec from_centre = set.position[i] - Vec(1, 0.5, 0.5);
-        if (set.kind(i) == ParticleKind::fluid) {
+        if (set.kind(i) == PartKind::fluid) {
             EXPECT_GT(from_centre.norm(), 0.4 - 1e-3);
             continue;
         }
@@ -109,7 +109,7 @@ TEST(SpaceMeshes, a_body_with_holes_is_filled_all_the_same) {
         solid.surface.has_holes = true;
     }
     const MeshResult torn_mesh = mesh(torn, meshed.scene);
-    for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::rigid}) {
+    for (const PartKind kind : {PartKind::fluid, PartKind::rigid}) {
         const auto whole = static_cast<double>(meshed.particles.count(kind));
         EXPECT_NEAR(static_cast<double>(torn_mesh.particles.count(kind)), whole, 0.02 * whole);
     }
@@ -136,7 +136,7 @@ TEST(SpaceMeshes, arrangements_have_equally_many_particles) {
     const auto count = [](const char* arrangement) {
         const auto meshed = mesh_texts(duct.with(
             "spacing = \"0.125 m\"", std::string("spacing = \"0.05 m\"\narrangement = \"") + arrangement + "\""));
-        return static_cast<double>(meshed.particles.count(ParticleKind::fluid)) * meshed.particles.volume[0];
+        return static_cast<double>(meshed.particles.count(PartKind::fluid)) * meshed.particles.volume[0];
     };
     EXPECT_NEAR(count("square"), 2, 1e-9);
     EXPECT_NEAR(count("fcc"), 2, 0.1);

@@ -107,7 +107,7 @@ TEST(SphereMesh, a_carrier_that_turns_carries_its_spheres) {
                                    spheres("drug", "radius = \"2.5 um\"\naround = \"carrier\"\ncoverage = 0.5"));
     const ParticleSet& set = made.particles;
     ASSERT_EQ(set.size(), 883U);
-    EXPECT_EQ(set.count(ParticleKind::spheres), 883U);
+    EXPECT_EQ(set.count(PartKind::spheres), 883U);
     EXPECT_NEAR(set.mass[0], 1000 * 4.0 / 3 * std::numbers::pi * std::pow(50e-6, 3), 1e-22);
     EXPECT_EQ(set.spacing, 5e-6);
     for (std::size_t i = 1; i < set.size(); ++i) {

@@ -219,7 +219,7 @@ template <class Move>
 std::vector<Vec> moved(const ParticleSet& set, const Move& move) {
     std::vector<Vec> positions;
     for (std::size_t i = 0; i < set.size(); ++i)
-        positions.push_back(set.kind(i) == ParticleKind::springs ? move(set.position[i][1], set.position[i][0] - 2)
+        positions.push_back(set.kind(i) == PartKind::elastic ? move(set.position[i][1], set.position[i][0] - 2)
                                                                  : set.position[i]);
     return positions;
 }

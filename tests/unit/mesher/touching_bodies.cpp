@@ -97,30 +97,30 @@ std::size_t astray(const Meshed& meshed, const Fluid& is_fluid) {
     const ParticleSet& set = meshed.particles;
     std::size_t count = 0, walls = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::rigid) continue;
+        if (set.kind(i) != PartKind::rigid) continue;
         ++walls;
-        Vec place = set.position[i] + (set.wall_distance[i] + 0.2 * set.spacing) * set.wall_normal[i];
+        Vec position = set.position[i] + (set.wall_distance[i] + 0.2 * set.spacing) * set.wall_normal[i];
         const double period = set.box.extent().x();
-        if (set.periodic[0]) place.x() -= period * std::floor((place.x() - set.box.low.x()) / period);
-        bool leads_to_fluid = is_fluid(place);
+        if (set.periodic[0]) position.x() -= period * std::floor((position.x() - set.box.low.x()) / period);
+        bool leads_to_fluid = is_fluid(position);
         for (int axis = 0; axis < 3; ++axis)
             for (const double aside : {-0.05, 0.05})
-                leads_to_fluid = leads_to_fluid || is_fluid(place + aside * set.spacing * Vec::Unit(axis));
+                leads_to_fluid = leads_to_fluid || is_fluid(position + aside * set.spacing * Vec::Unit(axis));
         count += leads_to_fluid ? 0 : 1;
     }
     EXPECT_GT(walls, 1000U);
     return count;
 }
 
-bool is_within(const Vec& place, const Vec& low, const Vec& high) {
-    return (place.array() > low.array()).all() && (place.array() < high.array()).all();
+bool is_within(const Vec& position, const Vec& low, const Vec& high) {
+    return (position.array() > low.array()).all() && (position.array() < high.array()).all();
 }
 
 /// In the duct, out of two boxes.
 auto out_of(const Vec& low, const Vec& high, const Vec& other_low, const Vec& other_high) {
-    return [=](const Vec& place) {
-        return is_within(place, Vec::Zero(), Vec(4, 2, 2)) && !is_within(place, low, high) &&
-               !is_within(place, other_low, other_high);
+    return [=](const Vec& position) {
+        return is_within(position, Vec::Zero(), Vec(4, 2, 2)) && !is_within(position, low, high) &&
+               !is_within(position, other_low, other_high);
     };
 }
 
@@ -158,9 +158,9 @@ TEST(TouchingBodies, behind_a_thin_one_the_wall_goes_on) {
 }
 
 TEST(TouchingBodies, a_strut_flush_on_a_tube_and_what_is_relaxed) {
-    const auto is_fluid = [](const Vec& place) {
-        const double radius = std::hypot(place.y(), place.z());
-        return radius < 1 && (place.x() < 0.5 || place.x() > 0.75 || radius < 0.8);
+    const auto is_fluid = [](const Vec& position) {
+        const double radius = std::hypot(position.y(), position.z());
+        return radius < 1 && (position.x() < 0.5 || position.x() > 0.75 || radius < 0.8);
     };
     EXPECT_EQ(astray(mesh_texts(strut), is_fluid), 0U);
     const Texts relaxed = strut.with("[[part]]", "fill = \"relaxed\"\n[[part]]").with("0.1 m", "0.125 m");
@@ -187,9 +187,9 @@ TEST(FacingPart, is_cut_where_it_begins) {
     const auto part = [&](const auto& counts) { return facing_part(square, 0.05, counts); };
     EXPECT_EQ(part([](const Vec&, const Vec&) { return true; }).triangles.size(), 2U);  // whole ones stay whole
     EXPECT_TRUE(part([](const Vec&, const Vec&) { return false; }).triangles.empty());
-    const TriangleSurface disc = part([](const Vec& place, const Vec& normal) {
+    const TriangleSurface disc = part([](const Vec& position, const Vec& normal) {
         EXPECT_EQ(normal, Vec(0, 0, 1));
-        return (place - Vec(0.5, 0.5, 0)).norm() < 0.4;
+        return (position - Vec(0.5, 0.5, 0)).norm() < 0.4;
     });
     EXPECT_NEAR(disc.area(), 0.16 * 3.14159265, 0.02);
     for (const Vec& corner : disc.corners) EXPECT_LT((corner - Vec(0.5, 0.5, 0)).norm(), 0.401);
@@ -200,8 +200,8 @@ TEST(FacingPart, is_the_same_by_any_number_of_threads) {
     const auto part = [&](int threads) {
         const int before = omp_get_max_threads();
         omp_set_num_threads(threads);
-        const TriangleSurface cap =
-            facing_part(surface, 0.05, [](const Vec& place, const Vec&) { return place.x() + place.y() < 0.3; });
+        const TriangleSurface cap = facing_part(
+            surface, 0.05, [](const Vec& position, const Vec&) { return position.x() + position.y() < 0.3; });
         omp_set_num_threads(before);
         return cap;
     };

@@ -27,20 +27,20 @@ struct TubePlace {
 /// Nothing outside of the tube, which is wider in the middle.
 std::optional<TubePlace> tube_place(const Vec& point) {
     if (point[0] < 0 || point[1] < 0) return std::nullopt;
-    const TubePlace place{bend * std::atan2(point[0], point[1]), std::hypot(point[0], point[1]) - bend, point[2]};
-    const double wall = radius + bulge * std::exp(-std::pow((place.along - length / 2) / 10, 2));
-    if (std::hypot(place.sideways, place.upwards) > wall) return std::nullopt;
-    return place;
+    const TubePlace position{bend * std::atan2(point[0], point[1]), std::hypot(point[0], point[1]) - bend, point[2]};
+    const double wall = radius + bulge * std::exp(-std::pow((position.along - length / 2) / 10, 2));
+    if (std::hypot(position.sideways, position.upwards) > wall) return std::nullopt;
+    return position;
 }
 
 /// Two sheets in the bulge, which nearly meet downstream.
-bool is_leaflet(const TubePlace& place) {
-    const double downstream = place.along - (length / 2 - 10);
-    return downstream > 0 && downstream < 20 && std::abs(std::abs(place.sideways) - (12 - downstream / 2)) < 1;
+bool is_leaflet(const TubePlace& position) {
+    const double downstream = position.along - (length / 2 - 10);
+    return downstream > 0 && downstream < 20 && std::abs(std::abs(position.sideways) - (12 - downstream / 2)) < 1;
 }
 
 struct Tube {
-    ParticleGroup fluid{ParticleKind::fluid, 3}, leaflets{ParticleKind::springs, 3};
+    ParticleGroup fluid{PartKind::fluid, 3}, leaflets{PartKind::elastic, 3};
     int count = 0;  ///< on all ranks
 
     /// A cubic lattice, dealt out to the ranks.
@@ -50,9 +50,9 @@ struct Tube {
             for (int y = 0; y < outermost; ++y)
                 for (int z = -uppermost; z < uppermost; ++z) {
                     const Vec point(x + 0.5, y + 0.5, z + 0.5);
-                    const std::optional<TubePlace> place = tube_place(point);
-                    if (!place || count++ % ranks.size() != ranks.rank()) continue;
-                    ParticleGroup& group = is_leaflet(*place) ? leaflets : fluid;
+                    const std::optional<TubePlace> position = tube_place(point);
+                    if (!position || count++ % ranks.size() != ranks.rank()) continue;
+                    ParticleGroup& group = is_leaflet(*position) ? leaflets : fluid;
                     const std::size_t i = group.owned();
                     group.resize(i + 1, 0);
                     for (int axis = 0; axis < 3; ++axis) group.data(Field::position, axis)[i] = point[axis] * spacing;
@@ -71,19 +71,19 @@ TEST(Balance, BentTubeWithABulgeAndLeaflets) {
     const KindWeights weights{.fluid = 1, .rigid = 1, .springs = 4};
     domain.divide(groups, weights);
     domain.migrate(groups);
-    std::int64_t copies = 0;
+    std::int64_t ghosts = 0;
     for (ParticleGroup* group : groups) {
         Halo halo(ranks, space);
         halo.build(*group, domain, reach * spacing);
-        copies += static_cast<std::int64_t>(halo.copies());
+        ghosts += static_cast<std::int64_t>(halo.ghosts());
     }
     const double imbalance = domain.imbalance(groups, weights);
-    const double copies_per_owned = static_cast<double>(ranks.sum(copies)) / tube.count;
+    const double ghosts_per_owned = static_cast<double>(ranks.sum(ghosts)) / tube.count;
     if (ranks.is_first())
-        std::cout << tube.count << " particles, imbalance " << imbalance << ", copies per owned " << copies_per_owned
+        std::cout << tube.count << " particles, imbalance " << imbalance << ", copies per owned " << ghosts_per_owned
                   << "\n";
     EXPECT_LE(imbalance, 1.05);
-    EXPECT_NEAR(copies_per_owned, 0.273, 0.0273);
+    EXPECT_NEAR(ghosts_per_owned, 0.273, 0.0273);
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ TEST(Domain, HandlesSeveralGroupsTogether) {
     // All fluid on the last rank at first, all springs on the first.
     ParticleGroup a = fluid.group(ranks.rank() == ranks.size() - 1 ? dealt(3000, 0, 1) : std::vector<std::int64_t>{});
     ParticleGroup b =
-        springs.group(ranks.is_first() ? dealt(300, 0, 1) : std::vector<std::int64_t>{}, ParticleKind::springs);
-    ParticleGroup c = rigid.group({}, ParticleKind::rigid);
+        springs.group(ranks.is_first() ? dealt(300, 0, 1) : std::vector<std::int64_t>{}, PartKind::elastic);
+    ParticleGroup c = rigid.group({}, PartKind::rigid);
     const GroupList groups{&a, &b, &c};
     const KindWeights weights{.fluid = 1, .rigid = 2, .springs = 5};
     EXPECT_NEAR(domain.imbalance(groups, weights), ranks.size() == 1 ? 1 : ranks.size() * 3000 / 4500.0, 1e-12);
@@ -167,7 +167,7 @@ TEST(Domain, OwnsTiedParticlesByPositionAlone) {
     ParticleSpace space;
     space.box = {Vec(0, 0, 0), Vec(31, 17, 0)};
     Domain domain(ranks, space);
-    ParticleGroup group(ParticleKind::fluid, 2);
+    ParticleGroup group(PartKind::fluid, 2);
     group.declare({Field::position});
     std::size_t count = 0;
     for (int k = 0; k < 31 * 17 * 3; ++k) {  // each point three times
@@ -207,17 +207,17 @@ TEST(Domain, HandlesFewParticles) {
 TEST(Domain, TellsAllRanksOfAParticleWithoutAPlace) {
     const Ranks ranks = Ranks::world();
     const int last = ranks.size() - 1;
-    for (const double place :
+    for (const double position :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300})
         for (const int axis : {0, 1}) {
-            if (axis == 1 && place == 1e300) continue;  // far off, but the axis has no period to lose digits to
+            if (axis == 1 && position == 1e300) continue;  // far off, but the axis has no period to lose digits to
             MovingParticles particles(2, {true, false, false}, 100, 8);
             const Domain domain(ranks, particles.space);
             ParticleGroup group = particles.group(dealt(100, ranks.rank(), ranks.size()));
-            if (ranks.rank() == last) group.data(Field::position, axis)[3] = place;
+            if (ranks.rank() == last) group.data(Field::position, axis)[3] = position;
             try {
                 domain.migrate({&group});
-                ADD_FAILURE() << "no error for " << place;
+                ADD_FAILURE() << "no error for " << position;
             } catch (const DivergenceError& error) {
                 const std::string id = std::to_string(3 * ranks.size() + last);
                 EXPECT_THAT(error.problem(), testing::StartsWith("particle " + id + " has left the simulation"));

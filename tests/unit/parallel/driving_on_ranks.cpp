@@ -24,7 +24,7 @@ TEST(DrivingOnRanks, water_that_is_pushed_and_stirred) {
     MovingShape spoon;
     spoon.kind = ShapeKind::circle;
     spoon.parts = std::vector<std::string>{"water"};
-    spoon.place = std::array{formula_of("0.1 + t"), formula_of("0.35"), Expression()};
+    spoon.position = std::array{formula_of("0.1 + t"), formula_of("0.35"), Expression()};
     spoon.radius = 0.1;
     spoon.strength = 20.0;
     spoon.range = 0.1;

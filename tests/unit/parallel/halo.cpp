@@ -64,7 +64,7 @@ Vec shift_of(const MovingParticles& particles, const ParticleGroup& group, std::
     return shift;
 }
 
-void expect_right_copies(const MovingParticles& particles, const ParticleGroup& group, const Domain& domain, int rank,
+void expect_right_ghosts(const MovingParticles& particles, const ParticleGroup& group, const Domain& domain, int rank,
                          double reach) {
     std::set<Copy> found;
     for (std::size_t i = group.owned(); i < group.total(); ++i) {
@@ -109,27 +109,27 @@ struct Divided {
     Halo halo;
 };
 
-void expect_right_copies_everywhere(int dimension, std::int64_t count, const std::vector<double>& reaches) {
+void expect_right_ghosts_everywhere(int dimension, std::int64_t count, const std::vector<double>& reaches) {
     for (const auto& periodic : combinations(dimension)) {
         Divided it(dimension, periodic, count, 11);
         for (const double reach : reaches) {
             SCOPED_TRACE(name_of(dimension, periodic) + ", reach " + std::to_string(reach));
             it.halo.build(it.group, it.domain, reach);
-            expect_right_copies(it.particles, it.group, it.domain, it.ranks.rank(), reach);
-            EXPECT_EQ(it.halo.copies(), it.group.total() - it.group.owned());
+            expect_right_ghosts(it.particles, it.group, it.domain, it.ranks.rank(), reach);
+            EXPECT_EQ(it.halo.ghosts(), it.group.total() - it.group.owned());
             // Once more after everyone moved.
             it.particles.move(3000);
             it.particles.write(it.group, all_fields);
             it.bring();
             it.halo.build(it.group, it.domain, reach);
-            expect_right_copies(it.particles, it.group, it.domain, it.ranks.rank(), reach);
+            expect_right_ghosts(it.particles, it.group, it.domain, it.ranks.rank(), reach);
         }
     }
 }
 
 // The periods are 1, 0.5 and 0.75; a reach of 0.0625 is a whole number of quanta.
-TEST(Halo, HoldsWhatIsNeededIn2D) { expect_right_copies_everywhere(2, 300, {0.0625, 0.3, 0.7, 1.6}); }
-TEST(Halo, HoldsWhatIsNeededIn3D) { expect_right_copies_everywhere(3, 150, {0.0625, 0.3, 0.8}); }
+TEST(Halo, HoldsWhatIsNeededIn2D) { expect_right_ghosts_everywhere(2, 300, {0.0625, 0.3, 0.7, 1.6}); }
+TEST(Halo, HoldsWhatIsNeededIn3D) { expect_right_ghosts_everywhere(3, 150, {0.0625, 0.3, 0.8}); }
 
 /// Pair by pair: whoever lies within the reach of an owned particle, whichever image, is there.
 TEST(Halo, LeavesNoPairOut) {
@@ -157,7 +157,7 @@ TEST(Halo, FindsWhatLiesExactlyAsFarAsTheReach) {
     space.periodic = {true, false, false};
     space.box = {Vec(0, 0, 0), Vec(4, 1, 0)};
     Domain domain(ranks, space);
-    ParticleGroup group(ParticleKind::fluid, 2);
+    ParticleGroup group(PartKind::fluid, 2);
     group.declare({Field::position});
     group.resize(ranks.is_first() ? 64 : 0, 0);
     for (std::size_t i = 0; i < group.owned(); ++i) {
@@ -169,7 +169,7 @@ TEST(Halo, FindsWhatLiesExactlyAsFarAsTheReach) {
     Halo halo(ranks, space);
     halo.build(group, domain, 3.0 / 16);
     if (ranks.size() > 1) return;
-    EXPECT_EQ(halo.copies(), 3 + 4) << "4 - 3/16 and 4 + 3/16 lie as far as the reach";
+    EXPECT_EQ(halo.ghosts(), 3 + 4) << "4 - 3/16 and 4 + 3/16 lie as far as the reach";
 }
 
 TEST(Halo, ExchangesWhatItIsAskedFor) {
@@ -181,21 +181,21 @@ TEST(Halo, ExchangesWhatItIsAskedFor) {
         for (std::size_t i = it.group.owned(); i < it.group.total(); ++i)
             shifts.push_back(shift_of(it.particles, it.group, i));
         const MovingParticles before = it.particles;
-        const auto expect_copies = [&](const MovingParticles& now, const FieldList& fields) {
+        const auto expect_ghosts = [&](const MovingParticles& now, const FieldList& fields) {
             for (std::size_t i = it.group.owned(); i < it.group.total(); ++i)
                 ASSERT_TRUE(now.holds(it.group, i, fields, shifts[i - it.group.owned()]));
         };
 
         it.particles.change_values();
         it.particles.write(it.group, all_fields);
-        expect_copies(before, all_fields);
+        expect_ghosts(before, all_fields);
         it.halo.exchange(it.group, {Field::density});
-        expect_copies(it.particles, {Field::position, Field::density});
-        expect_copies(before, {Field::velocity, Field::pressure});
+        expect_ghosts(it.particles, {Field::position, Field::density});
+        expect_ghosts(before, {Field::velocity, Field::pressure});
         it.halo.exchange(it.group, {Field::pressure, Field::velocity});
-        expect_copies(it.particles, all_fields);
+        expect_ghosts(it.particles, all_fields);
         it.halo.exchange(it.group, {});
-        expect_copies(it.particles, all_fields);
+        expect_ghosts(it.particles, all_fields);
         for (std::size_t i = 0; i < it.group.owned(); ++i) ASSERT_TRUE(it.particles.holds(it.group, i, all_fields));
     }
 }
@@ -251,8 +251,8 @@ TEST(Halo, HandlesFewParticles) {
             SCOPED_TRACE(count);
             Divided it(2, periodic, count, 18);
             it.halo.build(it.group, it.domain, 0.4);
-            expect_right_copies(it.particles, it.group, it.domain, it.ranks.rank(), 0.4);
-            EXPECT_TRUE(count > 0 || it.halo.copies_per_owned() == 0);
+            expect_right_ghosts(it.particles, it.group, it.domain, it.ranks.rank(), 0.4);
+            EXPECT_TRUE(count > 0 || it.halo.ghosts_per_owned() == 0);
         }
 }
 

@@ -29,36 +29,37 @@ class MovingParticles {
         space.dimension = dimension;
         space.spacing = 0.05;
         space.periodic = periodic;
-        space.parts = {{"some", ParticleKind::fluid}};
+        space.parts = {{"some", PartKind::fluid}};
         for (int axis = 0; axis < dimension; ++axis) {
             low_[axis] = std::array{-20000, 65536, -131072}[axis];
             cells_[axis] = std::array{65536, 32768, 49152}[axis];
             space.box.low[axis] = static_cast<double>(low_[axis]) * quantum;
             space.box.high[axis] = static_cast<double>(low_[axis] + cells_[axis]) * quantum;
         }
-        places_.resize(static_cast<std::size_t>(count));
-        for (Cell& place : places_)
-            for (int axis = 0; axis < dimension; ++axis) place[axis] = low_[axis] + random(0, cells_[axis] - 1);
+        positions_.resize(static_cast<std::size_t>(count));
+        for (Cell& position : positions_)
+            for (int axis = 0; axis < dimension; ++axis) position[axis] = low_[axis] + random(0, cells_[axis] - 1);
     }
 
     /// Everyone moves by up to `most`, in quanta, along each axis, out of the box too where it is not periodic.
     void move(std::int64_t most) {
         ++moves_;
-        for (Cell& place : places_)
+        for (Cell& position : positions_)
             for (int axis = 0; axis < space.dimension; ++axis) {
-                place[axis] += random(-most, most);
+                position[axis] += random(-most, most);
                 if (space.periodic[axis])
-                    place[axis] =
-                        low_[axis] + ((place[axis] - low_[axis]) % cells_[axis] + cells_[axis]) % cells_[axis];
+                    position[axis] =
+                        low_[axis] + ((position[axis] - low_[axis]) % cells_[axis] + cells_[axis]) % cells_[axis];
             }
     }
     /// Values change, places do not.
     void change_values() { ++moves_; }
 
-    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(places_.size()); }
+    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(positions_.size()); }
     [[nodiscard]] Vec position(std::int64_t id) const {
         Vec at = Vec::Zero();
-        for (int axis = 0; axis < space.dimension; ++axis) at[axis] = static_cast<double>(places_[id][axis]) * quantum;
+        for (int axis = 0; axis < space.dimension; ++axis)
+            at[axis] = static_cast<double>(positions_[id][axis]) * quantum;
         return at;
     }
     [[nodiscard]] double value(std::int64_t id, Field field, int axis) const {
@@ -72,7 +73,7 @@ class MovingParticles {
 
     /// A group that owns these particles and nothing else, all fields written.
     [[nodiscard]] ParticleGroup group(const std::vector<std::int64_t>& ids,
-                                      ParticleKind kind = ParticleKind::fluid) const {
+                                      PartKind kind = PartKind::fluid) const {
         ParticleGroup made(kind, space.dimension);
         made.declare({Field::position, Field::velocity, Field::density, Field::pressure});
         made.resize(ids.size(), 0);
@@ -115,7 +116,7 @@ class MovingParticles {
 
     std::mt19937_64 random_;
     Cell low_{}, cells_{};
-    std::vector<Cell> places_;
+    std::vector<Cell> positions_;
     int moves_ = 0;
 };
 

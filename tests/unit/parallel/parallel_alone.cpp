@@ -80,8 +80,8 @@ TEST_F(Alone, AHaloHoldsTheImages) {
         const double x = group.data(Field::position, 0)[i];
         expected += (x - low <= reach ? 1 : 0) + (high - x <= reach ? 1 : 0);
     }
-    EXPECT_EQ(halo.copies(), expected);
-    EXPECT_EQ(halo.copies_per_owned(), static_cast<double>(expected) / 30000);
+    EXPECT_EQ(halo.ghosts(), expected);
+    EXPECT_EQ(halo.ghosts_per_owned(), static_cast<double>(expected) / 30000);
     particles.change_values();
     particles.write(group, group.declared());
     halo.exchange(group, group.declared());

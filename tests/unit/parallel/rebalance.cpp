@@ -22,7 +22,7 @@ ParticleSet water() {
     set.spacing = 0.1;
     set.box.low = Vec(0, 0, 0);
     set.box.high = Vec(columns * set.spacing, rows * set.spacing, 0);
-    set.parts = {{"water", ParticleKind::fluid}};
+    set.parts = {{"water", PartKind::fluid}};
     constexpr std::size_t count = columns * rows;
     for (std::size_t i = 0; i < count; ++i)
         set.position.emplace_back((static_cast<double>(i % columns) + 0.5) * set.spacing,

@@ -45,16 +45,16 @@ ParticleSet water(int dimension, int side, double disorder, bool periodic) {
     const double length = side * spacing;
     set.box = {Vec::Zero(), Vec(length, length, dimension == 3 ? length : 0)};
     for (int axis = 0; axis < dimension; ++axis) set.periodic[axis] = periodic;
-    set.parts = {{"water", ParticleKind::fluid}};
+    set.parts = {{"water", PartKind::fluid}};
     std::mt19937 random(7);
     std::uniform_real_distribution<double> off(-disorder * spacing, disorder * spacing);
-    const auto place = [&](int k) { return (k + 0.5) * spacing + off(random); };
+    const auto position = [&](int k) { return (k + 0.5) * spacing + off(random); };
     for (int z = 0; z < (dimension == 3 ? side : 1); ++z)
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
-                const double height = dimension == 3 ? place(z) : 0;
-                const double up = place(y);
-                set.position.emplace_back(place(x), up, height);
+                const double height = dimension == 3 ? position(z) : 0;
+                const double up = position(y);
+                set.position.emplace_back(position(x), up, height);
                 set.volume.push_back(std::pow(spacing, dimension));
                 set.mass.push_back(1000 * set.volume.back());
                 set.part.push_back(0);
@@ -171,7 +171,7 @@ TEST(Results, are_the_bits_of_one_rank_alone) {
     Moment alone(water_scene(2), set, Ranks::alone(), wavy), together(water_scene(2), set, all_ranks(), wavy);
     for (const FluidField field :
          {FluidField::shear_stress, FluidField::stress, FluidField::von_mises, FluidField::vorticity})
-        EXPECT_EQ(alone.values(field), together.values(field)) << word(field);
+        EXPECT_EQ(alone.values(field), together.values(field)) << to_string(field);
 }
 
 constexpr double speed = 0.5;
@@ -188,7 +188,7 @@ TEST(ResidenceTimes, of_a_crossing_are_length_over_speed) {
     corner.to = Vec(1.6, 0.4, 0);
     scene.regions = {strip, corner};
     scene.output.fields = {FluidField::residence_time};
-    scene.accuracy.density_diffusion = 0.0;
+    scene.numerics.density_diffusion = 0.0;
     const ParticleSet set = water(2, 16, 0, true);
     Moment moment(scene, set, all_ranks(), [](const Vec& /*x*/) { return Vec(speed, 0, 0); });
     const double period = 1.6 / speed;

@@ -124,10 +124,10 @@ TEST(SolidifyOnRanks, makes_the_same_aggregate_bond_for_bond) {
 TEST(SolidifyOnRanks, makes_the_same_aggregate_with_implicit_viscosity_and_with_subcycled_springs) {
     SceneAndParticles made = clotting();
     made.scene.run.duration = 0.012;
-    made.scene.accuracy.viscosity_stepping = ViscosityStepping::implicitly;
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
     expect_same(run_on(made, Ranks::world()), run_on(made, Ranks::alone()));
-    made.scene.accuracy.viscosity_stepping = ViscosityStepping::explicitly;
-    made.scene.accuracy.spring_stepping = SpringStepping::subcycled;
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::explicitly;
+    made.scene.numerics.spring_stepping = SpringStepping::subcycled;
     const Outcome alone = run_on(made, Ranks::alone());
     expect_same(run_on(made, Ranks::world()), alone);
     EXPECT_LT(alone.summary.momentum_residual, 1e-12);

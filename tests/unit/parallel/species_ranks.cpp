@@ -10,7 +10,7 @@ namespace {
 
 void expect_same_bits(SpeciesStepping stepping) {
     SceneAndParticles made = stirred_mixture();
-    made.scene.accuracy.species_stepping = stepping;
+    made.scene.numerics.species_stepping = stepping;
     made.scene.run.duration = 0.2;
     const Ranks ranks = Ranks::world();
     const RunSummary shared = run_of(made, nullptr, ranks), alone = run_of(made);

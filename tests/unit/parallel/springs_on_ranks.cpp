@@ -56,9 +56,10 @@ ParticleSet water_around(const ParticleSet& nodes) {
     for (int k = 0; k < side; ++k)
         for (int j = 0; j < side; ++j)
             for (int i = 0; i < side; ++i) {
-                const Vec place = spacing * Vec(i + 0.5, j + 0.5, k + 0.5);
-                const auto near = [&](const Vec& node) { return (place - node).norm() < 0.9 * spacing; };
-                if (std::none_of(nodes.position.begin(), nodes.position.end(), near)) water.position.push_back(place);
+                const Vec position = spacing * Vec(i + 0.5, j + 0.5, k + 0.5);
+                const auto near = [&](const Vec& node) { return (position - node).norm() < 0.9 * spacing; };
+                if (std::none_of(nodes.position.begin(), nodes.position.end(), near))
+                    water.position.push_back(position);
             }
     water.mass.assign(water.size(), 1);
     water.volume.assign(water.size(), std::pow(spacing, 3));
@@ -93,7 +94,7 @@ SceneAndParticles solid_and_shell_in_water() {
     set.spacing = spacing;
     set.box = {Vec::Zero(), Vec::Constant(spacing * side)};
     set.periodic = {true, true, true};
-    set.parts = {{"water", ParticleKind::fluid}, {"solid", ParticleKind::springs}, {"shell", ParticleKind::springs}};
+    set.parts = {{"water", PartKind::fluid}, {"solid", PartKind::elastic}, {"shell", PartKind::elastic}};
     append(set, water_around(bodies), Vec::Zero(), 0, -1);
     add_bodies(set);
     return made;
@@ -109,7 +110,7 @@ TEST(SpringsInSpace, are_the_same_bits_on_any_number_of_ranks) {
     SceneAndParticles made = solid_and_shell_in_water();
     const Ranks ranks = Ranks::world();
     for (const SpringStepping stepping : {SpringStepping::implicit, SpringStepping::subcycled}) {
-        made.scene.accuracy.spring_stepping = stepping;
+        made.scene.numerics.spring_stepping = stepping;
         const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, ranks);
         EXPECT_GT(alone.steps, 5);
         EXPECT_EQ(shared.steps, alone.steps);
@@ -169,7 +170,7 @@ TEST(PlanInSpace, names_hinges_and_dihedrals_of_the_bodies_that_have_them) {
     EXPECT_THAT(asked_for_by("hinges"), ElementsAre("part 'solid'"));
     EXPECT_THAT(asked_for_by("dihedrals"), ElementsAre("part 'shell'"));
     EXPECT_EQ(asked_for_by("implicit springs").size(), 1U);
-    made.scene.accuracy.spring_stepping = SpringStepping::subcycled;
+    made.scene.numerics.spring_stepping = SpringStepping::subcycled;
     EXPECT_EQ(asked_for_by("sub-cycled springs").size(), 1U);
     EXPECT_EQ(asked_for_by("implicit springs").size(), 0U);
 }

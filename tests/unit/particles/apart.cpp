@@ -20,7 +20,7 @@ ParticleSet strip() {
     set.spacing = 0.1;
     set.box = {Vec(0, 0, 0), Vec(0.6, 0.4, 0)};
     set.periodic = {true, false, false};
-    set.parts = {{"water", ParticleKind::fluid}, {"wall", ParticleKind::rigid}};
+    set.parts = {{"water", PartKind::fluid}, {"wall", PartKind::rigid}};
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 6; ++column) {
             set.position.emplace_back(0.1 * column, 0.1 * (row + 0.5), 0);

@@ -37,7 +37,7 @@ ParticleSet some_particles(int count = 50) {
     set.box = {Vec(-1, -2, -3), Vec(1, 2, 3.25)};
     set.periodic = {true, false, true};
     set.mirrored[1] = {true, false};
-    set.parts = {{"blood", ParticleKind::fluid}, {"wall", ParticleKind::rigid}, {"leaflets", ParticleKind::springs}};
+    set.parts = {{"blood", PartKind::fluid}, {"wall", PartKind::rigid}, {"leaflets", PartKind::elastic}};
     for (int i = 0; i < count; ++i) {
         set.position.push_back(vector());
         set.volume.push_back(number(random));
@@ -111,12 +111,12 @@ class ParticleFile : public ::testing::Test {
 /// Spheres, a fluid particle and walls.
 ParticleSet some_spheres() {
     ParticleSet set = some_particles(12);
-    set.parts = {{"water", ParticleKind::fluid}, {"floor", ParticleKind::rigid}, {"beads", ParticleKind::spheres}};
+    set.parts = {{"water", PartKind::fluid}, {"floor", PartKind::rigid}, {"beads", PartKind::spheres}};
     set.bonds.clear();
     set.hinges.clear();
     set.dihedrals.clear();
     for (std::size_t i = 0; i < set.size(); ++i) {
-        const bool sphere = set.kind(i) == ParticleKind::spheres;
+        const bool sphere = set.kind(i) == PartKind::spheres;
         set.mass[i] = std::abs(set.mass[i]);
         set.radius.push_back(sphere ? 0.5 + static_cast<double>(i) : 0);
         set.velocity.emplace_back(sphere ? 0.1 * static_cast<double>(i) : 0, 2, 3);
@@ -197,7 +197,7 @@ TEST_F(ParticleFile, NamesUnits) {
     const Hdf5Reader reader(file_);
     EXPECT_EQ(reader.text_attribute("particles/position", "unit"), "m");
     EXPECT_EQ(reader.text_attribute("hinges/stiffness", "unit"), "J");
-    EXPECT_THAT(reader.texts("parts/kind"), ElementsAre("fluid", "rigid", "springs"));
+    EXPECT_THAT(reader.texts("parts/kind"), ElementsAre("fluid", "rigid", "elastic"));
 }
 
 TEST_F(ParticleFile, DamageIsRefused) {

@@ -29,7 +29,7 @@ Coordinates points_in_box(std::size_t count, unsigned seed) {
 }
 
 std::multiset<Copy> made(const Coordinates& points, const std::array<bool, 3>& periodic, double reach) {
-    std::multiset<Copy> copies;
+    std::multiset<Copy> ghosts;
     for (const PeriodicImage& image : periodic_images(points, points[0].size(), box, periodic, reach)) {
         std::array<int, 3> periods{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -37,15 +37,15 @@ std::multiset<Copy> made(const Coordinates& points, const std::array<bool, 3>& p
             periods[axis] = static_cast<int>(std::lround(ratio));
             EXPECT_NEAR(ratio, periods[axis], 1e-12);
         }
-        copies.insert({image.source, periods[0], periods[1], periods[2]});
+        ghosts.insert({image.source, periods[0], periods[1], periods[2]});
     }
-    return copies;
+    return ghosts;
 }
 
 /// Every shift of every point, kept where it lies within the reach of the box along the periodic axes.
 std::multiset<Copy> expected(const Coordinates& points, const std::array<bool, 3>& periodic, double reach) {
     constexpr int most = 3;
-    std::multiset<Copy> copies;
+    std::multiset<Copy> ghosts;
     for (std::size_t i = 0; i < points[0].size(); ++i)
         for (int x = -most; x <= most; ++x)
             for (int y = -most; y <= most; ++y)
@@ -57,9 +57,9 @@ std::multiset<Copy> expected(const Coordinates& points, const std::array<bool, 3
                         keep = keep && (periods[axis] == 0 ||
                                         (periodic[axis] && at >= box.low[axis] - reach && at < box.high[axis] + reach));
                     }
-                    if (keep) copies.insert({static_cast<int>(i), x, y, z});
+                    if (keep) ghosts.insert({static_cast<int>(i), x, y, z});
                 }
-    return copies;
+    return ghosts;
 }
 
 TEST(PeriodicImages, AreThoseOfBruteForce) {

@@ -21,7 +21,7 @@ ParticleSet crowd(int count, const std::array<bool, 3>& periodic) {
     set.dimension = 3;
     set.box = {Vec::Zero(), Vec::Ones()};
     set.periodic = periodic;
-    set.parts = {{"beads", ParticleKind::spheres}, {"water", ParticleKind::fluid}};
+    set.parts = {{"beads", PartKind::spheres}, {"water", PartKind::fluid}};
     for (int i = 0; i < count; ++i) {
         set.position.emplace_back(number(random), number(random), number(random));
         set.radius.push_back(0.008 * std::pow(20, std::pow(number(random), 8)));

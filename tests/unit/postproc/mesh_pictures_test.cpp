@@ -16,42 +16,42 @@ namespace {
 using ::testing::ElementsAre;
 
 /// A cube or square of fluid, 12 spacings wide, walls on its floor, and a chain of bonds.
-MeshLook small_mesh(int dimension) {
-    MeshLook look;
-    look.title = "A small mesh";
-    look.dimension = dimension;
-    look.spacing = 1e-3;
+MeshView small_mesh(int dimension) {
+    MeshView view;
+    view.title = "A small mesh";
+    view.dimension = dimension;
+    view.spacing = 1e-3;
     for (int z = 0; z < (dimension == 3 ? 12 : 1); ++z)
         for (int y = -2; y < 12; ++y)
             for (int x = 0; x < 12; ++x) {
-                look.position.emplace_back(1e-3 * x, 1e-3 * y, 1e-3 * z);
-                look.kind.push_back(y < 0 ? MeshLook::Kind::wall : MeshLook::Kind::fluid);
-                look.kernel_sum.push_back(1 + 0.01F * static_cast<float>(x - 6));
-                look.surface_error.push_back(y == 0 ? 0.1F * static_cast<float>(x - 6)
+                view.position.emplace_back(1e-3 * x, 1e-3 * y, 1e-3 * z);
+                view.kind.push_back(y < 0 ? MeshView::Kind::wall : MeshView::Kind::fluid);
+                view.kernel_sum.push_back(1 + 0.01F * static_cast<float>(x - 6));
+                view.surface_error.push_back(y == 0 ? 0.1F * static_cast<float>(x - 6)
                                                     : std::numeric_limits<float>::quiet_NaN());
             }
-    look.valence.assign(look.position.size(), 0);
-    return look;
+    view.valence.assign(view.position.size(), 0);
+    return view;
 }
 
 TEST(MeshPictures, AreDrawnOfWhatThereIs) {
     if (const VirtualDisplay display; !display.usable()) GTEST_SKIP() << display.problem();
     for (const int dimension : {2, 3}) {
         const TemporaryFolder folder;
-        MeshLook look = small_mesh(dimension);
-        Pictures pictures = write_mesh_pictures(folder.path(), look, 600);
+        MeshView view = small_mesh(dimension);
+        Pictures pictures = write_mesh_pictures(folder.path(), view, 600);
         EXPECT_EQ(pictures.warning, "");
         EXPECT_THAT(pictures.files, ElementsAre("slices.png", "surface_error.png"));
-        const auto first = static_cast<std::int32_t>(look.position.size());
+        const auto first = static_cast<std::int32_t>(view.position.size());
         for (int k = 0; k < 6; ++k) {
-            look.position.emplace_back(2e-3 + 1e-3 * k, 5.5e-3, 0);
-            look.kind.push_back(MeshLook::Kind::solid);
-            look.kernel_sum.push_back(1);
-            look.surface_error.push_back(std::numeric_limits<float>::quiet_NaN());
-            look.valence.push_back(k == 0 || k == 5 ? 1 : 2);
-            if (k > 0) look.bond_ends.insert(look.bond_ends.end(), {first + k - 1, first + k});
+            view.position.emplace_back(2e-3 + 1e-3 * k, 5.5e-3, 0);
+            view.kind.push_back(MeshView::Kind::solid);
+            view.kernel_sum.push_back(1);
+            view.surface_error.push_back(std::numeric_limits<float>::quiet_NaN());
+            view.valence.push_back(k == 0 || k == 5 ? 1 : 2);
+            if (k > 0) view.bond_ends.insert(view.bond_ends.end(), {first + k - 1, first + k});
         }
-        pictures = write_mesh_pictures(folder.path(), look, 600);
+        pictures = write_mesh_pictures(folder.path(), view, 600);
         EXPECT_EQ(pictures.warning, "");
         EXPECT_THAT(pictures.files, ElementsAre("slices.png", "surface_error.png", "valence.png"));
         for (const std::string& file : pictures.files)

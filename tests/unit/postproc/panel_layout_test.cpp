@@ -18,13 +18,13 @@ using ::testing::Not;
 
 Box sized(double width, double height) { return {Vec(1, 2, 0), Vec(1 + width, 2 + height, 0)}; }
 
-struct Drawn {
+struct Outlined {
     int width = 0, height = 0;
 };
 
 /// Fills each drawing with a colour of its own; what is left of each on the panel.
 struct Panel {
-    std::vector<Drawn> drawn;
+    std::vector<Outlined> drawn;
     Image image;
     std::vector<long> pixels;
 };

@@ -90,52 +90,52 @@ std::set<std::int64_t> ids(const FrameGroup& group) { return {group.id.begin(), 
 std::set<std::int64_t> in_slab(const FrameGroup& group, int axis, double origin, std::int32_t part) {
     std::set<std::int64_t> found;
     for (std::size_t i = 0; i < group.size(); ++i)
-        if (group.part[i] == part && std::abs(place_of(group, i)[axis] - origin) <= 0.75 * dx)
+        if (group.part[i] == part && std::abs(position_of(group, i)[axis] - origin) <= 0.75 * dx)
             found.insert(group.id[i]);
     return found;
 }
 
-class LooksAtAPipe : public ::testing::Test {
+class ViewsOfAPipe : public ::testing::Test {
   protected:
     void SetUp() override { write_run(folder_, {pipe_frame(0), pipe_frame(1)}); }
     TemporaryFolder folder_;
 };
 
-TEST_F(LooksAtAPipe, AreASliceAlongOneAcrossAndOneCutOpen) {
+TEST_F(ViewsOfAPipe, AreASliceAlongOneAcrossAndOneCutOpen) {
     const RunFolder run(folder_.path());
     EXPECT_FALSE(run.flat());
-    const std::vector<Look> looks = looks_at(run);
-    ASSERT_EQ(looks.size(), 3U);
-    EXPECT_EQ(looks[0].caption, "x right, z up, at y = 0 mm");
+    const std::vector<View> views = cameras(run);
+    ASSERT_EQ(views.size(), 3U);
+    EXPECT_EQ(views[0].caption, "x right, z up, at y = 0 mm");
     // the strut is thicker than the flap, at 8.5 and 9.5 dx
-    EXPECT_THAT(looks[1].caption, HasSubstr("y right, z up, at x = "));
-    EXPECT_NEAR(looks[1].cut.origin.x(), 9 * dx, 0.51 * dx);
-    EXPECT_EQ(looks[2].shows, Look::Shows::opened);
-    for (const Look& look : looks) EXPECT_THAT(look.bodies, ElementsAre(strut)) << "the pipe is around the fluid";
-    for (const Look& look : looks) {
-        const Vec size = look.area.extent();
+    EXPECT_THAT(views[1].caption, HasSubstr("y right, z up, at x = "));
+    EXPECT_NEAR(views[1].cut.origin.x(), 9 * dx, 0.51 * dx);
+    EXPECT_EQ(views[2].shows, View::Shows::opened);
+    for (const View& view : views) EXPECT_THAT(view.bodies, ElementsAre(strut)) << "the pipe is around the fluid";
+    for (const View& view : views) {
+        const Vec size = view.area.extent();
         EXPECT_GT(size.minCoeff(), 10 * dx);
         EXPECT_LT(size.maxCoeff(), 45 * dx);
     }
 }
 
-TEST_F(LooksAtAPipe, SlicesHoldTheirSlabAndNoOthers) {
+TEST_F(ViewsOfAPipe, SlicesHoldTheirSlabAndNoOthers) {
     const RunFolder run(folder_.path());
-    const std::vector<Look> looks = looks_at(run);
+    const std::vector<View> views = cameras(run);
     const RunFrame frame = run.read(1);
     for (const std::size_t k : {0U, 1U}) {
-        SCOPED_TRACE(looks[k].caption);
+        SCOPED_TRACE(views[k].caption);
         const int across = k == 0 ? 1 : 0;
-        const double origin = looks[k].cut.origin[across];
-        const Seen shown = seen(looks[k], frame, run.walls());
+        const double origin = views[k].cut.origin[across];
+        const Seen shown = seen(views[k], frame, run.walls());
         ASSERT_TRUE(shown.frame.fluid && shown.walls && shown.frame.bodies);
         EXPECT_EQ(ids(*shown.frame.fluid), in_slab(*frame.fluid, across, origin, water));
         EXPECT_EQ(ids(*shown.walls), in_slab(*run.walls(), across, origin, pipe));
         EXPECT_EQ(ids(*shown.frame.bodies), in_slab(*run.walls(), across, origin, strut));
         for (std::size_t i = 0; i < shown.frame.fluid->size(); ++i) {
-            const Vec place = place_of(*shown.frame.fluid, i);
-            EXPECT_LE(std::abs(place.z()), 0.75 * dx) << "of the cut, which is z = 0";
-            EXPECT_TRUE(contains(looks[k].area, place, 2));
+            const Vec position = position_of(*shown.frame.fluid, i);
+            EXPECT_LE(std::abs(position.z()), 0.75 * dx) << "of the cut, which is z = 0";
+            EXPECT_TRUE(contains(views[k].area, position, 2));
         }
         // fields travel with their particles
         const FrameField* pressure = find_field(*shown.frame.fluid, "pressure");
@@ -143,71 +143,71 @@ TEST_F(LooksAtAPipe, SlicesHoldTheirSlabAndNoOthers) {
         ASSERT_EQ(pressure->values.size(), shown.frame.fluid->size());
         if (k == 1) continue;
         for (std::size_t i = 0; i < shown.frame.fluid->size(); ++i)
-            EXPECT_NEAR(dx * pressure->values[i], place_of(*shown.frame.fluid, i).x() + looks[k].cut.origin.x(),
+            EXPECT_NEAR(dx * pressure->values[i], position_of(*shown.frame.fluid, i).x() + views[k].cut.origin.x(),
                         1e-3 * dx);
     }
-    EXPECT_EQ(seen(looks[0], frame, run.walls()).frame.solid->bond_ends.size(), 8U)
+    EXPECT_EQ(seen(views[0], frame, run.walls()).frame.solid->bond_ends.size(), 8U)
         << "the flap's four bonds, not the one round the border";
-    EXPECT_FALSE(seen(looks[1], frame, run.walls()).frame.solid) << "the flap is elsewhere";
+    EXPECT_FALSE(seen(views[1], frame, run.walls()).frame.solid) << "the flap is elsewhere";
 }
 
-TEST_F(LooksAtAPipe, OpenedHasTheFarHalfOfWallAndFluidAndAllOfWhatStandsInIt) {
+TEST_F(ViewsOfAPipe, OpenedHasTheFarHalfOfWallAndFluidAndAllOfWhatStandsInIt) {
     const RunFolder run(folder_.path());
-    const Look look = looks_at(run)[2];
+    const View view = cameras(run)[2];
     const RunFrame frame = run.read(0);
-    const Seen shown = seen(look, frame, run.walls());
+    const Seen shown = seen(view, frame, run.walls());
     std::size_t far_wall = 0, struts = 0;
     for (std::size_t i = 0; i < run.walls()->size(); ++i) {
-        const Vec place = place_of(*run.walls(), i);
+        const Vec position = position_of(*run.walls(), i);
         if (run.walls()->part[i] == strut)
             ++struts;
-        else if (place.y() >= -0.75 * dx && place.x() >= look.low && place.x() <= look.high)
+        else if (position.y() >= -0.75 * dx && position.x() >= view.low && position.x() <= view.high)
             ++far_wall;
     }
     EXPECT_EQ(shown.walls->size(), far_wall) << "the eye is in front, at negative y";
     EXPECT_LT(far_wall, 0.6 * static_cast<double>(run.walls()->size()));
     EXPECT_EQ(shown.frame.bodies->size(), struts);
     EXPECT_EQ(shown.frame.solid->size(), frame.solid->size());
-    for (const ParticleLayer& layer : layers_of(look, shown, "velocity", FieldRange().scale()))
+    for (const ParticleLayer& layer : layers_of(view, shown, "velocity", FieldRange().scale()))
         EXPECT_EQ(layer.radii.size(), layer.colour.size());
     for (const auto* group : {&shown.walls, &shown.frame.bodies, &shown.frame.solid, &shown.frame.fluid})
-        for (std::size_t i = 0; i < (*group)->size(); ++i) EXPECT_TRUE(contains(look.area, place_of(**group, i), 2));
+        for (std::size_t i = 0; i < (*group)->size(); ++i) EXPECT_TRUE(contains(view.area, position_of(**group, i), 2));
 }
 
-TEST(LooksInSpace, AreNoLargerForAStrayParticle) {
+TEST(Views3d, AreNoLargerForAStrayParticle) {
     const TemporaryFolder folder, with_stray;
     write_run(folder, {pipe_frame(0), pipe_frame(1)});
     Frame last = pipe_frame(1);
     last.groups[0].position[1] = 1000;
     last.groups[1].position[1] = -1000;
     write_run(with_stray, {pipe_frame(0), last});
-    const std::vector<Look> looks = looks_at(RunFolder(folder.path()));
-    const std::vector<Look> others = looks_at(RunFolder(with_stray.path()));
-    ASSERT_EQ(looks.size(), others.size());
-    for (std::size_t k = 0; k < looks.size(); ++k)
-        EXPECT_NEAR((looks[k].area.extent() - others[k].area.extent()).norm(), 0, 1e-3 * dx);
+    const std::vector<View> views = cameras(RunFolder(folder.path()));
+    const std::vector<View> others = cameras(RunFolder(with_stray.path()));
+    ASSERT_EQ(views.size(), others.size());
+    for (std::size_t k = 0; k < views.size(); ++k)
+        EXPECT_NEAR((views[k].area.extent() - others[k].area.extent()).norm(), 0, 1e-3 * dx);
 }
 
-TEST(LooksInSpace, CutWhatStandsInTheFluid) {
+TEST(Views3d, CutWhatStandsInTheFluid) {
     // turned about the pipe's axis, the strut and the flap stand along y
     const auto turned = [](Frame frame) {
         for (FrameGroup& group : frame.groups)
             for (std::size_t i = 0; i < group.size(); ++i) {
-                float* place = &group.position[3 * i];
-                std::swap(place[1], place[2]);
-                if (group.name == "solid") place[2] += 4 * dx;
+                float* position = &group.position[3 * i];
+                std::swap(position[1], position[2]);
+                if (group.name == "solid") position[2] += 4 * dx;
             }
         return frame;
     };
     const TemporaryFolder folder;
     write_run(folder, {turned(pipe_frame(0))});
-    const std::vector<Look> looks = looks_at(RunFolder(folder.path()));
-    ASSERT_EQ(looks.size(), 3U);
-    EXPECT_EQ(looks[0].caption, "x right, y up, at z = 0 mm");
-    EXPECT_THAT(looks[1].caption, HasSubstr("z right, y up, at x = "));
+    const std::vector<View> views = cameras(RunFolder(folder.path()));
+    ASSERT_EQ(views.size(), 3U);
+    EXPECT_EQ(views[0].caption, "x right, y up, at z = 0 mm");
+    EXPECT_THAT(views[1].caption, HasSubstr("z right, y up, at x = "));
 }
 
-TEST(LooksInSpace, CutStrutsAcrossAndNotAlong) {
+TEST(Views3d, CutStrutsAcrossAndNotAlong) {
     // the plane y = 0 has a bar along the pipe, the plane z = 0 three struts that it joins
     Frame frame = pipe_frame(0);
     std::erase_if(frame.groups, [](const FrameGroup& group) { return group.name == "solid"; });
@@ -219,22 +219,22 @@ TEST(LooksInSpace, CutStrutsAcrossAndNotAlong) {
     }
     const TemporaryFolder folder;
     write_run(folder, {frame});
-    EXPECT_EQ(looks_at(RunFolder(folder.path()))[0].caption, "x right, y up, at z = 0 mm");
+    EXPECT_EQ(cameras(RunFolder(folder.path()))[0].caption, "x right, y up, at z = 0 mm");
 }
 
-TEST(LooksInSpace, TakeTheLargerPlaneAndTheMiddleWhereNothingStandsInTheFluid) {
+TEST(Views3d, TakeTheLargerPlaneAndTheMiddleWhereNothingStandsInTheFluid) {
     Frame frame = pipe_frame(0);
     frame.groups.resize(1);
     for (std::size_t i = 0; i < frame.groups[0].size(); ++i) frame.groups[0].position[3 * i + 2] /= 2;
     const TemporaryFolder folder;
     write_run(folder, {frame});
-    const std::vector<Look> looks = looks_at(RunFolder(folder.path()));
-    ASSERT_EQ(looks.size(), 2U);
-    EXPECT_EQ(looks[0].caption, "x right, y up, at z = 0 mm");
-    EXPECT_EQ(looks[1].caption, "z right, y up, at x = 12 mm");
+    const std::vector<View> views = cameras(RunFolder(folder.path()));
+    ASSERT_EQ(views.size(), 2U);
+    EXPECT_EQ(views[0].caption, "x right, y up, at z = 0 mm");
+    EXPECT_EQ(views[1].caption, "z right, y up, at x = 12 mm");
 }
 
-TEST(LooksInSpace, CutAtAPlaneOfSymmetryAndLookFromOutside) {
+TEST(Views3d, CutAtAPlaneOfSymmetryAndLookFromOutside) {
     // the lower quarter of the pipe, on either side of y = 0
     for (const bool high : {false, true}) {
         SCOPED_TRACE(high);
@@ -246,8 +246,8 @@ TEST(LooksInSpace, CutAtAPlaneOfSymmetryAndLookFromOutside) {
             FrameGroup kept;
             kept.name = group.name;
             for (std::size_t i = 0; i < group.size(); ++i) {
-                const Vec place = place_of(group, i);
-                if (side * place.y() < -0.5 * dx || place.z() > 0.5 * dx) continue;
+                const Vec position = position_of(group, i);
+                if (side * position.y() < -0.5 * dx || position.z() > 0.5 * dx) continue;
                 const float* at = &group.position[3 * i];
                 add(kept, at[0], at[1] + side * 0.5F * dx, at[2], group.part[i]);
             }
@@ -258,33 +258,33 @@ TEST(LooksInSpace, CutAtAPlaneOfSymmetryAndLookFromOutside) {
         const RunFolder run(folder.path());
         std::array<std::array<bool, 2>, 3> mirrored{};
         mirrored[1].at(high ? 1 : 0) = true;
-        const std::vector<Look> looks = looks_at(run, mirrored);
-        ASSERT_EQ(looks.size(), 3U);
-        EXPECT_EQ(looks[0].caption, "x right, z up, at y = 0 mm");
+        const std::vector<View> views = cameras(run, mirrored);
+        ASSERT_EQ(views.size(), 3U);
+        EXPECT_EQ(views[0].caption, "x right, z up, at y = 0 mm");
         const RunFrame frame = run.read(0);
-        const Seen cut = seen(looks[0], frame, run.walls());
+        const Seen cut = seen(views[0], frame, run.walls());
         EXPECT_EQ(ids(*cut.frame.fluid), in_slab(*frame.fluid, 1, 0, water));
-        const Seen opened = seen(looks[2], frame, run.walls());
+        const Seen opened = seen(views[2], frame, run.walls());
         std::size_t near = 0;
         for (std::size_t i = 0; i < frame.fluid->size(); ++i) {
-            const double x = place_of(*frame.fluid, i).x();
-            near += x >= looks[2].low && x <= looks[2].high ? 1 : 0;
+            const double x = position_of(*frame.fluid, i).x();
+            near += x >= views[2].low && x <= views[2].high ? 1 : 0;
         }
         EXPECT_EQ(opened.frame.fluid->size(), near) << "all of it is behind the cut";
         EXPECT_GT(near, 400U);
     }
 }
 
-TEST(LooksInSpace, AtSpringBodiesAloneAreAslant) {
+TEST(Views3d, AtSpringBodiesAloneAreAslant) {
     Frame frame = pipe_frame(1);
     frame.groups.erase(frame.groups.begin());
     add(frame.groups[0], 0, 5 * dx, 0, flap);
     const TemporaryFolder folder;
     write_run(folder, {frame});
     const RunFolder run(folder.path());
-    const std::vector<Look> looks = looks_at(run);
-    ASSERT_EQ(looks.size(), 1U);
-    const Seen shown = seen(looks[0], run.read(0), run.walls());
+    const std::vector<View> views = cameras(run);
+    ASSERT_EQ(views.size(), 1U);
+    const Seen shown = seen(views[0], run.read(0), run.walls());
     EXPECT_FALSE(shown.frame.fluid);
     EXPECT_EQ(shown.frame.solid->size(), 8U);
 }
@@ -306,43 +306,43 @@ Shares shares_of(const Image& image) {
     return shares;
 }
 
-class SpacePictures : public LooksAtAPipe {
+class SpacePictures : public ViewsOfAPipe {
   protected:
     void SetUp() override {
         if (!display_.usable()) GTEST_SKIP() << display_.problem();
-        LooksAtAPipe::SetUp();
+        ViewsOfAPipe::SetUp();
     }
     const VirtualDisplay display_;
 };
 
 TEST_F(SpacePictures, HaveTheFluidOfTheSlab) {
     const RunFolder run(folder_.path());
-    const std::vector<Look> looks = looks_at(run);
+    const std::vector<View> views = cameras(run);
     RunFrame frame = run.read(0);
     // 1 in the slab, -1 elsewhere
     FrameField mark{"mark", "1", 1, {}};
     for (std::size_t i = 0; i < frame.fluid->size(); ++i)
-        mark.values.push_back(std::abs(place_of(*frame.fluid, i).y()) <= 0.75 * dx ? 1.0F : -1.0F);
+        mark.values.push_back(std::abs(position_of(*frame.fluid, i).y()) <= 0.75 * dx ? 1.0F : -1.0F);
     frame.fluid->fields.push_back(mark);
     FieldRange range;
     range.include(frame, "mark");
     ParticleView view;
-    const auto draw = [&](const Look& look) {
-        const int height = static_cast<int>(std::lround(300 * look.area.extent().y() / look.area.extent().x()));
-        return view.draw(layers_of(look, seen(look, frame, run.walls()), "mark", range.scale()), look.area, 300,
+    const auto draw = [&](const View& view) {
+        const int height = static_cast<int>(std::lround(300 * view.area.extent().y() / view.area.extent().x()));
+        return view.draw(layers_of(view, seen(view, frame, run.walls()), "mark", range.scale()), view.area, 300,
                          height);
     };
-    const Image along_the_pipe = draw(looks[0]);
+    const Image along_the_pipe = draw(views[0]);
     const Shares cut = shares_of(along_the_pipe);
     EXPECT_EQ(cut.blue, 0);
     const double pipe_area = 24 * 13 - 2 * 4 - 4;  // less strut and flap, in dx^2
-    const Vec size = looks[0].area.extent() / dx;
+    const Vec size = views[0].area.extent() / dx;
     EXPECT_NEAR(cut.red, pipe_area / (size.x() * size.y()), 0.06);
     // no gap where there is water
     for (int x = 40; x < 260; ++x)
         ASSERT_NE(along_the_pipe.at(x, along_the_pipe.height / 2), colours::white) << "at " << x;
 
-    const Shares section = shares_of(draw(looks[1]));
+    const Shares section = shares_of(draw(views[1]));
     EXPECT_GT(section.red, 0.02) << "a strip along z";
     EXPECT_GT(section.blue, 3 * section.red);
 }
@@ -377,12 +377,12 @@ TEST_F(SpacePictures, AreDrawnOfARunInTheFieldAskedFor) {
     FieldRange speed, pressure;
     speed.include(run.read(1), "velocity");
     pressure.include(run.read(1), "pressure");
-    const Look look = looks_at(run)[0];
-    const Seen shown = seen(look, run.read(1), run.walls());
+    const View view = cameras(run)[0];
+    const Seen shown = seen(view, run.read(1), run.walls());
     const auto colours_of = [&](const char* field, const FieldRange& range) {
         const ColourScale scale = range.scale();
         const FrameField* values = find_field(*shown.frame.fluid, field);
-        const ParticleLayer fluid = layers_of(look, shown, field, scale)[0];
+        const ParticleLayer fluid = layers_of(view, shown, field, scale)[0];
         std::size_t right = 0;
         for (std::size_t i = 0; i < fluid.colour.size(); ++i) {
             double value = 0;

@@ -27,7 +27,7 @@ MeasureSeries two_measures() {
 
 RunSummary some_summary() {
     RunSummary summary;
-    summary.particles = {{"fluid", 1000}, {"rigid", 200}, {"springs", 18}};
+    summary.particles = {{"fluid", 1000}, {"rigid", 200}, {"elastic", 18}};
     summary.steps = 4321;
     summary.simulated_s = 0.25;
     summary.wall_s = 1.5;
@@ -44,7 +44,7 @@ RunSummary some_summary() {
     summary.density_low = 999.5;
     summary.density_high = missing;
     summary.state_hash = "00ff00ff00ff00ff";
-    summary.seconds_by_stage = {{"forces", 1.0}, {"springs", 0.25}};
+    summary.seconds_by_stage = {{"forces", 1.0}, {"elastic", 0.25}};
     summary.measures = two_measures();
     return summary;
 }
@@ -121,7 +121,7 @@ TEST(Summary, HasTheKeysThatScriptsWant) {
                             "scene_hash",  "density_low", "density_high", "sound_speed",  "seconds_by_stage",
                             "interrupted", "files",       "vector_unit",  "rank_shares"})
         EXPECT_TRUE(json.contains(key)) << key;
-    EXPECT_EQ(json["particles"], (nlohmann::json{{"fluid", 1000}, {"rigid", 200}, {"springs", 18}}));
+    EXPECT_EQ(json["particles"], (nlohmann::json{{"fluid", 1000}, {"rigid", 200}, {"elastic", 18}}));
     EXPECT_EQ(json["steps"], 4321);
     EXPECT_EQ(json["simulated_s"], 0.25);
     EXPECT_EQ(json["dt_limits"], (nlohmann::json{{"sound", 1.25e-5}, {"viscosity", 4e-4}}));

@@ -31,8 +31,8 @@ TEST(TriangleFile, is_what_vtk_reads_back) {
     ASSERT_EQ(read->GetNumberOfPoints(), 4);
     ASSERT_EQ(read->GetNumberOfCells(), 2);
     for (int k = 0; k < 4; ++k) {
-        const double* place = read->GetPoint(k);
-        EXPECT_EQ(Vec(place[0], place[1], place[2]), corners[static_cast<std::size_t>(k)]);
+        const double* position = read->GetPoint(k);
+        EXPECT_EQ(Vec(position[0], position[1], position[2]), corners[static_cast<std::size_t>(k)]);
     }
     EXPECT_EQ(read->GetCell(1)->GetPointId(1), 3);
     EXPECT_EQ(read->GetCellData()->GetArray("triangle")->GetTuple1(1), 1);

@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:19:10: part.wall.layers: found 2.5 (a number), expected a whole number, at least 1\n"
               "  give layers a whole number, at least 1"},
         Fault{"wall_thinner_than_kernel", "kind = \"rigid\"", "kind = \"rigid\"\nlayers = 2",
-              "scene.toml:19:10: the wall 'wall' is thinner than the kernel: layers = 2, accuracy.support = 3\n"
+              "scene.toml:19:10: the wall 'wall' is thinner than the kernel: layers = 2, numerics.support = 3\n"
               "  give the part at least as many layers as the support has spacings"},
         Fault{"sliding_without_unit", "kind = \"rigid\"", "kind = \"rigid\"\nsurface_velocity = [1]",
               "scene.toml:19:21: missing unit: surface_velocity = 1, expected a speed such as \"1 m/s\"\n"
@@ -123,9 +123,9 @@ INSTANTIATE_TEST_SUITE_P(
               "kind = \"rigid\"\nslip = true\nsurface_velocity = [\"1 m/s\", 0]",
               "scene.toml:20:20: the surface of 'wall' slides, and lets the fluid slip: it would not be felt\n"
               "  leave out surface_velocity, or slip"},
-        Fault{"slip_at_plain_walls", "kind = \"rigid\"", "kind = \"rigid\"\nslip = true\n[accuracy]\nwalls = \"plain\"",
+        Fault{"slip_at_plain_walls", "kind = \"rigid\"", "kind = \"rigid\"\nslip = true\n[numerics]\nwalls = \"plain\"",
               "scene.toml:19:8: the wall 'wall' has slip = true, and plain walls cannot let a fluid slip\n"
-              "  write accuracy.walls = \"extrapolated\", or leave out slip"},
+              "  write numerics.walls = \"extrapolated\", or leave out slip"},
         Fault{"plane_across_a_period", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\nsymmetry = [\"y_low\", \"x_high\"]",
               "scene.toml:30:12: flow.symmetry: 'x_high' lies across an axis that is periodic\n"
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"unknown_side", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nsymmetry = [\"bottom\"]",
               "scene.toml:29:13: flow.symmetry: found \"bottom\", expected one of 'x_low', 'x_high', 'y_low', "
               "'y_high', 'z_low' and 'z_high'\n  write one of these words"},
-        Fault{"springs_of_three_layers", "kind = \"springs\"", "kind = \"springs\"\nlayers = 3",
+        Fault{"springs_of_three_layers", "kind = \"elastic\"", "kind = \"elastic\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
               "  springs parts have two rows of particles for now: write layers = 2"},
         Fault{"springs_as_stiff_as_a_strip_and_as_a_material", "axial_stiffness = \"100 N\"",
@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:43:8: there is already a measure called 'flux_in', at scene.toml:37:8\n"
               "  give each measure its own name"},
         Fault{"missing_largest_speed", "largest_speed = \"0.2 m/s\"", "",
-              "scene.toml:27:1: flow.largest_speed is missing: accuracy.sound_speed = \"auto\" is 10 times that speed\n"
+              "scene.toml:27:1: flow.largest_speed is missing: numerics.sound_speed = \"auto\" is 10 times that speed\n"
               "  add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed"},
         Fault{"formula_without_brackets", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\nacceleration = \"1 m/s^2\"",
@@ -236,72 +236,72 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"repeated_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\", \"x\"]",
               "scene.toml:29:18: flow.periodic: \"x\" stands twice\n"
               "  remove one of them"},
-        Fault{"misspelt_auto", "[run]", "[accuracy]\nsound_speed = \"atuo\"\n[run]",
-              "scene.toml:31:15: accuracy.sound_speed: found \"atuo\" (text), expected \"auto\" or a speed such as \"2 "
+        Fault{"misspelt_auto", "[run]", "[numerics]\nsound_speed = \"atuo\"\n[run]",
+              "scene.toml:31:15: numerics.sound_speed: found \"atuo\" (text), expected \"auto\" or a speed such as \"2 "
               "m/s\", more than 0\n"
               "  give sound_speed \"auto\" or a speed such as \"2 m/s\", more than 0"},
-        Fault{"auto_or_quantity_without_unit", "[run]", "[accuracy]\nsound_speed = 20\n[run]",
+        Fault{"auto_or_quantity_without_unit", "[run]", "[numerics]\nsound_speed = 20\n[run]",
               "scene.toml:31:15: missing unit: sound_speed = 20, expected a speed such as \"2 m/s\"\n"
               "  write sound_speed = \"20 m/s\", with the unit you mean"},
-        Fault{"zero_for_auto", "[run]", "[accuracy]\nsound_speed = 0\n[run]",
-              "scene.toml:31:15: accuracy.sound_speed: found 0, expected more than 0\n"
+        Fault{"zero_for_auto", "[run]", "[numerics]\nsound_speed = 0\n[run]",
+              "scene.toml:31:15: numerics.sound_speed: found 0, expected more than 0\n"
               "  write \"auto\" or a value that is more than 0"},
-        Fault{"support_too_small", "[run]", "[accuracy]\nsupport = 1.5\n[run]",
-              "scene.toml:31:11: accuracy.support: found 1.5, expected between 2 and 6\n"
+        Fault{"support_too_small", "[run]", "[numerics]\nsupport = 1.5\n[run]",
+              "scene.toml:31:11: numerics.support: found 1.5, expected between 2 and 6\n"
               "  give a value that is between 2 and 6"},
-        Fault{"text_for_number", "[run]", "[accuracy]\nsupport = \"3\"\n[run]",
-              "scene.toml:31:11: accuracy.support: found \"3\" (text), expected a number, between 2 and 6\n"
+        Fault{"text_for_number", "[run]", "[numerics]\nsupport = \"3\"\n[run]",
+              "scene.toml:31:11: numerics.support: found \"3\" (text), expected a number, between 2 and 6\n"
               "  write the number without quotes and unit"},
-        Fault{"not_a_number", "[run]", "[accuracy]\nsupport = nan\n[run]",
-              "scene.toml:31:11: accuracy.support: found nan (a number), expected a finite number\n"
+        Fault{"not_a_number", "[run]", "[numerics]\nsupport = nan\n[run]",
+              "scene.toml:31:11: numerics.support: found nan (a number), expected a finite number\n"
               "  give support a finite number"},
-        Fault{"support_beyond_the_default_wall", "[run]", "[accuracy]\nsupport = 3.5\n[run]",
-              "scene.toml:31:11: the wall 'wall' is thinner than the kernel: layers = 3, accuracy.support = 3.5\n"
+        Fault{"support_beyond_the_default_wall", "[run]", "[numerics]\nsupport = 3.5\n[run]",
+              "scene.toml:31:11: the wall 'wall' is thinner than the kernel: layers = 3, numerics.support = 3.5\n"
               "  give the part at least as many layers as the support has spacings"},
-        Fault{"loose_viscosity_tolerance", "[run]", "[accuracy]\nviscosity_tolerance = 0.1\n[run]",
-              "scene.toml:31:23: accuracy.viscosity_tolerance: found 0.1, expected between 1e-14 and 0.01\n"
+        Fault{"loose_viscosity_tolerance", "[run]", "[numerics]\nviscosity_tolerance = 0.1\n[run]",
+              "scene.toml:31:23: numerics.viscosity_tolerance: found 0.1, expected between 1e-14 and 0.01\n"
               "  give a value that is between 1e-14 and 0.01"},
-        Fault{"unknown_viscosity_stepping", "[run]", "[accuracy]\nviscosity_stepping = \"implicitly\"\n[run]",
-              "scene.toml:31:22: accuracy.viscosity_stepping: found \"implicitly\", expected one of 'explicit' and "
+        Fault{"unknown_viscosity_stepping", "[run]", "[numerics]\nviscosity_stepping = \"implicitly\"\n[run]",
+              "scene.toml:31:22: numerics.viscosity_stepping: found \"implicitly\", expected one of 'explicit' and "
               "'implicit'\n"
               "  did you mean \"implicit\"?"},
         Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
-              "[accuracy]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
-              "scene.toml:32:19: accuracy.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, "
+              "[numerics]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
+              "scene.toml:32:19: numerics.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, "
               "which "
-              "accuracy.spring_stepping = \"subcycled\" moves apart from it\n"
+              "numerics.spring_stepping = \"subcycled\" moves apart from it\n"
               "  write spring_stepping = \"implicit\""},
         Fault{"implicit_viscosity_of_approaching_pairs", "[run]",
-              "[accuracy]\nviscosity_stepping = \"implicit\"\nviscous_law = \"monaghan_approaching\"\n[run]",
-              "scene.toml:32:15: accuracy.viscosity_stepping = \"implicit\" needs a force that is linear in the "
-              "velocities, and accuracy.viscous_law = \"monaghan_approaching\" is none\n"
+              "[numerics]\nviscosity_stepping = \"implicit\"\nviscous_law = \"monaghan_approaching\"\n[run]",
+              "scene.toml:32:15: numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the "
+              "velocities, and numerics.viscous_law = \"monaghan_approaching\" is none\n"
               "  write viscous_law = \"monaghan\" or \"morris\""},
         Fault{"diffusion_of_a_summed_density", "[run]",
-              "[accuracy]\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
-              "scene.toml:32:21: accuracy.density_diffusion smooths a density that is integrated, and accuracy.density "
+              "[numerics]\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
+              "scene.toml:32:21: numerics.density_diffusion smooths a density that is integrated, and numerics.density "
               "= \"summation\" integrates none\n"
               "  leave density_diffusion out, or write density = \"continuity\""},
-        Fault{"shifting_and_transport", "[run]", "[accuracy]\ntransport_velocity = true\nshifting = 4\n[run]",
-              "scene.toml:32:12: accuracy.shifting and accuracy.transport_velocity both spread the particles\n"
+        Fault{"shifting_and_transport", "[run]", "[numerics]\ntransport_velocity = true\nshifting = 4\n[run]",
+              "scene.toml:32:12: numerics.shifting and numerics.transport_velocity both spread the particles\n"
               "  leave one of them out"},
-        Fault{"summation_beside_plain_walls", "[run]", "[accuracy]\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
-              "scene.toml:32:9: accuracy.walls = \"plain\" integrates a density of the walls' own, which "
-              "accuracy.density = \"summation\" does not know\n"
+        Fault{"summation_beside_plain_walls", "[run]", "[numerics]\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: numerics.walls = \"plain\" integrates a density of the walls' own, which "
+              "numerics.density = \"summation\" does not know\n"
               "  leave walls out, or density"},
         Fault{"correction_beside_plain_walls", "[run]",
-              "[accuracy]\ngradient_correction = true\nwalls = \"plain\"\n[run]",
-              "scene.toml:32:9: accuracy.walls = \"plain\" integrates a density of the walls' own, which "
-              "accuracy.gradient_correction = true does not know\n"
+              "[numerics]\ngradient_correction = true\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: numerics.walls = \"plain\" integrates a density of the walls' own, which "
+              "numerics.gradient_correction = true does not know\n"
               "  leave walls out, or gradient_correction"},
-        Fault{"background_below_zero", "[run]", "[accuracy]\nbackground_pressure = \"-1 Pa\"\n[run]",
-              "scene.toml:31:23: accuracy.background_pressure: found \"-1 Pa\", expected at least 0\n"
+        Fault{"background_below_zero", "[run]", "[numerics]\nbackground_pressure = \"-1 Pa\"\n[run]",
+              "scene.toml:31:23: numerics.background_pressure: found \"-1 Pa\", expected at least 0\n"
               "  give a value that is at least 0"},
-        Fault{"unknown_viscous_law", "[run]", "[accuracy]\nviscous_law = \"moris\"\n[run]",
-              "scene.toml:31:15: accuracy.viscous_law: found \"moris\", expected one of 'morris', 'monaghan' and "
+        Fault{"unknown_viscous_law", "[run]", "[numerics]\nviscous_law = \"moris\"\n[run]",
+              "scene.toml:31:15: numerics.viscous_law: found \"moris\", expected one of 'morris', 'monaghan' and "
               "'monaghan_approaching'\n"
               "  did you mean \"morris\"?"},
-        Fault{"more_than_a_fraction", "[run]", "[accuracy]\nstep_factor = 2\n[run]",
-              "scene.toml:31:15: accuracy.step_factor: found 2, expected more than 0 and at most 1\n"
+        Fault{"more_than_a_fraction", "[run]", "[numerics]\nstep_factor = 2\n[run]",
+              "scene.toml:31:15: numerics.step_factor: found 2, expected more than 0 and at most 1\n"
               "  give a value that is more than 0 and at most 1"},
         Fault{"negative_threads", "[run]", "[run]\nthreads = -1",
               "scene.toml:31:11: run.threads: found -1, expected at least 0\n"
@@ -366,7 +366,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables [geometry], [[select]], "
               "[particles], "
               "[[part]], [[join]], [[contact_pair]], [box], "
-              "[flow], [contact], [accuracy], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
+              "[flow], [contact], [numerics], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
               "[[measure]], [[solidify]], [[break]]"}}),
     name_of);
 

@@ -36,7 +36,7 @@ TEST(Expression, default_is_zero) {
     EXPECT_EQ(zero(1, 2, 3, 4), 0);
     EXPECT_EQ(zero.text(), "0");
     EXPECT_FALSE(zero.depends_on_time());
-    EXPECT_FALSE(zero.depends_on_place());
+    EXPECT_FALSE(zero.depends_on_position());
 }
 
 TEST(Expression, takes_a_plain_formula) {
@@ -50,8 +50,8 @@ TEST(Expression, takes_a_plain_formula) {
 
 TEST(Expression, tells_what_it_depends_on) {
     EXPECT_TRUE(number("t / 1 s").depends_on_time());
-    EXPECT_FALSE(number("t / 1 s").depends_on_place());
-    EXPECT_TRUE(number("y / 1 m").depends_on_place());
+    EXPECT_FALSE(number("t / 1 s").depends_on_position());
+    EXPECT_TRUE(number("y / 1 m").depends_on_position());
     EXPECT_FALSE(number("y / 1 m").depends_on_time());
     EXPECT_FALSE(number("2").depends_on_time());
 }

@@ -125,13 +125,13 @@ TEST(WrongScene, a_quality_that_there_is_not) {
 TEST(WrongScene, a_fine_support_in_a_wall_of_three_rows) {
     EXPECT_EQ(fault_of(good_scene, {"quality=fine"}), "no error") << "rows follow the quality too";
     EXPECT_EQ(fault_of(good_scene, {"quality=fine", "part.wall.layers=3"}),
-              "--set part.wall.layers=3: the wall 'wall' is thinner than the kernel: layers = 3, accuracy.support = 4\n"
+              "--set part.wall.layers=3: the wall 'wall' is thinner than the kernel: layers = 3, numerics.support = 4\n"
               "  give the part at least as many layers as the support has spacings");
 }
 
 TEST(WrongScene, a_mach_number_out_of_range) {
-    EXPECT_EQ(fault_of(good_scene, {"accuracy.mach_number=0.5"}),
-              "--set accuracy.mach_number=0.5: accuracy.mach_number: found 0.5, expected between 0.01 and 0.3\n"
+    EXPECT_EQ(fault_of(good_scene, {"numerics.mach_number=0.5"}),
+              "--set numerics.mach_number=0.5: numerics.mach_number: found 0.5, expected between 0.01 and 0.3\n"
               "  give a value that is between 0.01 and 0.3");
 }
 

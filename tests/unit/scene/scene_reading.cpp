@@ -36,7 +36,7 @@ TEST(ReadScene, vein_valve_whole) {
     EXPECT_EQ(*scene.parts[1].kind, PartKind::rigid);
     EXPECT_EQ(*scene.parts[1].layers, 3);
     EXPECT_EQ(*scene.parts[2].name, "leaflets");
-    EXPECT_EQ(*scene.parts[2].kind, PartKind::springs);
+    EXPECT_EQ(*scene.parts[2].kind, PartKind::elastic);
     EXPECT_EQ(*scene.parts[2].layers, 2);
     EXPECT_EQ(*scene.parts[2].bending_stiffness, 3e-6);
     EXPECT_EQ(*scene.parts[2].axial_stiffness, 100);
@@ -50,7 +50,7 @@ TEST(ReadScene, vein_valve_whole) {
     EXPECT_FALSE(scene.flow.periodic[1]);
     EXPECT_FALSE(scene.flow.periodic[2]);
     EXPECT_EQ(*scene.flow.largest_speed, 0.1);
-    EXPECT_EQ(*scene.accuracy.sound_speed, 2.5);
+    EXPECT_EQ(*scene.numerics.sound_speed, 2.5);
     EXPECT_EQ(*scene.run.duration, 4);
     EXPECT_EQ(*scene.output.every, 0.04);
     EXPECT_EQ(*scene.output.measure_every, 0.01);
@@ -134,52 +134,52 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.contact.range, *fresh.contact.range);
     EXPECT_EQ(*scene.contact.strength, 0) << "auto";
     EXPECT_EQ(*scene.contact.strength, *fresh.contact.strength);
-    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::wendland_c2);
-    EXPECT_EQ(*scene.accuracy.kernel, *fresh.accuracy.kernel);
-    EXPECT_EQ(*scene.accuracy.support, 3);
-    EXPECT_EQ(*scene.accuracy.support, *fresh.accuracy.support);
-    EXPECT_EQ(*scene.accuracy.sound_speed, 0) << "auto";
-    EXPECT_EQ(*scene.accuracy.sound_speed, *fresh.accuracy.sound_speed);
+    EXPECT_EQ(*scene.numerics.kernel, KernelKind::wendland_c2);
+    EXPECT_EQ(*scene.numerics.kernel, *fresh.numerics.kernel);
+    EXPECT_EQ(*scene.numerics.support, 3);
+    EXPECT_EQ(*scene.numerics.support, *fresh.numerics.support);
+    EXPECT_EQ(*scene.numerics.sound_speed, 0) << "auto";
+    EXPECT_EQ(*scene.numerics.sound_speed, *fresh.numerics.sound_speed);
     EXPECT_EQ(*scene.quality, Quality::standard);
     EXPECT_EQ(*scene.quality, *fresh.quality);
-    EXPECT_EQ(*scene.accuracy.mach_number, 0.1);
-    EXPECT_EQ(*scene.accuracy.mach_number, *fresh.accuracy.mach_number);
+    EXPECT_EQ(*scene.numerics.mach_number, 0.1);
+    EXPECT_EQ(*scene.numerics.mach_number, *fresh.numerics.mach_number);
     EXPECT_THAT(scene.output.solid_fields,
                 ElementsAre(SolidField::velocity, SolidField::displacement, SolidField::strain, SolidField::force));
     EXPECT_EQ(scene.output.solid_fields, fresh.output.solid_fields);
     EXPECT_EQ(*scene.output.average_from, 0);
     EXPECT_EQ(*scene.output.average_from, *fresh.output.average_from);
-    EXPECT_EQ(*scene.accuracy.walls, WallModel::extrapolated);
-    EXPECT_EQ(*scene.accuracy.walls, *fresh.accuracy.walls);
+    EXPECT_EQ(*scene.numerics.walls, WallModel::extrapolated);
+    EXPECT_EQ(*scene.numerics.walls, *fresh.numerics.walls);
     EXPECT_EQ(*scene.flow.largest_pressure, 0) << "not given";
-    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::tait);
-    EXPECT_EQ(*scene.accuracy.equation_of_state, *fresh.accuracy.equation_of_state);
-    EXPECT_EQ(*scene.accuracy.background_pressure, 0);
-    EXPECT_EQ(*scene.accuracy.background_pressure, *fresh.accuracy.background_pressure);
-    EXPECT_EQ(*scene.accuracy.density, DensityModel::continuity);
-    EXPECT_EQ(*scene.accuracy.density, *fresh.accuracy.density);
-    EXPECT_FALSE(*scene.accuracy.gradient_correction);
-    EXPECT_EQ(*scene.accuracy.gradient_correction, *fresh.accuracy.gradient_correction);
-    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::morris);
-    EXPECT_EQ(*scene.accuracy.viscous_law, *fresh.accuracy.viscous_law);
-    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::harmonic);
-    EXPECT_EQ(*scene.accuracy.viscosity_mean, *fresh.accuracy.viscosity_mean);
-    EXPECT_FALSE(*scene.accuracy.transport_velocity);
-    EXPECT_EQ(*scene.accuracy.transport_velocity, *fresh.accuracy.transport_velocity);
-    EXPECT_EQ(*scene.accuracy.density_diffusion, 0.1);
-    EXPECT_EQ(*scene.accuracy.density_diffusion, *fresh.accuracy.density_diffusion);
-    EXPECT_EQ(*scene.accuracy.shifting, 4);
-    EXPECT_EQ(*scene.accuracy.shifting, *fresh.accuracy.shifting);
-    EXPECT_EQ(*scene.accuracy.step_factor, 0.3);
-    EXPECT_EQ(*scene.accuracy.step_factor, *fresh.accuracy.step_factor);
-    EXPECT_EQ(*scene.accuracy.viscosity_stepping, ViscosityStepping::explicitly);
-    EXPECT_EQ(*scene.accuracy.viscosity_stepping, *fresh.accuracy.viscosity_stepping);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-6);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, *fresh.accuracy.viscosity_tolerance);
-    EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::implicit);
-    EXPECT_EQ(*scene.accuracy.spring_stepping, *fresh.accuracy.spring_stepping);
-    EXPECT_EQ(*scene.accuracy.spring_step_factor, 0.5);
-    EXPECT_EQ(*scene.accuracy.spring_step_factor, *fresh.accuracy.spring_step_factor);
+    EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::tait);
+    EXPECT_EQ(*scene.numerics.equation_of_state, *fresh.numerics.equation_of_state);
+    EXPECT_EQ(*scene.numerics.background_pressure, 0);
+    EXPECT_EQ(*scene.numerics.background_pressure, *fresh.numerics.background_pressure);
+    EXPECT_EQ(*scene.numerics.density, DensityModel::continuity);
+    EXPECT_EQ(*scene.numerics.density, *fresh.numerics.density);
+    EXPECT_FALSE(*scene.numerics.gradient_correction);
+    EXPECT_EQ(*scene.numerics.gradient_correction, *fresh.numerics.gradient_correction);
+    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::morris);
+    EXPECT_EQ(*scene.numerics.viscous_law, *fresh.numerics.viscous_law);
+    EXPECT_EQ(*scene.numerics.viscosity_mean, ViscosityMean::harmonic);
+    EXPECT_EQ(*scene.numerics.viscosity_mean, *fresh.numerics.viscosity_mean);
+    EXPECT_FALSE(*scene.numerics.transport_velocity);
+    EXPECT_EQ(*scene.numerics.transport_velocity, *fresh.numerics.transport_velocity);
+    EXPECT_EQ(*scene.numerics.density_diffusion, 0.1);
+    EXPECT_EQ(*scene.numerics.density_diffusion, *fresh.numerics.density_diffusion);
+    EXPECT_EQ(*scene.numerics.shifting, 4);
+    EXPECT_EQ(*scene.numerics.shifting, *fresh.numerics.shifting);
+    EXPECT_EQ(*scene.numerics.step_factor, 0.3);
+    EXPECT_EQ(*scene.numerics.step_factor, *fresh.numerics.step_factor);
+    EXPECT_EQ(*scene.numerics.viscosity_stepping, ViscosityStepping::explicitly);
+    EXPECT_EQ(*scene.numerics.viscosity_stepping, *fresh.numerics.viscosity_stepping);
+    EXPECT_EQ(*scene.numerics.viscosity_tolerance, 1e-6);
+    EXPECT_EQ(*scene.numerics.viscosity_tolerance, *fresh.numerics.viscosity_tolerance);
+    EXPECT_EQ(*scene.numerics.spring_stepping, SpringStepping::implicit);
+    EXPECT_EQ(*scene.numerics.spring_stepping, *fresh.numerics.spring_stepping);
+    EXPECT_EQ(*scene.numerics.spring_step_factor, 0.5);
+    EXPECT_EQ(*scene.numerics.spring_step_factor, *fresh.numerics.spring_step_factor);
     EXPECT_EQ(*scene.run.threads, 0);
     EXPECT_EQ(*scene.run.threads, *fresh.run.threads);
     EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::velocity, FluidField::pressure, FluidField::shear_stress));
@@ -189,7 +189,7 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.output.pictures, *fresh.output.pictures);
     EXPECT_EQ(*scene.output.picture_field, FluidField::velocity);
     EXPECT_EQ(*scene.output.picture_field, *fresh.output.picture_field);
-    EXPECT_FALSE(scene.accuracy.support.given()) << "a default has no place";
+    EXPECT_FALSE(scene.numerics.support.given()) << "a default has no place";
 }
 
 TEST(ReadScene, every_key_given_another_value) {
@@ -218,7 +218,7 @@ enabled = false
 layers = 5
 [[part]]
 name = "Leaf_2"
-kind = "springs"
+kind = "elastic"
 bending_stiffness = "3e-6 N*m^2"
 axial_stiffness = "100 N"
 mass_per_length = "0.42 kg/m"
@@ -231,7 +231,7 @@ periodic = ["y", "x"]
 [contact]
 range = 1.5
 strength = "2 uJ"
-[accuracy]
+[numerics]
 kernel = "lucy"
 support = 2
 sound_speed = "2 m/s"
@@ -270,7 +270,7 @@ field = "pressure"
     EXPECT_EQ(*scene.geometry.parameters.at("count"), 3);
     EXPECT_EQ(*scene.geometry.parameters.at("ratio"), 0.25);
     EXPECT_EQ(*scene.geometry.parameters.at("quoted"), 0.5);
-    EXPECT_EQ(scene.geometry.parameters.at("count").place.text(), "scene.toml:8:9");
+    EXPECT_EQ(scene.geometry.parameters.at("count").location.text(), "scene.toml:8:9");
     EXPECT_EQ(*scene.particles.arrangement, Arrangement::hexagonal);
     EXPECT_EQ(*scene.parts[0].density, 1056);
     EXPECT_EQ(*scene.parts[0].viscosity, 0);
@@ -284,17 +284,17 @@ field = "pressure"
     EXPECT_TRUE(scene.flow.periodic[1]);
     EXPECT_EQ(*scene.contact.range, 1.5);
     EXPECT_EQ(*scene.contact.strength, 2e-6);
-    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::lucy);
-    EXPECT_EQ(*scene.accuracy.support, 2);
-    EXPECT_EQ(*scene.accuracy.sound_speed, 2);
-    EXPECT_EQ(*scene.accuracy.mach_number, 0.2);
-    EXPECT_EQ(*scene.accuracy.walls, WallModel::plain);
-    EXPECT_EQ(*scene.accuracy.density_diffusion, 0);
-    EXPECT_EQ(*scene.accuracy.shifting, 0);
-    EXPECT_EQ(*scene.accuracy.step_factor, 0.25);
-    EXPECT_EQ(*scene.accuracy.viscosity_tolerance, 1e-7);
-    EXPECT_EQ(*scene.accuracy.spring_stepping, SpringStepping::subcycled);
-    EXPECT_EQ(*scene.accuracy.spring_step_factor, 1);
+    EXPECT_EQ(*scene.numerics.kernel, KernelKind::lucy);
+    EXPECT_EQ(*scene.numerics.support, 2);
+    EXPECT_EQ(*scene.numerics.sound_speed, 2);
+    EXPECT_EQ(*scene.numerics.mach_number, 0.2);
+    EXPECT_EQ(*scene.numerics.walls, WallModel::plain);
+    EXPECT_EQ(*scene.numerics.density_diffusion, 0);
+    EXPECT_EQ(*scene.numerics.shifting, 0);
+    EXPECT_EQ(*scene.numerics.step_factor, 0.25);
+    EXPECT_EQ(*scene.numerics.viscosity_tolerance, 1e-7);
+    EXPECT_EQ(*scene.numerics.spring_stepping, SpringStepping::subcycled);
+    EXPECT_EQ(*scene.numerics.spring_step_factor, 1);
     EXPECT_EQ(*scene.run.duration, 60);
     EXPECT_EQ(*scene.run.threads, 4);
     EXPECT_THAT(scene.output.fields, ElementsAre(FluidField::density, FluidField::residence_time));
@@ -317,39 +317,39 @@ field = "pressure"
 TEST(ReadScene, fluid_terms_that_are_off_by_default) {
     const Scene scene =
         read_text(good_scene,
-                  {"flow.largest_pressure=2 kPa", "accuracy.kernel=quintic_spline", "accuracy.equation_of_state=linear",
-                   "accuracy.background_pressure=3 Pa", "accuracy.density=summation",
-                   "accuracy.gradient_correction=true", "accuracy.viscous_law=monaghan_approaching",
-                   "accuracy.viscosity_mean=arithmetic", "accuracy.transport_velocity=true"});
+                  {"flow.largest_pressure=2 kPa", "numerics.kernel=quintic_spline", "numerics.equation_of_state=linear",
+                   "numerics.background_pressure=3 Pa", "numerics.density=summation",
+                   "numerics.gradient_correction=true", "numerics.viscous_law=monaghan_approaching",
+                   "numerics.viscosity_mean=arithmetic", "numerics.transport_velocity=true"});
     EXPECT_EQ(*scene.flow.largest_pressure, 2000);
-    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::quintic_spline);
-    EXPECT_EQ(*scene.accuracy.equation_of_state, EquationOfState::linear);
-    EXPECT_EQ(*scene.accuracy.background_pressure, 3);
-    EXPECT_EQ(*scene.accuracy.density, DensityModel::summation);
-    EXPECT_TRUE(*scene.accuracy.gradient_correction);
-    EXPECT_EQ(*scene.accuracy.viscous_law, ViscousLaw::monaghan_approaching);
-    EXPECT_EQ(*scene.accuracy.viscosity_mean, ViscosityMean::arithmetic);
-    EXPECT_TRUE(*scene.accuracy.transport_velocity);
-    EXPECT_EQ(*scene.accuracy.density_diffusion, 0) << "gives way to the summed density";
-    EXPECT_EQ(*scene.accuracy.shifting, 0) << "gives way to the transport velocity";
+    EXPECT_EQ(*scene.numerics.kernel, KernelKind::quintic_spline);
+    EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::linear);
+    EXPECT_EQ(*scene.numerics.background_pressure, 3);
+    EXPECT_EQ(*scene.numerics.density, DensityModel::summation);
+    EXPECT_TRUE(*scene.numerics.gradient_correction);
+    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::monaghan_approaching);
+    EXPECT_EQ(*scene.numerics.viscosity_mean, ViscosityMean::arithmetic);
+    EXPECT_TRUE(*scene.numerics.transport_velocity);
+    EXPECT_EQ(*scene.numerics.density_diffusion, 0) << "gives way to the summed density";
+    EXPECT_EQ(*scene.numerics.shifting, 0) << "gives way to the transport velocity";
     EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
 }
 
 TEST(ReadScene, values_keep_their_places) {
     const Scene scene = read_text(good_scene);
-    EXPECT_EQ(scene.particles.spacing.place.text(), "scene.toml:8:11");
-    EXPECT_EQ(scene.parts[0].density.place.text(), "scene.toml:13:11");
-    EXPECT_EQ(scene.measures[0].from.place.text(), "scene.toml:39:8");
+    EXPECT_EQ(scene.particles.spacing.location.text(), "scene.toml:8:11");
+    EXPECT_EQ(scene.parts[0].density.location.text(), "scene.toml:13:11");
+    EXPECT_EQ(scene.measures[0].from.location.text(), "scene.toml:39:8");
     EXPECT_EQ(scene.directory, ".");
     const Scene periodic = read_text(scene_with("[run]", "periodic = [\"x\", \"y\"]\n[run]"));
-    EXPECT_EQ(periodic.flow.periodic[1].place.text(), "scene.toml:30:18");
+    EXPECT_EQ(periodic.flow.periodic[1].location.text(), "scene.toml:30:18");
 }
 
 TEST(ReadScene, a_byte_order_mark_and_windows_lines_do_no_harm) {
     std::string text = "\xEF\xBB\xBF";
     for (const char c : good_scene) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
     EXPECT_EQ(read_text(text).hash, read_text(good_scene).hash);
-    EXPECT_EQ(read_text(text).particles.spacing.place.text(), "scene.toml:8:11");
+    EXPECT_EQ(read_text(text).particles.spacing.location.text(), "scene.toml:8:11");
 }
 
 TEST(PartsOf, enabled_parts_of_one_kind_in_order) {
@@ -364,21 +364,21 @@ TEST(PartsOf, enabled_parts_of_one_kind_in_order) {
 }
 
 TEST(Words, are_those_of_a_scene) {
-    EXPECT_EQ(word(PartKind::springs), "springs");
-    EXPECT_EQ(word(FluidField::shear_stress), "shear_stress");
-    EXPECT_EQ(word(SolidField::von_mises), "von_mises");
-    EXPECT_EQ(word(Quality::fine), "fine");
-    EXPECT_EQ(word(KernelKind::wendland_c2), "wendland_c2");
-    EXPECT_EQ(word(MeasureKind::largest_speed), "largest_speed");
-    EXPECT_EQ(word(Arrangement::hexagonal), "hexagonal");
-    EXPECT_EQ(word(WallModel::plain), "plain");
-    EXPECT_EQ(word(SpringStepping::subcycled), "subcycled");
-    EXPECT_EQ(word(ViscosityStepping::implicitly), "implicit");
-    EXPECT_EQ(word(KernelKind::cubic_spline), "cubic_spline");
-    EXPECT_EQ(word(EquationOfState::linear), "linear");
-    EXPECT_EQ(word(DensityModel::summation), "summation");
-    EXPECT_EQ(word(ViscousLaw::monaghan_approaching), "monaghan_approaching");
-    EXPECT_EQ(word(ViscosityMean::arithmetic), "arithmetic");
+    EXPECT_EQ(to_string(PartKind::elastic), "elastic");
+    EXPECT_EQ(to_string(FluidField::shear_stress), "shear_stress");
+    EXPECT_EQ(to_string(SolidField::von_mises), "von_mises");
+    EXPECT_EQ(to_string(Quality::fine), "fine");
+    EXPECT_EQ(to_string(KernelKind::wendland_c2), "wendland_c2");
+    EXPECT_EQ(to_string(MeasureKind::largest_speed), "largest_speed");
+    EXPECT_EQ(to_string(Arrangement::hexagonal), "hexagonal");
+    EXPECT_EQ(to_string(WallModel::plain), "plain");
+    EXPECT_EQ(to_string(SpringStepping::subcycled), "subcycled");
+    EXPECT_EQ(to_string(ViscosityStepping::implicitly), "implicit");
+    EXPECT_EQ(to_string(KernelKind::cubic_spline), "cubic_spline");
+    EXPECT_EQ(to_string(EquationOfState::linear), "linear");
+    EXPECT_EQ(to_string(DensityModel::summation), "summation");
+    EXPECT_EQ(to_string(ViscousLaw::monaghan_approaching), "monaghan_approaching");
+    EXPECT_EQ(to_string(ViscosityMean::arithmetic), "arithmetic");
 }
 
 TEST(ReadScene, walls_that_move_and_planes_of_symmetry) {

@@ -34,8 +34,8 @@ TEST(ExplainKey, a_required_quantity) {
 }
 
 TEST(ExplainKey, a_word_with_a_default) {
-    EXPECT_EQ(explain_key("accuracy.kernel"),
-              "accuracy.kernel\n"
+    EXPECT_EQ(explain_key("numerics.kernel"),
+              "numerics.kernel\n"
               "    Smoothing kernel.\n"
               "    type:    one of 'wendland_c2', 'wendland_c4', 'lucy', 'cubic_spline' and 'quintic_spline'\n"
               "    default: \"wendland_c2\" (draft: \"lucy\", fine: \"wendland_c2\")\n");
@@ -91,11 +91,11 @@ TEST(ExplainKey, near_misses) {
     EXPECT_EQ(fault_of("particle.spacing"), "unknown key 'particle.spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("spacing"), "unknown key 'spacing'\n  did you mean 'particles.spacing'?");
     EXPECT_EQ(fault_of("part.blood.densty"), "unknown key 'part.blood.densty'\n  did you mean 'part.*.density'?");
-    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration', 'threads' and 'until_still'");
+    EXPECT_EQ(fault_of("run.zzz"), "unknown key 'run.zzz'\n  [run] takes 'duration', 'threads' and 'until_steady'");
     EXPECT_EQ(fault_of("zzz"),
               "unknown key 'zzz'\n  a scene has 'schema', 'title', 'dimension' and 'quality' and the tables "
               "[geometry], [[select]], [particles], "
-              "[[part]], [[join]], [[contact_pair]], [box], [flow], [contact], [accuracy], [run], [output], "
+              "[[part]], [[join]], [[contact_pair]], [box], [flow], [contact], [numerics], [run], [output], "
               "[[species]], [[force]], "
               "[[moving_shape]], [[region]], [[measure]], [[solidify]], [[break]]");
 }

@@ -14,14 +14,14 @@ TEST(Quality, sets_what_is_not_given) {
     const auto with = [](const std::string& quality) { return read_text(good_scene, {"quality=" + quality}); };
     const Scene plain = read_text(good_scene), draft = with("draft"), standard = with("standard"), fine = with("fine");
     EXPECT_EQ(resolved_scene(standard), resolved_scene(plain));
-    EXPECT_EQ(*draft.accuracy.kernel, KernelKind::lucy);
-    EXPECT_GT(*draft.accuracy.step_factor, *standard.accuracy.step_factor);
-    EXPECT_GT(*fine.accuracy.support, *standard.accuracy.support);
-    EXPECT_GE(*fine.parts[1].layers, *fine.accuracy.support);
+    EXPECT_EQ(*draft.numerics.kernel, KernelKind::lucy);
+    EXPECT_GT(*draft.numerics.step_factor, *standard.numerics.step_factor);
+    EXPECT_GT(*fine.numerics.support, *standard.numerics.support);
+    EXPECT_GE(*fine.parts[1].layers, *fine.numerics.support);
     EXPECT_NE(draft.hash, standard.hash);
     EXPECT_NE(fine.hash, standard.hash);
     for (const Scene* scene : {&draft, &fine}) {
-        EXPECT_FALSE(scene->accuracy.kernel.given()) << "a default has no place";
+        EXPECT_FALSE(scene->numerics.kernel.given()) << "a default has no place";
         const std::string resolved = resolved_scene(*scene);
         EXPECT_EQ(resolved_scene(read_text(resolved)), resolved);
     }
@@ -29,23 +29,23 @@ TEST(Quality, sets_what_is_not_given) {
 
 TEST(Quality, leaves_alone_what_is_given) {
     const Scene scene =
-        read_text(good_scene, {"quality=draft", "accuracy.step_factor=0.1", "accuracy.kernel=wendland_c2"});
-    EXPECT_EQ(*scene.accuracy.step_factor, 0.1);
-    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::wendland_c2);
+        read_text(good_scene, {"quality=draft", "numerics.step_factor=0.1", "numerics.kernel=wendland_c2"});
+    EXPECT_EQ(*scene.numerics.step_factor, 0.1);
+    EXPECT_EQ(*scene.numerics.kernel, KernelKind::wendland_c2);
 }
 
 TEST(Quality, is_where_defaults_come_from) {
     const Scene scene = read_text("quality = \"draft\"\n" + good_scene);
-    EXPECT_EQ(default_origin(scene, "accuracy.kernel"), "quality = \"draft\" at scene.toml:1:11");
+    EXPECT_EQ(default_origin(scene, "numerics.kernel"), "quality = \"draft\" at scene.toml:1:11");
     EXPECT_EQ(default_origin(scene, "part.wall.layers"), "quality = \"draft\" at scene.toml:1:11");
-    EXPECT_EQ(default_origin(scene, "accuracy.walls"), "default") << "the same at every level";
-    EXPECT_EQ(default_origin(read_text(good_scene), "accuracy.kernel"), "default");
+    EXPECT_EQ(default_origin(scene, "numerics.walls"), "default") << "the same at every level";
+    EXPECT_EQ(default_origin(read_text(good_scene), "numerics.kernel"), "default");
 }
 TEST(Override, reaches_every_kind_of_key) {
     const Scene scene = read_text(
         good_scene, {"particles.spacing=\"0.2 mm\"", "geometry.parameters.leaflet_length=\"25.6 mm\"",
                      "geometry.parameters.count = 3", "part.leaflets.enabled=false", "measure.tip_gap.part=leaflets",
-                     "measure.flux_in.to=[\"0 mm\", \"5 mm\"]", "accuracy.support=2.5", "title=A = B",
+                     "measure.flux_in.to=[\"0 mm\", \"5 mm\"]", "numerics.support=2.5", "title=A = B",
                      "flow.acceleration=[\"0.15 m/s^2 * cos(2*pi*t/4 s)\", 0]"});
     EXPECT_EQ(*scene.particles.spacing, 0.0002);
     EXPECT_EQ(*scene.geometry.parameters.at("leaflet_length"), 0.0256);
@@ -53,20 +53,20 @@ TEST(Override, reaches_every_kind_of_key) {
     EXPECT_FALSE(*scene.parts[2].enabled);
     EXPECT_EQ(*scene.measures[1].part, "leaflets");
     EXPECT_EQ(*scene.measures[0].to, Vec(0, 0.005, 0));
-    EXPECT_EQ(*scene.accuracy.support, 2.5) << "a table the file does not have";
+    EXPECT_EQ(*scene.numerics.support, 2.5) << "a table the file does not have";
     EXPECT_EQ(*scene.title, "A = B");
     EXPECT_EQ(scene.flow.acceleration[0](0), 0.15);
     const std::string region = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n";
     EXPECT_EQ(*read_text(good_scene + region, {"region.sinus.from=[\"3 mm\", 0]"}).regions[0].from, Vec(0.003, 0, 0));
-    EXPECT_EQ(scene.particles.spacing.place.file, "--set particles.spacing=\"0.2 mm\"");
-    EXPECT_EQ(scene.particles.spacing.place.line, 0);
+    EXPECT_EQ(scene.particles.spacing.location.file, "--set particles.spacing=\"0.2 mm\"");
+    EXPECT_EQ(scene.particles.spacing.location.line, 0);
 }
 
 TEST(Override, needs_no_quotes_and_the_last_one_wins) {
     const Scene scene =
-        read_text(good_scene, {"particles.spacing=0.3 mm", "particles.spacing= 0.4 mm ", "accuracy.kernel=lucy"});
+        read_text(good_scene, {"particles.spacing=0.3 mm", "particles.spacing= 0.4 mm ", "numerics.kernel=lucy"});
     EXPECT_EQ(*scene.particles.spacing, 0.0004);
-    EXPECT_EQ(*scene.accuracy.kernel, KernelKind::lucy);
+    EXPECT_EQ(*scene.numerics.kernel, KernelKind::lucy);
 }
 
 TEST(ResolvedScene, reads_back_as_the_same_scene) {
@@ -116,7 +116,7 @@ initial_pressure = "0"
 range = 1
 strength = "auto"
 
-[accuracy]
+[numerics]
 kernel = "wendland_c2"
 support = 3
 sound_speed = "auto"
@@ -144,7 +144,7 @@ contact_step = "auto"
 [run]
 duration = "4 s"
 threads = 0
-until_still = "0 s"
+until_steady = "0 s"
 
 [output]
 every = "0.02 s"
@@ -175,7 +175,7 @@ centre = ["0 m", "0 m", "0 m"]
 
 [[part]]
 name = "leaflets"
-kind = "springs"
+kind = "elastic"
 enabled = true
 layers = 2
 bending_stiffness = "3e-06 m^3*kg/s^2"
@@ -212,7 +212,7 @@ TEST(SceneHash, is_fnv1a_of_the_resolved_scene) {
 TEST(SceneHash, sees_values_and_not_how_they_are_written) {
     const std::string hash = read_text(good_scene).hash;
     EXPECT_EQ(read_text(scene_with("\"0.1 mm\"", "'100 um'  # the same")).hash, hash);
-    EXPECT_EQ(read_text(scene_with("[run]", "[accuracy]\nsupport = 3\n[run]")).hash, hash);
+    EXPECT_EQ(read_text(scene_with("[run]", "[numerics]\nsupport = 3\n[run]")).hash, hash);
     EXPECT_NE(read_text(scene_with("\"0.1 mm\"", "\"0.11 mm\"")).hash, hash);
 }
 

@@ -35,7 +35,7 @@ TEST(Species, are_read_with_their_units) {
     EXPECT_DOUBLE_EQ((**species.concentration.of("blood"))(0, 2e-3), 2);
     EXPECT_DOUBLE_EQ((**species.wall_concentration.of("wall"))(1), 0.5 * std::exp(-1.0));
     EXPECT_EQ(species.wall_flux.of("wall"), nullptr);
-    EXPECT_EQ(*scene.accuracy.species_stepping, SpeciesStepping::explicitly);
+    EXPECT_EQ(*scene.numerics.species_stepping, SpeciesStepping::explicitly);
 
     const std::string resolved = resolved_scene(scene);
     EXPECT_EQ(resolved_scene(read_text(resolved)), resolved);
@@ -73,9 +73,9 @@ concentration = 0.25
 
 TEST(Species, can_be_set_from_the_command_line) {
     const Scene scene =
-        read_text(with_drug(), {"species.drug.diffusivity=3e-9 m^2/s", "accuracy.species_stepping=implicit"});
+        read_text(with_drug(), {"species.drug.diffusivity=3e-9 m^2/s", "numerics.species_stepping=implicit"});
     EXPECT_EQ(**scene.species[0].diffusivity_in(scene.parts[0]), 3e-9);
-    EXPECT_EQ(*scene.accuracy.species_stepping, SpeciesStepping::implicitly);
+    EXPECT_EQ(*scene.numerics.species_stepping, SpeciesStepping::implicitly);
 }
 
 class BadSpecies : public testing::TestWithParam<Fault> {};

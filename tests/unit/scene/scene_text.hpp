@@ -37,7 +37,7 @@ kind = "rigid"
 
 [[part]]
 name = "leaflets"
-kind = "springs"
+kind = "elastic"
 bending_stiffness = "3e-6 N*m^2"
 axial_stiffness = "100 N"
 mass_per_length = "0.42 kg/m"

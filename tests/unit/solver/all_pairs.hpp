@@ -19,21 +19,21 @@ inline ParticleSet crowd(int dimension, std::array<bool, 3> periodic, unsigned s
     set.dimension = dimension;
     set.spacing = spacing;
     set.periodic = periodic;
-    set.parts = {{"water", ParticleKind::fluid}, {"wall", ParticleKind::rigid}, {"flags", ParticleKind::springs}};
+    set.parts = {{"water", PartKind::fluid}, {"wall", PartKind::rigid}, {"flags", PartKind::elastic}};
     for (int axis = 0; axis < dimension; ++axis) set.box.high[axis] = side * spacing;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
     const int count = dimension == 3 ? side * side * side : side * side;
     for (int k = 0; k < count; ++k) {
         const std::array<int, 3> cell{k % side, k / side % side, k / side / side};
-        Vec place = Vec::Zero(), normal = Vec::Zero();
+        Vec position = Vec::Zero(), normal = Vec::Zero();
         for (int axis = 0; axis < dimension; ++axis) {
-            place[axis] = (cell[axis] + 0.5 + 0.33 * unit(random)) * spacing;
+            position[axis] = (cell[axis] + 0.5 + 0.33 * unit(random)) * spacing;
             normal[axis] = unit(random);
         }
         const int pick = static_cast<int>(random() % 8);
         const int part = pick < 5 ? 0 : pick < 6 ? 1 : 2;
-        set.position.push_back(place);
+        set.position.push_back(position);
         set.part.push_back(part);
         set.body.push_back(part == 2 ? pick - 6 : -1);
         set.volume.push_back((dimension == 3 ? spacing : 1) * spacing * spacing * (1 + 0.1 * unit(random)));
@@ -49,16 +49,16 @@ inline ParticleSet crowd(int dimension, std::array<bool, 3> periodic, unsigned s
 /// Looks up the owned particles of a store by id, wherever they lie in it now.
 class ById {
   public:
-    explicit ById(ParticleStore& particles) : places_(particles.owned()) {
+    explicit ById(ParticleStore& particles) : positions_(particles.owned()) {
         for (ParticleGroup& group : particles.groups())
             for (std::size_t i = 0; i < group.owned(); ++i)
-                places_.at(static_cast<std::size_t>(group.tags()[i].id)) = {&group, static_cast<std::int32_t>(i)};
+                positions_.at(static_cast<std::size_t>(group.tags()[i].id)) = {&group, static_cast<std::int32_t>(i)};
     }
 
-    [[nodiscard]] std::size_t size() const { return places_.size(); }
-    [[nodiscard]] ParticleGroup& group(std::size_t id) const { return *places_[id].group; }
+    [[nodiscard]] std::size_t size() const { return positions_.size(); }
+    [[nodiscard]] ParticleGroup& group(std::size_t id) const { return *positions_[id].group; }
     /// In its group.
-    [[nodiscard]] std::int32_t index(std::size_t id) const { return places_[id].index; }
+    [[nodiscard]] std::int32_t index(std::size_t id) const { return positions_[id].index; }
     [[nodiscard]] double& value(Field field, std::size_t id, int axis = 0) const {
         return group(id).data(field, axis)[index(id)];
     }
@@ -69,11 +69,11 @@ class ById {
     }
 
   private:
-    struct Place {
+    struct Point {
         ParticleGroup* group = nullptr;
         std::int32_t index = 0;
     };
-    std::vector<Place> places_;
+    std::vector<Point> positions_;
 };
 
 /// Two owned particles, by id, of which the second or an image of it is near the first.
@@ -98,14 +98,14 @@ void for_all_pairs(ParticleStore& particles, double reach, const Visit& visit) {
             }
     }
     const ById by_id(particles);
-    std::vector<Vec> place;
-    for (std::size_t id = 0; id < by_id.size(); ++id) place.push_back(by_id.vector(Field::position, id));
+    std::vector<Vec> position;
+    for (std::size_t id = 0; id < by_id.size(); ++id) position.push_back(by_id.vector(Field::position, id));
     const Vec period = space.box.extent();
     for (const std::array<int, 3>& shift : shifts) {
         const Vec moved(shift[0] * period[0], shift[1] * period[1], shift[2] * period[2]);
-        for (std::size_t i = 0; i < place.size(); ++i)
-            for (std::size_t j = 0; j < place.size(); ++j) {
-                const Vec separation = place[i] - (place[j] + moved);
+        for (std::size_t i = 0; i < position.size(); ++i)
+            for (std::size_t j = 0; j < position.size(); ++j) {
+                const Vec separation = position[i] - (position[j] + moved);
                 if (separation.squaredNorm() < reach * reach && !(i == j && moved.isZero(0)))
                     visit(Meeting{i, j, shift, separation});
             }
@@ -115,7 +115,7 @@ void for_all_pairs(ParticleStore& particles, double reach, const Visit& visit) {
 /// Two particles that the lists leave out: walls among themselves, and nodes of one spring body.
 inline bool never_meet(const ParticleSet& set, std::size_t i, std::size_t j) {
     if (set.kind(i) != set.kind(j)) return false;
-    return set.kind(i) == ParticleKind::rigid || (set.kind(i) == ParticleKind::springs && set.body[i] == set.body[j]);
+    return set.kind(i) == PartKind::rigid || (set.kind(i) == PartKind::elastic && set.body[i] == set.body[j]);
 }
 
 }  // namespace dmp::tests

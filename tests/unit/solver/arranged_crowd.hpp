@@ -73,8 +73,8 @@ class ArrangedCrowd {
         for (std::size_t f = 0; f < all.size(); ++f) all[f] = static_cast<Field>(f);
         neighbours_.exchange(particles_, all);
         if (arrangement.near_only)
-            neighbours_.look_through(
-                particles_, [this](ClusterList& list, double reach) { sweeps_->keep_near(particles_, list, reach); });
+            neighbours_.prune_list(
+                particles_, [this](ClusterList& list, double reach) { sweeps_->prune(particles_, list, reach); });
     }
 
     [[nodiscard]] Sums sweep() {
@@ -103,7 +103,7 @@ class ArrangedCrowd {
         const ById by_id(particles_);
         std::vector<double> found(by_id.size());
         for (std::size_t id = 0; id < by_id.size(); ++id)
-            if (by_id.group(id).kind() == ParticleKind::fluid) found[id] = by_id.value(Field::density, id);
+            if (by_id.group(id).kind() == PartKind::fluid) found[id] = by_id.value(Field::density, id);
         return found;
     }
 

@@ -53,7 +53,7 @@ inline SceneAndParticles blood_channel(int columns = 24, const std::string& acce
     channel.acceleration = acceleration;
     channel.duration = 0.05;
     SceneAndParticles made = layered(channel);
-    made.scene.accuracy.viscosity_stepping = ViscosityStepping::explicitly;
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::explicitly;
     made.scene.contact.range = 1.0;
     return made;
 }

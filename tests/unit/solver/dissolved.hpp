@@ -14,7 +14,7 @@
 namespace dmp::tests {
 
 inline Value<Expression> placed(const std::string& formula) {
-    return {Expression(formula, formula), Place{"scene.toml", 7, 3}};
+    return {Expression(formula, formula), SourceLocation{"scene.toml", 7, 3}};
 }
 
 /// A species of this diffusivity, with a concentration at the start by a formula of x and y.
@@ -34,7 +34,7 @@ inline WalledWater strip(int columns, int rows = 8) {
     });
     made.make_periodic(1);
     made.scene.flow.largest_speed = 0.5;
-    made.scene.accuracy.shifting = 0.0;
+    made.scene.numerics.shifting = 0.0;
     made.scene.output.fields = {FluidField::concentration};
     return made;
 }
@@ -47,7 +47,7 @@ inline void make_part(WalledWater& made, const std::string& name, PartKind kind,
     part.layers = 3;
     made.scene.parts.push_back(part);
     ParticleSet& set = made.particles;
-    set.parts.push_back({name, static_cast<ParticleKind>(kind)});
+    set.parts.push_back({name, kind});
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (set.part[i] != 0 || set.position[i][0] < from_x || set.position[i][0] > to_x) continue;
         set.part[i] = static_cast<int>(set.parts.size()) - 1;

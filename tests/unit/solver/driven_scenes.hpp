@@ -27,7 +27,7 @@ struct DrivenBead {
 inline DrivenBead bead_in_a_parabola() {
     DrivenBead made;
     made.particles.dimension = 3;
-    made.particles.parts = {{"bead", ParticleKind::spheres}};
+    made.particles.parts = {{"bead", PartKind::spheres}};
     made.particles.position = {Vec::Zero()};
     made.particles.mass = {2};
     made.particles.part = {0};
@@ -36,7 +36,7 @@ inline DrivenBead bead_in_a_parabola() {
     shape.name = std::string("ghost");
     shape.kind = ShapeKind::parabola;
     shape.parts = std::vector<std::string>{"bead"};
-    shape.place = std::array{driving_formula("0.3 * t"), Expression(), Expression()};
+    shape.position = std::array{driving_formula("0.3 * t"), Expression(), Expression()};
     shape.half_width = 1.0;
     shape.height = 1.0;
     shape.strength = 50.0;

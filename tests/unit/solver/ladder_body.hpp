@@ -28,7 +28,7 @@ inline ParticleSet ladder(const LadderShape& shape) {
     ParticleSet set;
     set.spacing = 1;
     set.box = {Vec(-1, -1, 0), Vec(shape.cells + 1, 1, 0)};
-    set.parts = {{"beam", ParticleKind::springs}};
+    set.parts = {{"beam", PartKind::elastic}};
     for (int column = 0; column <= shape.cells; ++column)
         for (const double y : {0.5, -0.5}) {
             set.position.emplace_back(column, y, 0);
@@ -67,7 +67,7 @@ inline double shear_stiffness(double k_a) { return 8 * k_a; }
 inline Scene scene_with(const Part& part, SpringStepping stepping) {
     Scene scene;
     scene.parts.push_back(part);
-    scene.accuracy.spring_stepping = stepping;
+    scene.numerics.spring_stepping = stepping;
     return scene;
 }
 

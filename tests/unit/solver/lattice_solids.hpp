@@ -38,13 +38,13 @@ inline std::vector<Vec> displacements(const ParticleSet& set, const Loads& load)
 }
 
 /// The displacement's best fit u = sum c_k f_k(x) along one axis: the coefficients c.
-inline Eigen::VectorXd fit(const std::vector<Vec>& place, const std::vector<Vec>& moved, int axis,
+inline Eigen::VectorXd fit(const std::vector<Vec>& position, const std::vector<Vec>& moved, int axis,
                            const std::function<Eigen::VectorXd(const Vec&)>& shapes) {
-    const Eigen::Index rows = static_cast<Eigen::Index>(place.size()), columns = shapes(place[0]).size();
+    const Eigen::Index rows = static_cast<Eigen::Index>(position.size()), columns = shapes(position[0]).size();
     Eigen::MatrixXd matrix(rows, columns);
     Eigen::VectorXd right(rows);
     for (Eigen::Index n = 0; n < rows; ++n) {
-        matrix.row(n) = shapes(place[static_cast<std::size_t>(n)]).transpose();
+        matrix.row(n) = shapes(position[static_cast<std::size_t>(n)]).transpose();
         right[n] = moved[static_cast<std::size_t>(n)][axis];
     }
     return matrix.colPivHouseholderQr().solve(right);

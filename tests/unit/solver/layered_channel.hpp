@@ -34,13 +34,13 @@ struct LayeredChannel {
     [[nodiscard]] double width() const { return rows() * spacing; }
 };
 
-inline void add_particle(ParticleSet& set, const Vec& place, int part, double mass) {
-    set.position.push_back(place);
+inline void add_particle(ParticleSet& set, const Vec& position, int part, double mass) {
+    set.position.push_back(position);
     set.volume.push_back(set.spacing * set.spacing);
     set.mass.push_back(mass);
     set.part.push_back(part);
     set.body.push_back(-1);
-    set.fixed.push_back(set.parts[part].kind == ParticleKind::rigid ? 1 : 0);
+    set.fixed.push_back(set.parts[part].kind == PartKind::rigid ? 1 : 0);
     set.seated.push_back(0);
     set.wall_normal.emplace_back(Vec::Zero());
     set.wall_distance.push_back(0);
@@ -59,7 +59,7 @@ inline SceneAndParticles layered(const LayeredChannel& channel) {
         liquid.density = LayeredChannel::density;
         liquid.viscosity = layer.viscosity;
         scene.parts.push_back(liquid);
-        set.parts.push_back({layer.name, ParticleKind::fluid});
+        set.parts.push_back({layer.name, PartKind::fluid});
     }
     Part wall;
     wall.name = std::string("wall");
@@ -67,7 +67,7 @@ inline SceneAndParticles layered(const LayeredChannel& channel) {
     wall.layers = 3;
     scene.parts.push_back(wall);
     const int wall_part = static_cast<int>(set.parts.size());
-    set.parts.push_back({"wall", ParticleKind::rigid});
+    set.parts.push_back({"wall", PartKind::rigid});
     scene.flow.acceleration[0] = Expression(channel.acceleration, channel.acceleration);
     set.periodic = {true, false, false};
     scene.flow.periodic = {true, false, false};
@@ -76,19 +76,19 @@ inline SceneAndParticles layered(const LayeredChannel& channel) {
     scene.run.duration = channel.duration;
     scene.output.every = channel.duration;
     scene.output.fields = {FluidField::velocity};
-    scene.accuracy.viscosity_stepping = ViscosityStepping::implicitly;
+    scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
 
     set.box = {Vec(0, -3 * dx, 0), Vec(channel.columns * dx, channel.width() + 3 * dx, 0)};
-    const auto place = [dx](int column, int row) { return Vec((column + 0.5) * dx, (row + 0.5) * dx, 0); };
+    const auto position = [dx](int column, int row) { return Vec((column + 0.5) * dx, (row + 0.5) * dx, 0); };
     int row = 0;
     for (std::size_t layer = 0; layer < channel.layers.size(); ++layer)
         for (int end = row + channel.layers[layer].rows; row < end; ++row)
             for (int column = 0; column < channel.columns; ++column)
-                add_particle(set, place(column, row), static_cast<int>(layer), mass);
+                add_particle(set, position(column, row), static_cast<int>(layer), mass);
     for (int depth = 0; depth < 3; ++depth)
         for (const bool above : {false, true})
             for (int column = 0; column < channel.columns; ++column) {
-                add_particle(set, place(column, above ? channel.rows() + depth : -1 - depth), wall_part, mass);
+                add_particle(set, position(column, above ? channel.rows() + depth : -1 - depth), wall_part, mass);
                 set.wall_normal.back() = Vec(0, above ? -1 : 1, 0);
                 set.wall_distance.back() = (depth + 0.5) * dx;
             }

@@ -36,12 +36,12 @@ struct SceneAndParticles {
 inline SceneAndParticles case_of(const std::string& folder, const std::vector<std::string>& overrides) {
     SceneAndParticles made;
     made.scene = read_scene(std::string(DMP_SOURCE_DIR) + "/cases/" + folder, overrides);
-    DrawingOptions drawing;
+    GeometryOptions drawing;
     drawing.file = (std::filesystem::path(made.scene.directory) / made.scene.geometry.file.value).string();
     drawing.unit = made.scene.geometry.unit;
     drawing.chord_error = 1e-3 * made.scene.particles.spacing;
     for (const auto& [name, value] : made.scene.geometry.parameters) drawing.parameters[name] = value;
-    made.particles = mesh(read_drawing(drawing), made.scene).particles;
+    made.particles = mesh(read_geometry(drawing), made.scene).particles;
     return made;
 }
 
@@ -68,7 +68,7 @@ inline SceneAndParticles endless_water(const std::string& acceleration_x = "0") 
     set.spacing = 0.1;
     set.box = {Vec::Zero(), Vec(0.1 * side, 0.1 * side, 0)};
     set.periodic = {true, true, false};
-    set.parts = {{"water", ParticleKind::fluid}};
+    set.parts = {{"water", PartKind::fluid}};
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
             set.position.emplace_back(0.1 * (column + 0.5), 0.1 * (row + 0.5), 0);
@@ -88,17 +88,17 @@ inline SceneAndParticles endless_water(const std::string& acceleration_x = "0") 
 inline void add_flags(SceneAndParticles& made) {
     Part flags;
     flags.name = std::string("flags");
-    flags.kind = PartKind::springs;
+    flags.kind = PartKind::elastic;
     made.scene.parts.push_back(flags);
-    made.particles.parts.push_back({"flags", ParticleKind::springs});
+    made.particles.parts.push_back({"flags", PartKind::elastic});
 }
 
 /// Adds one bond of two nodes, at `place` and 0.1 m above it, as body `body` of the last part.
-inline void add_rod(SceneAndParticles& made, const Vec& place, int body) {
+inline void add_rod(SceneAndParticles& made, const Vec& position, int body) {
     ParticleSet& set = made.particles;
     const int first = static_cast<int>(set.size());
     // Copies: `place` may be a position of the set itself, which is about to grow.
-    for (const Vec& node : std::array<Vec, 2>{place, place + Vec(0, 0.1, 0)}) {
+    for (const Vec& node : std::array<Vec, 2>{position, position + Vec(0, 0.1, 0)}) {
         set.position.push_back(node);
         set.volume.push_back(0.01);
         set.mass.push_back(10);

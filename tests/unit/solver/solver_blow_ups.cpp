@@ -105,21 +105,21 @@ void expect_found_in_time(const Ending& ending, const std::string& first_cause) 
 
 TEST(BlowUps, step_forced_to_twenty_times_its_size) {
     // Nothing else may hold the step back, and the scene's own bounds are passed by.
-    SceneAndParticles made = small_valve({"accuracy.shifting=0", "contact.range=0"});
+    SceneAndParticles made = small_valve({"numerics.shifting=0", "contact.range=0"});
     const double usual = Simulation(made.scene, made.particles, 1).plan().dt;
-    made.scene.accuracy.step_factor = 20 * made.scene.accuracy.step_factor;
+    made.scene.numerics.step_factor = 20 * made.scene.numerics.step_factor;
     ASSERT_NEAR(Simulation(made.scene, made.particles, 1).plan().dt / usual, 20, 1e-6);
-    expect_found_in_time(ending_of(made, 0.5), "accuracy.step_factor = 6 is too large");
+    expect_found_in_time(ending_of(made, 0.5), "numerics.step_factor = 6 is too large");
 }
 
 TEST(BlowUps, springs_ten_thousand_times_stiffer_with_the_step_of_the_soft_ones) {
     const std::vector<std::string> stiffer{"part.leaflets.bending_stiffness=3e-2 N*m^2",
                                            "part.leaflets.axial_stiffness=1e6 N"};
     SceneAndParticles made = small_valve(stiffer);
-    made.scene.accuracy.spring_stepping = SpringStepping::subcycled;
-    made.scene.accuracy.spring_step_factor =
-        100 * made.scene.accuracy.spring_step_factor;  // of a limit 100 times shorter
-    expect_found_in_time(ending_of(made, 0.5), "accuracy.spring_step_factor = 50 leaves the springs too large a step");
+    made.scene.numerics.spring_stepping = SpringStepping::subcycled;
+    made.scene.numerics.spring_step_factor =
+        100 * made.scene.numerics.spring_step_factor;  // of a limit 100 times shorter
+    expect_found_in_time(ending_of(made, 0.5), "numerics.spring_step_factor = 50 leaves the springs too large a step");
 }
 
 TEST(BlowUps, springs_ten_thousand_times_stiffer_with_the_implicit_step_are_no_harm) {
@@ -137,7 +137,7 @@ void cut_hole(ParticleSet& set, double from, double to) {
     std::vector<int> number(set.size(), -1);
     for (std::size_t i = 0; i < set.size(); ++i) {
         const Vec& x = set.position[i];
-        if (set.kind(i) == ParticleKind::rigid && x[1] < 0 && x[0] > from && x[0] < to) continue;
+        if (set.kind(i) == PartKind::rigid && x[1] < 0 && x[0] > from && x[0] < to) continue;
         number[i] = static_cast<int>(kept.size());
         kept.position.push_back(x);
         kept.volume.push_back(set.volume[i]);
@@ -172,25 +172,25 @@ TEST(BlowUps, wall_with_a_hole) {
 }
 
 TEST(BlowUps, step_forced_to_three_times_its_size_breaks_more_slowly) {
-    const SceneAndParticles made = small_valve({"accuracy.shifting=0", "contact.range=0", "accuracy.step_factor=1"});
-    expect_found_in_time(ending_of(made, 0.5), "accuracy.step_factor = 1 is too large");
+    const SceneAndParticles made = small_valve({"numerics.shifting=0", "contact.range=0", "numerics.step_factor=1"});
+    expect_found_in_time(ending_of(made, 0.5), "numerics.step_factor = 1 is too large");
 }
 
 TEST(BlowUps, springs_with_a_step_a_little_too_long) {
-    SceneAndParticles made = small_valve({"accuracy.spring_stepping=subcycled"});
-    made.scene.accuracy.spring_step_factor = 1.3;
-    expect_found_in_time(ending_of(made, 0.5), "accuracy.spring_step_factor = 1.3 leaves the springs too large a step");
+    SceneAndParticles made = small_valve({"numerics.spring_stepping=subcycled"});
+    made.scene.numerics.spring_step_factor = 1.3;
+    expect_found_in_time(ending_of(made, 0.5), "numerics.spring_step_factor = 1.3 leaves the springs too large a step");
 }
 
 TEST(BlowUps, speeds_a_thousand_times_those_expected) {
-    const SceneAndParticles made = small_valve({"flow.largest_speed=0.0001 m/s", "accuracy.sound_speed=auto",
+    const SceneAndParticles made = small_valve({"flow.largest_speed=0.0001 m/s", "numerics.sound_speed=auto",
                                                 "flow.acceleration=[\"0.073 m/s^2 * cos(2*pi*t / 4 s)\", 0]"});
     expect_found_in_time(ending_of(made, 2), "flow.largest_speed = 0.0001 m/s is below what the drive produces");
 }
 
 TEST(BlowUps, a_drive_a_thousand_times_as_strong) {
     SceneAndParticles made = small_valve({"flow.acceleration=[\"73 m/s^2 * cos(2*pi*t / 4 s)\", 0]"});
-    expect_found_in_time(ending_of(made, 0.5), "accuracy.sound_speed = 2.5 m/s is not ten times the speed");
+    expect_found_in_time(ending_of(made, 0.5), "numerics.sound_speed = 2.5 m/s is not ten times the speed");
 }
 
 }  // namespace

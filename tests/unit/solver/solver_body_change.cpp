@@ -24,8 +24,8 @@ BodyParts::Node node(int id, double x, double y, int origin = 0) {
     node.id = id;
     node.origin = origin;
     node.mass = 1 + 0.1 * id;
-    node.place = node.place_before = Vec(x, y, 0);
-    node.place_at_rest = node.place - Vec(0, 0.25, 0);
+    node.location = node.position_before = Vec(x, y, 0);
+    node.rest_position = node.location - Vec(0, 0.25, 0);
     node.velocity = Vec(0.3 * id, -0.2, 0);
     return node;
 }
@@ -70,7 +70,7 @@ TEST(BodyChange, a_new_node_joins_the_body_it_is_bonded_to_at_the_distance_it_ha
     const BodyParts::Node given = node(2, 2.25, 1, 1);
     EXPECT_EQ(body.nodes[0].mass, given.mass);
     EXPECT_EQ(body.nodes[0].velocity, given.velocity);
-    EXPECT_EQ(body.nodes[0].place, given.place);
+    EXPECT_EQ(body.nodes[0].position, given.location);
 }
 
 TEST(BodyChange, bodies_that_are_bonded_become_one_and_keep_all_they_had) {
@@ -138,8 +138,8 @@ TEST(BodyChange, joins_in_one_image_and_never_binds_a_body_to_its_own) {
     change.bonds = {{22, 1, 0, 7, 0, 1}};
     const auto joined = change_bodies({row(20, 5.75, 2, 0)}, change, space_of(true));
     ASSERT_EQ(joined.bodies.size(), 1U);
-    EXPECT_EQ(joined.bodies[0].nodes[0].place, Vec(8.75, 2, 0));
-    EXPECT_EQ(joined.bodies[0].nodes[0].place_at_rest, Vec(8.75, 1.75, 0));
+    EXPECT_EQ(joined.bodies[0].nodes[0].position, Vec(8.75, 2, 0));
+    EXPECT_EQ(joined.bodies[0].nodes[0].rest_position, Vec(8.75, 1.75, 0));
     EXPECT_DOUBLE_EQ(joined.bodies[0].bonds.back().rest, 1);
 
     BodyChange ring;
@@ -148,7 +148,7 @@ TEST(BodyChange, joins_in_one_image_and_never_binds_a_body_to_its_own) {
     const auto closed = change_bodies(joined.bodies, ring, space_of(true));
     ASSERT_EQ(closed.bodies.size(), 1U);
     EXPECT_EQ(closed.made.size(), 4U) << "the fifth would bind it to its image";
-    EXPECT_EQ(closed.bodies[0].nodes[4].place, Vec(12.75, 2, 0));
+    EXPECT_EQ(closed.bodies[0].nodes[4].position, Vec(12.75, 2, 0));
 
     // Of two bodies the smaller one moves.
     BodyChange pair;
@@ -156,9 +156,9 @@ TEST(BodyChange, joins_in_one_image_and_never_binds_a_body_to_its_own) {
     pair.bonds = {{60, 61, 0, 1, 0, 0}, {60, 32, 0, 1, 0, 0}};
     const auto moved = change_bodies({row(30, 5.25, 5, 0)}, pair, space_of(true));
     ASSERT_EQ(moved.bodies.size(), 1U);
-    EXPECT_EQ(moved.bodies[0].nodes[0].place, Vec(5.25, 5, 0));
-    EXPECT_EQ(moved.bodies[0].nodes[3].place, Vec(8.25, 5, 0));
-    EXPECT_EQ(moved.bodies[0].nodes[4].place, Vec(9.25, 5, 0));
+    EXPECT_EQ(moved.bodies[0].nodes[0].position, Vec(5.25, 5, 0));
+    EXPECT_EQ(moved.bodies[0].nodes[3].position, Vec(8.25, 5, 0));
+    EXPECT_EQ(moved.bodies[0].nodes[4].position, Vec(9.25, 5, 0));
 }
 
 TEST(BodyChange, a_walls_particle_that_holds_nothing_any_more_is_no_body) {

@@ -33,7 +33,7 @@ BodyParts chain(double stretch, bool from_right = false) {
         node.drag = 0.5;
         const int column = from_right ? bonds - n : n;
         node.fixed = n == 0 || n == bonds;
-        node.place = node.place_before = node.place_at_rest = Vec(column * (r0 + stretch), 0, 0);
+        node.location = node.position_before = node.rest_position = Vec(column * (r0 + stretch), 0, 0);
         parts.nodes.push_back(node);
     }
     for (int n = 0; n < bonds; ++n) parts.bonds.push_back({{n, n + 1}, r0, k, 0, 0});
@@ -52,9 +52,9 @@ TEST(BondBreaking, of_equals_the_one_with_the_lowest_ids_breaks) {
         EXPECT_EQ((*broken)[1], (*broken)[0] + 1);
     }
     BodyParts two = chain(over);
-    two.nodes[1].place = Vec(0.25, 0, 0);  // exact: 0, 0.25, 0.5
-    two.nodes[2].place = Vec(0.5, 0, 0);
-    two.nodes[0].place = Vec::Zero();
+    two.nodes[1].position = Vec(0.25, 0, 0);  // exact: 0, 0.25, 0.5
+    two.nodes[2].position = Vec(0.5, 0, 0);
+    two.nodes[0].position = Vec::Zero();
     two.bonds = {{{1, 2}, 0.125, k, 0, 0}, {{0, 1}, 0.125, k, 0, 0}};
     EXPECT_EQ(overloaded_bond(body_of(two), by_force, 0), (std::array{0, 1}));
 }

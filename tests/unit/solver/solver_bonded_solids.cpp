@@ -20,7 +20,7 @@ constexpr double modulus = 1e6, width = 0.5, spacing = 0.03125;
 /// A bar of 0.5 m x 2 m across the channel, of sixteen particles in its width.
 Texts bar(const std::string& arrangement, const std::string& fill, double within) {
     Texts texts{channel.scene +
-                    "[[part]]\nname = \"bar\"\nkind = \"springs\"\ndensity = \"1200 kg/m^3\"\n"
+                    "[[part]]\nname = \"bar\"\nkind = \"elastic\"\ndensity = \"1200 kg/m^3\"\n"
                     "youngs_modulus = \"1 MPa\"\nanchor = \"wall\"\nbonds_within = \"" +
                     std::to_string(within * spacing) + " m\"\n",
                 channel.drawing + R"(Point(10) = {1.75, 0, 0};
@@ -44,16 +44,16 @@ class HangingBar {
   public:
     explicit HangingBar(const Texts& texts) {
         const auto meshed = mesh_texts(texts);
-        BodyParts parts = drawn_body(meshed.particles, DrawnSprings(meshed.particles, meshed.scene), 0, 0);
+        BodyParts parts = initial_body(meshed.particles, InitialSprings(meshed.particles, meshed.scene), 0, 0);
         std::vector<double> mass;
         for (auto& node : parts.nodes) {
-            node.fixed = node.fixed && node.place.y() < 1;  // the channel has a wall at the other end too
-            place_.push_back(node.place);
+            node.fixed = node.fixed && node.location.y() < 1;  // the channel has a wall at the other end too
+            position_.push_back(node.location);
             mass.push_back(node.mass);
         }
         // Statics wants a set of the body's nodes alone.
-        nodes_ = set_of_nodes(2, place_, mass);
-        for (std::size_t n = 0; n < place_.size(); ++n) nodes_.fixed[n] = parts.nodes[n].fixed ? 1 : 0;
+        nodes_ = set_of_nodes(2, position_, mass);
+        for (std::size_t n = 0; n < position_.size(); ++n) nodes_.fixed[n] = parts.nodes[n].fixed ? 1 : 0;
         for (const auto& bond : parts.bonds)
             nodes_.bonds.push_back({bond.node[0], bond.node[1], bond.rest, bond.stiffness});
         body_.emplace(parts, "bar", spacing, SpringContact{});
@@ -69,7 +69,7 @@ class HangingBar {
     [[nodiscard]] double bent() const {
         constexpr double middle = 2;
         double squares = 0;
-        for (const Vec& at : place_)
+        for (const Vec& at : position_)
             if (at.y() > free_end) squares += std::pow(at.x() - middle, 2);
         const double couple = 1e-7 * modulus * std::pow(width, 3);
         const auto moved = under([&](const Vec& at, double) { return couple * (at.x() - middle) / squares; }, 0);
@@ -83,30 +83,30 @@ class HangingBar {
     template <class Load>
     [[nodiscard]] std::vector<double> under(const Load& load, int axis) const {
         const auto count =
-            static_cast<double>(std::ranges::count_if(place_, [](const Vec& at) { return at.y() > free_end; }));
-        SpringNetwork<2>::Vectors force(place_.size(), Vector<double, 2>{});
-        for (std::size_t n = 0; n < place_.size(); ++n)
-            if (place_[n].y() > free_end) force[n][1] = load(place_[n], count);
+            static_cast<double>(std::ranges::count_if(position_, [](const Vec& at) { return at.y() > free_end; }));
+        SpringNetwork<2>::Vectors force(position_.size(), Vector<double, 2>{});
+        for (std::size_t n = 0; n < position_.size(); ++n)
+            if (position_[n].y() > free_end) force[n][1] = load(position_[n], count);
         const auto at = statics(*body_, nodes_, force);
         std::vector<double> moved;
-        for (std::size_t n = 0; n < place_.size(); ++n) moved.push_back(at[n][axis] - place_[n][axis]);
+        for (std::size_t n = 0; n < position_.size(); ++n) moved.push_back(at[n][axis] - position_[n][axis]);
         return moved;
     }
     /// Least squares over y in the middle half.
     [[nodiscard]] Eigen::VectorXd polynomial(const std::vector<double>& moved, int degree) const {
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(degree + 1, degree + 1);
         Eigen::VectorXd right = Eigen::VectorXd::Zero(degree + 1);
-        for (std::size_t n = 0; n < place_.size(); ++n) {
-            if (std::abs(place_[n].y() - 1) > 0.5) continue;
+        for (std::size_t n = 0; n < position_.size(); ++n) {
+            if (std::abs(position_[n].y() - 1) > 0.5) continue;
             Eigen::VectorXd powers(degree + 1);
-            for (int k = 0; k <= degree; ++k) powers[k] = std::pow(place_[n].y(), k);
+            for (int k = 0; k <= degree; ++k) powers[k] = std::pow(position_[n].y(), k);
             normal += powers * powers.transpose();
             right += moved[n] * powers;
         }
         return normal.ldlt().solve(right);
     }
 
-    std::vector<Vec> place_;
+    std::vector<Vec> position_;
     ParticleSet nodes_;
     std::optional<SpringNetwork<2>> body_;
 };

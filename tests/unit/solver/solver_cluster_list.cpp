@@ -28,11 +28,11 @@ std::size_t id_of(const ParticleGroup& group, std::int32_t index) {
 }
 
 /// Sorts the particles and makes their copies.
-Clusters sorted_with_copies(ParticleStore& particles, double reach) {
+Clusters sorted_with_ghosts(ParticleStore& particles, double reach) {
     Neighbours neighbours(ranks, particles.space(), reach, 1);
     neighbours.renew(particles);
     Clusters clusters;
-    for (const ParticleKind kind : all_kinds) {
+    for (const PartKind kind : all_kinds) {
         const auto found = neighbours.list().clusters(kind);
         clusters[static_cast<std::size_t>(kind)].assign(found.begin(), found.end());
     }
@@ -72,7 +72,7 @@ class ClusterListIn : public testing::TestWithParam<Space> {
     /// Calls visit(group, number, cluster) for all clusters of all kinds.
     template <class Visit>
     void for_each_cluster(const Visit& visit) const {
-        for (const ParticleKind kind : all_kinds)
+        for (const PartKind kind : all_kinds)
             for (std::size_t c = 0; c < list.clusters(kind).size(); ++c)
                 visit(particles.of(kind), c, list.clusters(kind)[c]);
     }
@@ -80,7 +80,7 @@ class ClusterListIn : public testing::TestWithParam<Space> {
     static constexpr double reach = 0.34;
     ParticleSet set;
     ParticleStore particles;
-    Clusters clusters = sorted_with_copies(particles, reach);
+    Clusters clusters = sorted_with_ghosts(particles, reach);
     ClusterList list;
     ById by_id{(particles)};
 };
@@ -102,7 +102,7 @@ TEST_P(ClusterListIn, every_pair_within_reach_is_found_and_no_neighbour_comes_tw
     std::map<std::size_t, std::set<Neighbour>> found;
     for_each_cluster([&](const ParticleGroup& group, std::size_t number, const Cluster& cluster) {
         std::set<Neighbour> neighbours;
-        for (const ParticleKind kind : all_kinds)
+        for (const PartKind kind : all_kinds)
             for (const std::int32_t index : list.neighbours(group.kind(), number, kind))
                 EXPECT_TRUE(neighbours.insert(named(particles.of(kind), index)).second);
         for (std::int32_t k = 0; k < cluster.count; ++k) found[id_of(group, cluster.first + k)] = neighbours;
@@ -119,7 +119,7 @@ TEST_P(ClusterListIn, every_pair_within_reach_is_found_and_no_neighbour_comes_tw
 
 TEST_P(ClusterListIn, lists_nobody_who_is_out_of_reach_of_all_members_or_never_interacts) {
     for_each_cluster([&](const ParticleGroup& group, std::size_t number, const Cluster& cluster) {
-        for (const ParticleKind kind : all_kinds)
+        for (const PartKind kind : all_kinds)
             for (const std::int32_t index : list.neighbours(group.kind(), number, kind)) {
                 const ParticleGroup& others = particles.of(kind);
                 double nearest = 1e300;
@@ -140,10 +140,10 @@ TEST_P(ClusterListIn, lists_nobody_who_is_out_of_reach_of_all_members_or_never_i
 
 void expect_equal(const ClusterList& a, const ClusterList& b) {
     ASSERT_EQ(a.size(), b.size());
-    for (const ParticleKind kind : all_kinds) {
+    for (const PartKind kind : all_kinds) {
         ASSERT_EQ(a.clusters(kind).size(), b.clusters(kind).size());
         for (std::size_t c = 0; c < a.clusters(kind).size(); ++c)
-            for (const ParticleKind of : all_kinds) {
+            for (const PartKind of : all_kinds) {
                 const auto x = a.neighbours(kind, c, of), y = b.neighbours(kind, c, of);
                 EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end()));
             }
@@ -201,7 +201,7 @@ TEST(ClusterList, of_nobody_is_empty) {
     list.build(particles, {}, 0.3, 2);
     EXPECT_FALSE(list.empty());
     EXPECT_EQ(list.size(), 0U);
-    for (const ParticleKind kind : all_kinds) EXPECT_TRUE(list.clusters(kind).empty());
+    for (const PartKind kind : all_kinds) EXPECT_TRUE(list.clusters(kind).empty());
 }
 
 TEST(ClusterList, of_one_kind_alone_leaves_the_others_empty) {
@@ -214,20 +214,20 @@ TEST(ClusterList, of_one_kind_alone_leaves_the_others_empty) {
     Neighbours neighbours(ranks, particles.space(), 0.3, 1);
     neighbours.renew(particles);
     const ClusterList& list = neighbours.list();
-    ASSERT_FALSE(list.clusters(ParticleKind::fluid).empty());
-    for (std::size_t c = 0; c < list.clusters(ParticleKind::fluid).size(); ++c) {
-        EXPECT_FALSE(list.neighbours(ParticleKind::fluid, c, ParticleKind::fluid).empty());
-        EXPECT_TRUE(list.neighbours(ParticleKind::fluid, c, ParticleKind::rigid).empty());
-        EXPECT_TRUE(list.neighbours(ParticleKind::fluid, c, ParticleKind::springs).empty());
+    ASSERT_FALSE(list.clusters(PartKind::fluid).empty());
+    for (std::size_t c = 0; c < list.clusters(PartKind::fluid).size(); ++c) {
+        EXPECT_FALSE(list.neighbours(PartKind::fluid, c, PartKind::fluid).empty());
+        EXPECT_TRUE(list.neighbours(PartKind::fluid, c, PartKind::rigid).empty());
+        EXPECT_TRUE(list.neighbours(PartKind::fluid, c, PartKind::elastic).empty());
     }
 }
 
 /// The neighbours of all clusters, one after another.
 std::vector<std::int32_t> neighbours_in(const ClusterList& list) {
     std::vector<std::int32_t> all;
-    for (const ParticleKind own : all_kinds)
+    for (const PartKind own : all_kinds)
         for (std::size_t c = 0; c < list.clusters(own).size(); ++c)
-            for (const ParticleKind other : all_kinds) {
+            for (const PartKind other : all_kinds) {
                 const auto some = list.neighbours(own, c, other);
                 all.insert(all.end(), some.begin(), some.end());
                 all.push_back(-1);
@@ -239,14 +239,13 @@ TEST(ClusterList, keeps_the_near_ones_and_finds_the_others_again) {
     ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
     constexpr double reach = 0.3;
     ClusterList list;
-    list.build(particles, sorted_with_copies(particles, reach), reach, 2);
+    list.build(particles, sorted_with_ghosts(particles, reach), reach, 2);
     const std::vector<std::int32_t> all = neighbours_in(list);
     const std::size_t listed = list.size();
     const auto keep = [&](auto is_near) {
-        for (const ParticleKind own : all_kinds)
+        for (const PartKind own : all_kinds)
             for (std::size_t c = 0; c < list.clusters(own).size(); ++c)
-                for (const ParticleKind other : all_kinds)
-                    list.keep_near(own, c, other, is_near, static_cast<int>(c % 2));
+                for (const PartKind other : all_kinds) list.prune(own, c, other, is_near, static_cast<int>(c % 2));
     };
     keep([](std::int32_t index) { return index % 3 == 0; });
     std::vector<std::int32_t> expected = all;
@@ -267,16 +266,16 @@ TEST(ClusterList, tells_clusters_near_copies_from_all_others) {
     neighbours.renew(particles);
     const ClusterList& list = neighbours.list();
     std::size_t inner = 0, border = 0;
-    for (const ParticleKind own : all_kinds)
+    for (const PartKind own : all_kinds)
         for (std::size_t c = 0; c < list.clusters(own).size(); ++c) {
-            bool near_copy = false;
-            for (const ParticleKind other : all_kinds)
+            bool near_ghost = false;
+            for (const PartKind other : all_kinds)
                 for (const std::int32_t index : list.neighbours(own, c, other))
-                    near_copy = near_copy || index >= static_cast<std::int32_t>(particles.of(other).owned());
+                    near_ghost = near_ghost || index >= static_cast<std::int32_t>(particles.of(other).owned());
             EXPECT_TRUE(list.chosen(own, c, ClusterChoice::all));
-            EXPECT_EQ(list.chosen(own, c, ClusterChoice::border), near_copy);
-            EXPECT_EQ(list.chosen(own, c, ClusterChoice::inner), !near_copy);
-            ++(near_copy ? border : inner);
+            EXPECT_EQ(list.chosen(own, c, ClusterChoice::border), near_ghost);
+            EXPECT_EQ(list.chosen(own, c, ClusterChoice::inner), !near_ghost);
+            ++(near_ghost ? border : inner);
         }
     EXPECT_GT(inner, 0U);
     EXPECT_GT(border, 0U);
@@ -287,7 +286,7 @@ TEST(Neighbours, look_through_their_list_before_pairs_can_be_missed) {
     Neighbours neighbours(ranks, particles.space(), 0.3, 1);
     neighbours.renew(particles);
     double reach = 0;
-    const auto look = [&] { return neighbours.look_through(particles, [&](ClusterList&, double r) { reach = r; }); };
+    const auto look = [&] { return neighbours.prune_list(particles, [&](ClusterList&, double r) { reach = r; }); };
     const auto all_go = [&](double distance) {
         for (ParticleGroup& group : particles.groups())
             for (std::size_t i = 0; i < group.owned(); ++i) group.data(Field::position, 1)[i] += distance;

@@ -83,12 +83,12 @@ TEST(ContactStiffness, of_bodies_is_the_largest_sum_over_all_that_touches_a_node
 
 TEST(ContactStiffness, of_a_body_with_itself) {
     SelfContact<2> contact({{strength}, range}, {{0, 1}});
-    const SelfContact<2>::Vectors place{{{0, 0}}, {{0.02, 0}}, {{0, 0.08}}};
+    const SelfContact<2>::Vectors position{{{0, 0}}, {{0.02, 0}}, {{0, 0.08}}};
     const auto stiffness = [&](double square) { return contact_stiffness({strength}, square, range); };
     const double of_first = contact_rate(stiffness(0.0064), 1 / 3.0, 1 / 5.0),
                  of_last = contact_rate(stiffness(0.0064), 1 / 5.0, 1 / 3.0) +
                            contact_rate(stiffness(0.0064 + 0.0004), 1 / 5.0, 1 / 2.0);
-    EXPECT_DOUBLE_EQ(contact.rate(place, {1 / 3.0, 1 / 2.0, 1 / 5.0}), std::max(of_first, of_last));
+    EXPECT_DOUBLE_EQ(contact.rate(position, {1 / 3.0, 1 / 2.0, 1 / 5.0}), std::max(of_first, of_last));
 }
 
 /// A light rod between two fixed ones, all but in the middle, at 0.68 of the range from each; nothing else is there.
@@ -107,7 +107,7 @@ SceneAndParticles squeezed_rod() {
     set.fixed = {1, 1, 0, 0, 1, 1};
     std::ranges::fill(set.mass, 0.5);
     made.scene.contact.strength = strength;
-    made.scene.accuracy.sound_speed = 10.0;
+    made.scene.numerics.sound_speed = 10.0;
     made.scene.run.duration = made.scene.output.every = 0.5;
     return made;
 }

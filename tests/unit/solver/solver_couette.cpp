@@ -97,8 +97,8 @@ TEST(Couette, lid_may_slide_by_a_formula_of_time_and_place) {
         return couette("0.05 mm", {"run.duration=\"0.05 s\"", "part.lid.surface_velocity=[\"" + formula + "\", 0]"});
     };
     const Flow uniform = flow_of(of_place("1.25e-5 m/s * sin(t / 0.01 s)"));
-    const Flow by_place = flow_of(of_place("x > 10 m ? 0 : 1.25e-5 m/s * sin(t / 0.01 s)"));
-    EXPECT_EQ(uniform.summary.state_hash, by_place.summary.state_hash);
+    const Flow by_position = flow_of(of_place("x > 10 m ? 0 : 1.25e-5 m/s * sin(t / 0.01 s)"));
+    EXPECT_EQ(uniform.summary.state_hash, by_position.summary.state_hash);
     EXPECT_NE(uniform.summary.end.momentum[0], 0);
     EXPECT_LT(uniform.summary.momentum_residual, 1e-12);
 }

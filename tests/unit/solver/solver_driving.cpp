@@ -31,9 +31,9 @@ TEST(ForceOnPart, moves_a_fluid_as_newton_says_in_total_and_per_particle) {
     EXPECT_EQ(run(made).state_hash, total.state_hash) << "64 N on 64 particles are 1 N on each";
     EXPECT_EQ(run(made, 3).state_hash, total.state_hash) << "on any number of threads";
     made.scene.forces = {force_on("water", "1 * cos(0 * x)", "-0.5", ForceAmount::per_particle)};
-    const RunSummary by_place = run(made);
-    EXPECT_NEAR(by_place.end.momentum[0], 64, 64e-12);
-    EXPECT_LT(by_place.momentum_residual, 1e-12);
+    const RunSummary by_position = run(made);
+    EXPECT_NEAR(by_position.end.momentum[0], 64, 64e-12);
+    EXPECT_LT(by_position.momentum_residual, 1e-12);
 }
 
 TEST(ForceOnPart, of_time_gives_its_integral) {
@@ -102,7 +102,7 @@ TEST(MovingShape, gives_its_impulse_to_the_account_of_a_run) {
     MovingShape shape = bead_in_a_parabola().scene.moving_shapes[0];
     shape.parts = std::vector<std::string>{"flags"};
     shape.kind = ShapeKind::circle;
-    shape.place = std::array{formula_of("0.2 + 0.1 * t"), formula_of("0.45"), Expression()};
+    shape.position = std::array{formula_of("0.2 + 0.1 * t"), formula_of("0.45"), Expression()};
     shape.radius = 0.15;
     shape.strength = 5.0;
     shape.side = PushedSide::outside;

@@ -97,16 +97,16 @@ TEST_P(FluidOption, gives_the_same_bits_on_any_number_of_threads) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, FluidOption,
-    testing::Values(Option{"linear", {"accuracy.equation_of_state=linear"}, "linear equation of state (accuracy.equ"},
-                    Option{"background", {"accuracy.background_pressure=\"1e-6 Pa\""}, "background pressure (accuracy"},
-                    Option{"summation", {"accuracy.density=summation"}, "summation density (accuracy.density at"},
-                    Option{"correction", {"accuracy.gradient_correction=true"}, "gradient correction (accuracy."},
-                    Option{"transport", {"accuracy.transport_velocity=true"}, "transport velocity (accuracy.tra"},
+    testing::Values(Option{"linear", {"numerics.equation_of_state=linear"}, "linear equation of state (numerics.equ"},
+                    Option{"background", {"numerics.background_pressure=\"1e-6 Pa\""}, "background pressure (accuracy"},
+                    Option{"summation", {"numerics.density=summation"}, "summation density (numerics.density at"},
+                    Option{"correction", {"numerics.gradient_correction=true"}, "gradient correction (accuracy."},
+                    Option{"transport", {"numerics.transport_velocity=true"}, "transport velocity (numerics.tra"},
                     Option{"transport_and_summation",
-                           {"accuracy.transport_velocity=true", "accuracy.density=summation"},
-                           "transport velocity (accuracy.tra"},
-                    Option{"quintic_spline", {"accuracy.kernel=quintic_spline"}, "continuity"},
-                    Option{"cubic_spline", {"accuracy.kernel=cubic_spline"}, "continuity"}),
+                           {"numerics.transport_velocity=true", "numerics.density=summation"},
+                           "transport velocity (numerics.tra"},
+                    Option{"quintic_spline", {"numerics.kernel=quintic_spline"}, "continuity"},
+                    Option{"cubic_spline", {"numerics.kernel=cubic_spline"}, "continuity"}),
     [](const auto& option) { return option.param.name; });
 
 /// Particles hardly move here: the flow is that of the viscosity which the lattice makes of the law. Where only
@@ -115,7 +115,7 @@ TEST(MonaghanViscosity, follows_the_series_of_its_viscosity_on_the_lattice) {
     const WendlandC2<2> kernel(3);
     const LatticeViscosity lattice = lattice_viscosity_of_monaghan(2, 1, 3, [&](double r) { return kernel.slope(r); });
     for (const char* law : {"monaghan", "monaghan_approaching"}) {
-        const Flow flow = flow_of({std::string("accuracy.viscous_law=") + law, "accuracy.sound_speed=50 mm/s"});
+        const Flow flow = flow_of({std::string("numerics.viscous_law=") + law, "numerics.sound_speed=50 mm/s"});
         EXPECT_LE(error_of(flow, 1e-6 * lattice.shear), 0.01) << law;
         EXPECT_GE(error_of(flow), 0.05) << law;
         EXPECT_LT(flow.summary.momentum_residual, 1e-12);
@@ -139,14 +139,14 @@ double speed_of_layers(double y, double lower, double upper) {
 TEST(ViscosityMean, harmonic_keeps_shear_stress_continuous_between_two_fluids) {
     const auto error_with = [](const std::string& mean) {
         auto made = case_of("verification/poiseuille",
-                            {"accuracy.viscosity_mean=" + mean, "output.every=1 s", "output.fields=['velocity']"});
+                            {"numerics.viscosity_mean=" + mean, "output.every=1 s", "output.fields=['velocity']"});
         Part oil = made.scene.parts.front();
         oil.name = std::string("oil");
         oil.viscosity = 5e-3;
         made.scene.parts.push_back(oil);
-        made.particles.parts.push_back({"oil", ParticleKind::fluid});
+        made.particles.parts.push_back({"oil", PartKind::fluid});
         for (std::size_t i = 0; i < made.particles.size(); ++i)
-            if (made.particles.kind(i) == ParticleKind::fluid && made.particles.position[i][1] > width / 2)
+            if (made.particles.kind(i) == PartKind::fluid && made.particles.position[i][1] > width / 2)
                 made.particles.part[i] = static_cast<int>(made.particles.parts.size()) - 1;
         KeptFrames kept;
         RunOptions run;

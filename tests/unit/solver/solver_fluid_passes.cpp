@@ -37,7 +37,7 @@ std::vector<LiquidState> states_of(const Variant& variant) {
 /// A crowd in a random state, with two copies of each kind.
 ParticleStore particles_of(const Variant& variant) {
     ParticleSet set = crowd(variant.dimension, {true, false, false});
-    set.parts.push_back({"oil", ParticleKind::fluid});
+    set.parts.push_back({"oil", PartKind::fluid});
     for (std::size_t i = 0; i < set.size(); i += 3)
         if (variant.two_liquids && set.part[i] == 0) set.part[i] = 3;
     std::vector<double> densities;
@@ -100,7 +100,7 @@ class FluidPassesOn : public testing::TestWithParam<Variant> {
 TEST_P(FluidPassesOn, drift_to_middle) {
     passes().drift_to_middle(particles, dt);
     for_each([&](const ParticleGroup& now, const ParticleGroup& then, std::size_t i) {
-        const bool is_fluid = now.kind() == ParticleKind::fluid;
+        const bool is_fluid = now.kind() == PartKind::fluid;
         for (int axis = 0; axis < now.dimension(); ++axis) {
             const double x = then.data(Field::position, axis)[i];
             const double moved = now.data(Field::position, axis)[i] - x;
@@ -137,7 +137,7 @@ TEST_P(FluidPassesOn, kick) {
     const double fastest = passes().kick(particles.fluid(), dt, g).largest;
     double expected_fastest = 0;
     for_each([&](const ParticleGroup& now, const ParticleGroup& then, std::size_t i) {
-        const bool is_fluid = now.kind() == ParticleKind::fluid;
+        const bool is_fluid = now.kind() == PartKind::fluid;
         expect_kept({Field::position, Field::density, Field::force, Field::mass}, now, then, i);
         double square = 0;
         for (int axis = 0; axis < now.dimension(); ++axis) {
@@ -182,7 +182,7 @@ TEST_P(FluidPassesOn, drift_to_end_with_shifting) {
             const double density = then.data(Field::density)[i] + dt * then.data(Field::density_rate)[i];
             EXPECT_DOUBLE_EQ(now.data(Field::density)[i], density);
         }
-        if (now.kind() != ParticleKind::fluid) return expect_kept({Field::position}, now, then, i);
+        if (now.kind() != PartKind::fluid) return expect_kept({Field::position}, now, then, i);
         Vec way = Vec::Zero();
         for (int axis = 0; axis < now.dimension(); ++axis) way[axis] = shift.per_sum * then.data(Field::shift, axis)[i];
         const double length = way.norm();
@@ -206,7 +206,7 @@ TEST_P(FluidPassesOn, drift_to_end_with_shifting) {
 TEST_P(FluidPassesOn, drift_to_end_without_shifting) {
     EXPECT_EQ(passes().drift_to_end(particles, dt, {}).longest_shift, 0);
     for_each([&](const ParticleGroup& now, const ParticleGroup& then, std::size_t i) {
-        if (now.kind() != ParticleKind::fluid) return;
+        if (now.kind() != PartKind::fluid) return;
         for (int axis = 0; axis < now.dimension(); ++axis) {
             const double moved = now.data(Field::position, axis)[i] - then.data(Field::position, axis)[i];
             EXPECT_NEAR(moved, dt * then.data(Field::velocity, axis)[i], 0.5 * particles.quantum().size());

@@ -138,7 +138,7 @@ TEST(MovingShape, carries_a_mass_that_swings_in_it_as_a_pendulum) {
 
 TEST(MovingShape, at_rest_keeps_the_energy_of_what_it_pushes) {
     DrivenBead made = bead_in_a_parabola();
-    made.scene.moving_shapes[0].place = std::array<Expression, 3>{};
+    made.scene.moving_shapes[0].position = std::array<Expression, 3>{};
     const Driving driving(made.scene, made.particles, made.particles);
     Vec x(0.3, 0.4, 0), speed(0.5, 0, 0.1);
     constexpr double dt = 1e-5;
@@ -158,7 +158,7 @@ TEST(MovingShape, at_rest_keeps_the_energy_of_what_it_pushes) {
 
 TEST(MovingShape, is_felt_by_its_parts_alone_and_across_a_period) {
     DrivenBead made = bead_in_a_parabola();
-    made.particles.parts.push_back({"other", ParticleKind::spheres});
+    made.particles.parts.push_back({"other", PartKind::spheres});
     made.particles.periodic = {true, false, false};  // of 2 m
     const Driving driving(made.scene, made.particles, made.particles);
     const Vec near(0, 0.05, 0);

@@ -20,9 +20,9 @@ namespace {
 constexpr double height = 1, gravity = 9.81, density = 1000;  // [m], [m/s^2], [kg/m^3]
 constexpr int wall_rows = 3;
 
-void add(ParticleSet& set, const Vec& place, int part, const Vec& from_surface) {
+void add(ParticleSet& set, const Vec& position, int part, const Vec& from_surface) {
     const double volume = set.spacing * set.spacing;
-    set.position.push_back(place);
+    set.position.push_back(position);
     set.volume.push_back(volume);
     set.mass.push_back(density * volume);
     set.part.push_back(part);
@@ -57,15 +57,15 @@ SceneAndParticles basin(int columns, int rows) {
     ParticleSet& set = made.particles;
     set = ParticleSet();
     set.spacing = dx;
-    set.parts = {{"water", ParticleKind::fluid}, {"wall", ParticleKind::rigid}};
+    set.parts = {{"water", PartKind::fluid}, {"wall", PartKind::rigid}};
     for (int row = -wall_rows; row < rows + 5; ++row)
         for (int column = -wall_rows; column < columns + wall_rows; ++column) {
-            const Vec place((column + 0.5) * dx, (row + 0.5) * dx, 0);
-            const Vec surface(std::clamp(place[0], 0.0, width), std::max(place[1], 0.0), 0);
-            if (place != surface)
-                add(set, place, 1, place - surface);
+            const Vec position((column + 0.5) * dx, (row + 0.5) * dx, 0);
+            const Vec surface(std::clamp(position[0], 0.0, width), std::max(position[1], 0.0), 0);
+            if (position != surface)
+                add(set, position, 1, position - surface);
             else if (row < rows)
-                add(set, place, 0, Vec::Zero());
+                add(set, position, 0, Vec::Zero());
         }
     set.box = {Vec(-wall_rows * dx, -wall_rows * dx, 0), Vec(width + wall_rows * dx, height + 5 * dx, 0)};
     return made;
@@ -90,7 +90,7 @@ struct Rest {
     RunSummary summary;
 };
 
-Rest settle(const SceneAndParticles& made, int threads = 1) {
+Rest rest_test(const SceneAndParticles& made, int threads = 1) {
     KeptFrames kept;
     RunOptions options;
     options.sink = &kept;
@@ -140,7 +140,7 @@ TEST(SoundSpeed, follows_from_the_largest_speed_or_the_pressure_of_the_column) {
     EXPECT_FALSE(chosen(made).pressure_is_estimated);
     EXPECT_TRUE(chosen(made).pressure_rules);
 
-    made.scene.accuracy.sound_speed = 7.0;
+    made.scene.numerics.sound_speed = 7.0;
     EXPECT_EQ(chosen(made).value, 7);
     EXPECT_FALSE(chosen(made).pressure_rules);
 }
@@ -158,7 +158,7 @@ TEST(SoundSpeed, of_a_fluid_driven_along_a_periodic_axis_is_ten_times_its_speed)
 TEST(FreeSurface, column_settles_to_the_hydrostatic_pressure) {
     for (const int rows : {20, 50}) {
         const SceneAndParticles made = basin(10, rows);
-        const Rest rest = settle(made);
+        const Rest rest = rest_test(made);
         EXPECT_LE(rest.pressure_error, 0.005) << rows;
         EXPECT_LE(rest.speed, 1e-3 * std::sqrt(gravity * height)) << rows;
         // The surface is where the weight says, within a fifth of a spacing: nobody was shifted out of the fluid.
@@ -172,7 +172,7 @@ TEST(FreeSurface, column_settles_to_the_hydrostatic_pressure) {
 TEST(FreeSurface, column_is_the_same_bits_on_any_number_of_threads) {
     SceneAndParticles made = basin(10, 10);
     made.scene.run.duration = made.scene.output.every = 0.2;
-    EXPECT_EQ(settle(made, 3).summary.state_hash, settle(made).summary.state_hash);
+    EXPECT_EQ(rest_test(made, 3).summary.state_hash, rest_test(made).summary.state_hash);
 }
 
 TEST(FreeSurface, is_named_in_the_plan_with_what_minds_it) {

@@ -61,7 +61,7 @@ double limit(const Plan& plan, const std::string& model) {
 /// The step factor that makes steps as long as `factor` times the explicit viscous limit.
 double step_factor_for(const SceneAndParticles& made, double factor) {
     const Plan plan = Simulation(made.scene, made.particles, 1).plan();
-    return made.scene.accuracy.step_factor * factor * limit(plan, "viscosity") / limit(plan, "sound");
+    return made.scene.numerics.step_factor * factor * limit(plan, "viscosity") / limit(plan, "sound");
 }
 
 struct Ratio {
@@ -90,9 +90,9 @@ TEST(ImplicitViscosity, is_explicit_viscosity_to_first_order_in_the_step) {
     SceneAndParticles made = poiseuille(0.0125, 0.1);
     const auto velocities = [&](ViscosityStepping stepping, double factor) {
         SceneAndParticles one = made;
-        one.scene.accuracy.viscosity_stepping = stepping;
-        one.scene.accuracy.viscosity_tolerance = 1e-10;
-        one.scene.accuracy.step_factor = step_factor_for(made, factor);
+        one.scene.numerics.viscosity_stepping = stepping;
+        one.scene.numerics.viscosity_tolerance = 1e-10;
+        one.scene.numerics.step_factor = step_factor_for(made, factor);
         return field_of(*group_of(run(one).last(), "fluid"), "velocity")->values;
     };
     const auto exact = velocities(ViscosityStepping::explicitly, 1.0 / 64);
@@ -191,20 +191,20 @@ TEST(ImplicitViscosity, goes_on_from_a_checkpoint_as_if_it_had_not_stopped) {
 
 TEST(ImplicitViscosity, says_when_it_finds_no_solution) {
     SceneAndParticles made = poiseuille(9.1e-6, 1.5);
-    made.scene.accuracy.viscosity_tolerance = 1e-17;
+    made.scene.numerics.viscosity_tolerance = 1e-17;
     try {
         run(made);
         FAIL() << "a residual below rounding";
     } catch (const DivergenceError& error) {
         EXPECT_THAT(error.problem(), ::testing::HasSubstr("implicit viscosity: the velocities' error is still "));
-        EXPECT_THAT(error.what_to_do(), ::testing::HasSubstr("raise accuracy.viscosity_tolerance"));
+        EXPECT_THAT(error.what_to_do(), ::testing::HasSubstr("raise numerics.viscosity_tolerance"));
     }
 }
 
 TEST(ImplicitViscosity, takes_its_limit_out_of_the_step_and_says_so) {
     SceneAndParticles made = poiseuille(9.1e-4, 1);
     const Plan implicit_plan = Simulation(made.scene, made.particles, 1).plan();
-    made.scene.accuracy.viscosity_stepping = ViscosityStepping::explicitly;
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::explicitly;
     const Plan explicit_plan = Simulation(made.scene, made.particles, 1).plan();
     EXPECT_EQ(explicit_plan.ruling_limit, "viscosity");
     EXPECT_EQ(implicit_plan.ruling_limit, "body force");

@@ -14,7 +14,7 @@ SceneAndParticles water_with_a_rod(double node_mass) {
     SceneAndParticles made = endless_water("1");
     add_flags(made);
     ParticleSet& set = made.particles;
-    const Vec place = set.position[27];
+    const Vec position = set.position[27];
     const auto take_out = [&](std::size_t i) {
         const auto at = static_cast<std::ptrdiff_t>(i);
         const auto erase = [at](auto& values) { values.erase(values.begin() + at); };
@@ -30,7 +30,7 @@ SceneAndParticles water_with_a_rod(double node_mass) {
     };
     take_out(35);  // above it
     take_out(27);
-    add_rod(made, place, 0);
+    add_rod(made, position, 0);
     for (std::size_t i = set.size() - 2; i < set.size(); ++i) set.mass[i] = node_mass;
     made.scene.contact.range = 0.0;
     return made;
@@ -53,7 +53,7 @@ TEST(InertialMass, of_spring_nodes_does_not_enter_the_liquids_sums) {
     const SceneAndParticles light = water_with_a_rod(10), heavy = water_with_a_rod(90);
     for (const SceneAndParticles* made : {&light, &heavy}) {
         const ParticleStore store(made->particles, rest_densities(made->scene, made->particles));
-        const ParticleGroup& nodes = store.of(ParticleKind::springs);
+        const ParticleGroup& nodes = store.of(PartKind::elastic);
         ASSERT_EQ(nodes.owned(), 2U);
         for (std::size_t i = 0; i < 2; ++i) {
             EXPECT_EQ(nodes.data(Field::volume)[i], 0.01);

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 constexpr double spacing = 0.1;
 
-Part springs_part(const std::string& name, double damping) {
+Part elastic_part(const std::string& name, double damping) {
     Part part = part_with(damping);
     part.name = name;
     return part;
@@ -28,7 +28,7 @@ Part springs_part(const std::string& name, double damping) {
 struct TwoBlocks {
     explicit TwoBlocks(double stiffness, double modulus = 1e9) {
         scene.particles.spacing = spacing;
-        scene.parts = {springs_part("left", 0.01), springs_part("right", 0.02)};
+        scene.parts = {elastic_part("left", 0.01), elastic_part("right", 0.02)};
         Join join;
         join.name = std::string("seam");
         join.parts = std::array<std::string, 2>{"right", "left"};
@@ -41,7 +41,7 @@ struct TwoBlocks {
             cell_lattice(block(3, 3, 0, spacing), cell_constants(modulus, 0.25, spacing, 2), Vec(spacing, spacing, 0));
         set.spacing = spacing;
         set.box = {Vec(-1, -1, 0), Vec(2, 2, 0)};
-        set.parts = {{"left", ParticleKind::springs}, {"right", ParticleKind::springs}};
+        set.parts = {{"left", PartKind::elastic}, {"right", PartKind::elastic}};
         ParticleSet one = set_of_nodes(2, lattice.nodes, lattice.share);
         one.bonds = lattice.bonds;
         one.mass.assign(one.size(), 10);
@@ -60,7 +60,7 @@ struct TwoBlocks {
 TEST(JoinedParts, are_drawn_apart_by_a_load_as_far_as_their_bonds_yield) {
     constexpr double stiffness = 10, load = 1e-4;
     const TwoBlocks blocks(stiffness, 1e5);
-    const BodyParts parts = drawn_body(blocks.set(), DrawnSprings(blocks.set(), blocks.scene), 0, 0);
+    const BodyParts parts = initial_body(blocks.set(), InitialSprings(blocks.set(), blocks.scene), 0, 0);
     ASSERT_EQ(parts.nodes.size(), 32U);
     const SpringNetwork<2> body(parts, "both", spacing, {});
     SpringNetwork<2>::Vectors pull(32, Vector<double, 2>{});
@@ -77,9 +77,9 @@ TEST(JoinedParts, are_drawn_apart_by_a_load_as_far_as_their_bonds_yield) {
 
 TEST(JoinedParts, are_one_body_whose_nodes_and_bonds_keep_where_they_are_from) {
     const TwoBlocks blocks(10, 1e5);
-    const DrawnSprings drawn(blocks.set(), blocks.scene);
+    const InitialSprings drawn(blocks.set(), blocks.scene);
     EXPECT_THAT(body_names(blocks.scene), ElementsAre("left", "right", "seam"));
-    const BodyParts parts = drawn_body(blocks.set(), drawn, 0, 0);
+    const BodyParts parts = initial_body(blocks.set(), drawn, 0, 0);
     for (const BodyParts::Node& node : parts.nodes) EXPECT_EQ(node.origin, blocks.set().part[node.id]);
     std::array<int, 3> bonds{};
     for (const auto& bond : parts.bonds) {
@@ -125,7 +125,7 @@ TEST(JoinedParts, of_a_join_that_the_scene_does_not_have_are_refused) {
     TwoBlocks blocks(10);
     blocks.scene.joins.clear();
     try {
-        const DrawnSprings drawn(blocks.set(), blocks.scene);
+        const InitialSprings drawn(blocks.set(), blocks.scene);
         FAIL() << "nobody minds";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("bonds of a [[join]] that the scene does not know"));

@@ -111,7 +111,7 @@ TEST(Probe, that_stands_outside_the_fluid_is_an_error) {
     SceneAndParticles made = endless_water("0");
     made.particles.periodic = {false, false, false};
     made.scene.measures = {probe("far", {5, 5, 0}, FluidField::pressure)};
-    made.scene.measures[0].point.place = {"scene.toml", 12, 9};
+    made.scene.measures[0].point.location = {"scene.toml", 12, 9};
     try {
         measured(made);
         FAIL() << "no error";
@@ -126,7 +126,7 @@ TEST(Probe, that_the_fluid_has_left_gives_no_number) {
     SceneAndParticles made = endless_water("0.5");
     made.particles.periodic = {false, false, false};
     made.particles.box.high[0] = 4;
-    made.scene.accuracy.shifting = 0.0;  // it would spread the free end
+    made.scene.numerics.shifting = 0.0;  // it would spread the free end
     made.scene.run.duration = 2.0;       // the fluid moves by 1 m
     made.scene.measures = {probe("start", {0.05, 0.4, 0}, FluidField::pressure)};
     const auto series = measured(made);
@@ -189,7 +189,7 @@ TEST(Gap, of_a_part_that_is_left_out_has_no_column) {
     SceneAndParticles made = endless_water();
     Part flags;
     flags.name = std::string("flags");
-    flags.kind = PartKind::springs;
+    flags.kind = PartKind::elastic;
     flags.enabled = false;
     made.scene.parts.push_back(flags);
     made.scene.measures = {measure_of("gap", MeasureKind::gap, "flags"),

@@ -22,7 +22,7 @@ std::vector<std::string> names(const std::vector<MeasuredTime>& times) {
 
 TEST(ModelCosts, are_of_the_models_that_can_be_left_out) {
     auto made = endless_water("0.5");
-    made.scene.accuracy.sound_speed = 1000.0;  // steps so short that the water falls nowhere near that fast
+    made.scene.numerics.sound_speed = 1000.0;  // steps so short that the water falls nowhere near that fast
     const ModelCosts costs = measure_costs(made.scene, made.particles, 1, 1.0);
     EXPECT_THAT(names(costs.models), ElementsAre("density diffusion", "particle shifting"));
     EXPECT_THAT(names(costs.stages), IsSupersetOf({"forces", "density", "kick", "drift"}));
@@ -33,7 +33,7 @@ TEST(ModelCosts, are_of_the_models_that_can_be_left_out) {
     for (const MeasuredTime& stage : costs.stages) sum += stage.ns;
     EXPECT_NEAR(sum, costs.step.ns, 1e-9 * sum);
 
-    made.scene.accuracy.shifting = 0.0;
+    made.scene.numerics.shifting = 0.0;
     EXPECT_THAT(names(measure_costs(made.scene, made.particles, 1, 0.5).models), ElementsAre("density diffusion"));
 }
 
@@ -47,15 +47,15 @@ TEST(ModelCosts, of_a_valve_know_contact_springs_and_residence) {
     const ModelCosts costs = measure_costs(made.scene, made.particles, 1, 3.0);
     EXPECT_THAT(names(costs.models), ElementsAre("density diffusion", "particle shifting", "extrapolated no-slip walls",
                                                  "short-range repulsion", "residence times"));
-    EXPECT_THAT(names(costs.stages), IsSupersetOf({"springs"}));
+    EXPECT_THAT(names(costs.stages), IsSupersetOf({"elastic"}));
 }
 
 TEST(ModelCosts, know_correction_transport_velocity_implicit_viscosity_and_each_species) {
     auto made = endless_water("0.5");
-    made.scene.accuracy.sound_speed = 1000.0;
-    made.scene.accuracy.viscosity_stepping = ViscosityStepping::implicitly;
-    made.scene.accuracy.transport_velocity = true;
-    made.scene.accuracy.gradient_correction = true;
+    made.scene.numerics.sound_speed = 1000.0;
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
+    made.scene.numerics.transport_velocity = true;
+    made.scene.numerics.gradient_correction = true;
     for (const char* name : {"oxygen", "dye"}) {
         Species species;
         species.name = std::string(name);

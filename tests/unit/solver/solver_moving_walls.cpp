@@ -18,9 +18,9 @@ WalledWater carried_box() {
     WalledWater made(10, 8, {"box"}, [](int, int) { return 1; });
     made.part(1).velocity =
         std::array{formula_of("sin(pi * t / 2)^2"), formula_of("0.5 * sin(pi * t / 2)^2"), Expression()};
-    made.scene.accuracy.sound_speed = 40.0;  // far above: the liquid is all but rigid
+    made.scene.numerics.sound_speed = 40.0;  // far above: the liquid is all but rigid
     // Both move particles about within the liquid, by a few hundredths of a spacing.
-    made.scene.accuracy.shifting = 0.0;
+    made.scene.numerics.shifting = 0.0;
     made.scene.contact.range = 0.0;
     made.scene.run.duration = 1.5;
     made.scene.output.every = 0.5;
@@ -201,7 +201,7 @@ TEST(MovingWalls, their_speed_shortens_the_step) {
         made.make_periodic(0);
         made.part(1).velocity = std::array{formula_of(speed), Expression(), Expression()};
         made.scene.parts[0].viscosity = 0.0;
-        made.scene.accuracy.shifting = 0.0;
+        made.scene.numerics.shifting = 0.0;
         made.scene.run.duration = 0.3;
         return static_cast<double>(run_of(made).steps);
     };
@@ -210,7 +210,7 @@ TEST(MovingWalls, their_speed_shortens_the_step) {
 
 TEST(MovingWalls, of_plain_particles_carry_the_liquid_too) {
     WalledWater made = carried_box();
-    made.scene.accuracy.walls = WallModel::plain;
+    made.scene.numerics.walls = WallModel::plain;
     const RunSummary summary = run_of(made);
     EXPECT_EQ(summary.lost, 0U);
     EXPECT_LT(summary.momentum_residual, 1e-12);

@@ -32,7 +32,7 @@ class OptionSweeps : public testing::Test {
     using Matrix = Eigen::Matrix<double, D, D>;
     using V = Eigen::Matrix<double, D, 1>;
 
-    [[nodiscard]] bool is_fluid(std::size_t id) const { return set.kind(id) == ParticleKind::fluid; }
+    [[nodiscard]] bool is_fluid(std::size_t id) const { return set.kind(id) == PartKind::fluid; }
 
     /// Each difference, to the largest that is expected.
     static void expect_near(const std::vector<Vec>& found, const std::vector<Vec>& expected, double relative) {
@@ -107,7 +107,7 @@ TYPED_TEST(OptionSweeps, transport_velocity_adds_a_stress_and_spreads) {
         this->expect_near(this->differences(with.force, without.force), stress, 1e-9);
         this->expect_no_force_in_all(with);
         for (const ParticleGroup& group : arranged.particles().groups())
-            EXPECT_EQ(group.has(Field::transport_velocity), group.kind() == ParticleKind::fluid);
+            EXPECT_EQ(group.has(Field::transport_velocity), group.kind() == PartKind::fluid);
     }
 }
 
@@ -153,7 +153,7 @@ TYPED_TEST(OptionSweeps, corrected_gradients_are_those_of_all_pairs) {
             if (this->is_fluid(m.j)) {
                 sum += by_id.value(Field::pressure, m.j) * excess[m.j] * gradient;
             } else {  // sees its own state there; in a wall with the hydrostatic difference
-                const bool is_wall = all.kind(m.j) == ParticleKind::rigid;
+                const bool is_wall = all.kind(m.j) == PartKind::rigid;
                 const Vec g(ArrangedCrowd::body_acceleration[0], ArrangedCrowd::body_acceleration[1],
                             dimension == 3 ? ArrangedCrowd::body_acceleration[2] : 0);
                 const double beyond = is_wall ? by_id.value(Field::density, m.i) * g.dot(m.separation) : 0;
@@ -180,10 +180,10 @@ TYPED_TEST(OptionSweeps, stratified_fluid_is_shifted_and_diffused_less) {
     settings.shifting = 4;
     const double delta = 0.1;
     for (const VectorUnit unit : available_vector_units()) {
-        settings.stratified = false;
+        settings.hydrostatic = false;
         settings.density_diffusion = 0;
         const Sums plain = ArrangedCrowd(all, settings, {.vector_unit = unit}).sweep();
-        settings.stratified = true;
+        settings.hydrostatic = true;
         settings.density_diffusion = delta;
         ArrangedCrowd arranged(all, settings, {.vector_unit = unit});
         const Sums found = arranged.sweep();

@@ -36,66 +36,66 @@ double sum_of(const std::vector<double>& terms, const Rounded& rounded) {
     return sum;
 }
 
-TEST(OrderFree, sums_are_the_same_bits_in_any_order) {
-    const OrderFree order_free(largest_term);
+TEST(ReproducibleSum, sums_are_the_same_bits_in_any_order) {
+    const ReproducibleSum rounding(largest_term);
     const auto as_it_is = [](double term) { return term; };
     std::mt19937 random(2);
     int unlike = 0;
     for (const unsigned seed : {1U, 2U, 3U}) {
         std::vector<double> terms = some_terms(seed);
-        const double sum = sum_of(terms, order_free), plain = sum_of(terms, as_it_is);
+        const double sum = sum_of(terms, rounding), plain = sum_of(terms, as_it_is);
         for (int k = 0; k < 200; ++k) {
             std::shuffle(terms.begin(), terms.end(), random);
-            EXPECT_EQ(sum_of(terms, order_free), sum);
+            EXPECT_EQ(sum_of(terms, rounding), sum);
             unlike += sum_of(terms, as_it_is) == plain ? 0 : 1;
         }
     }
     EXPECT_GT(unlike, 100) << "terms that are never rounded show nothing";
 }
 
-TEST(OrderFree, sums_are_right_within_half_a_quantum_a_term) {
-    const OrderFree order_free(largest_term);
+TEST(ReproducibleSum, sums_are_right_within_half_a_quantum_a_term) {
+    const ReproducibleSum rounding(largest_term);
     for (unsigned seed = 1; seed < 50; ++seed) {
         const std::vector<double> terms = some_terms(seed);
         long double exact = 0;
         for (const double term : terms) exact += term;
-        const auto error = static_cast<double>(std::abs(sum_of(terms, order_free) - exact));
-        EXPECT_LT(error, 0.51 * static_cast<double>(terms.size()) * order_free.quantum());
+        const auto error = static_cast<double>(std::abs(sum_of(terms, rounding) - exact));
+        EXPECT_LT(error, 0.51 * static_cast<double>(terms.size()) * rounding.quantum());
     }
 }
 
-TEST(OrderFree, quantum_is_a_power_of_two_2_to_46_times_below_the_largest_term) {
+TEST(ReproducibleSum, quantum_is_a_power_of_two_2_to_46_times_below_the_largest_term) {
     for (const double largest : {1e-30, 0.99, 1.0, largest_term, 1.7e20}) {
-        const OrderFree order_free(largest);
+        const ReproducibleSum rounding(largest);
         int exponent = 0;
-        EXPECT_EQ(std::frexp(order_free.quantum(), &exponent), 0.5);
-        EXPECT_LE(order_free.quantum(), std::ldexp(largest, -46));
-        EXPECT_GT(order_free.quantum(), std::ldexp(largest, -47));
-        EXPECT_EQ(order_free(0.4 * order_free.quantum()), 0);
-        EXPECT_EQ(order_free(0.6 * order_free.quantum()), order_free.quantum());
+        EXPECT_EQ(std::frexp(rounding.quantum(), &exponent), 0.5);
+        EXPECT_LE(rounding.quantum(), std::ldexp(largest, -46));
+        EXPECT_GT(rounding.quantum(), std::ldexp(largest, -47));
+        EXPECT_EQ(rounding(0.4 * rounding.quantum()), 0);
+        EXPECT_EQ(rounding(0.6 * rounding.quantum()), rounding.quantum());
     }
 }
 
-TEST(OrderFree, terms_and_their_opposites_cancel) {
-    const OrderFree order_free(largest_term);
+TEST(ReproducibleSum, terms_and_their_opposites_cancel) {
+    const ReproducibleSum rounding(largest_term);
     std::vector<double> terms = some_terms(4, 1000);
-    for (int halves = -5; halves < 6; ++halves) terms.push_back(0.5 * halves * order_free.quantum());  // ties
-    for (const double term : terms) EXPECT_EQ(order_free(term), -order_free(-term));
+    for (int halves = -5; halves < 6; ++halves) terms.push_back(0.5 * halves * rounding.quantum());  // ties
+    for (const double term : terms) EXPECT_EQ(rounding(term), -rounding(-term));
     const std::size_t count = terms.size();
     for (std::size_t k = 0; k < count; ++k) terms.push_back(-terms[k]);
     std::shuffle(terms.begin(), terms.end(), std::mt19937(7));
-    EXPECT_EQ(sum_of(terms, order_free), 0);
+    EXPECT_EQ(sum_of(terms, rounding), 0);
 }
 
-TEST(OrderFree, rounds_vectors_and_lanes_as_numbers) {
-    const OrderFree order_free(largest_term);
+TEST(ReproducibleSum, rounds_vectors_and_lanes_as_numbers) {
+    const ReproducibleSum rounding(largest_term);
     const std::vector<double> terms = some_terms(5, 2 * Lanes::width);
     Vector<Lanes, 2> wide{};
     for (std::size_t k = 0; k < Lanes::width; ++k)
         for (int axis = 0; axis < 2; ++axis) wide[axis].set(k, terms[2 * k + axis]);
-    const auto rounded = order_free(wide);
+    const auto rounded = rounding(wide);
     for (std::size_t k = 0; k < Lanes::width; ++k)
-        for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(rounded[axis][k], order_free(terms[2 * k + axis]));
+        for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(rounded[axis][k], rounding(terms[2 * k + axis]));
 }
 
 using Variant = std::tuple<int, WallModel, bool>;  ///< the last: with what is off by default
@@ -104,7 +104,7 @@ PairSettings settings_of(const ParticleSet& set, const Variant& variant) {
     PairSettings settings = crowd_settings(set, true, std::get<WallModel>(variant));
     if (!std::get<bool>(variant)) return settings;
     settings.viscous_force = ViscousForce::morris_harmonic;
-    settings.stratified = settings.gradient_correction = settings.transport_velocity = true;
+    settings.hydrostatic = settings.gradient_correction = settings.transport_velocity = true;
     settings.shifting = 0;
     return settings;
 }
@@ -134,7 +134,7 @@ class SumsOver : public testing::TestWithParam<Variant> {
 
 TEST_P(SumsOver, do_not_depend_on_the_vector_unit) {
     for (const VectorUnit unit : available_vector_units()) {
-        SCOPED_TRACE(word(unit));
+        SCOPED_TRACE(to_string(unit));
         expect_same({.vector_unit = unit});
     }
 }
@@ -181,7 +181,7 @@ TEST_P(SumsOver, tell_one_state_from_another) {
 
 TEST_P(SumsOver, of_fluid_and_bodies_without_walls_leave_no_force_in_all) {
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (set.kind(i) != ParticleKind::rigid) continue;
+        if (set.kind(i) != PartKind::rigid) continue;
         set.part[i] = 0;
         set.wall_normal[i] = Vec::Zero();
         set.wall_distance[i] = 0;
@@ -191,7 +191,7 @@ TEST_P(SumsOver, of_fluid_and_bodies_without_walls_leave_no_force_in_all) {
         for (int axis = 0; axis < set.dimension; ++axis) {
             double total = 0;  // of multiples of one quantum: exact
             for (const Vec& force : sums.force) total += force[axis];
-            EXPECT_EQ(total, 0) << word(unit) << ", axis " << axis;
+            EXPECT_EQ(total, 0) << to_string(unit) << ", axis " << axis;
         }
     }
 }
@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(Crowds, SumsOver,
                                          Variant{3, WallModel::extrapolated, true}),
                          [](const auto& variant) {
                              return std::to_string(std::get<int>(variant.param)) + "d_" +
-                                    word(std::get<WallModel>(variant.param)) +
+                                    to_string(std::get<WallModel>(variant.param)) +
                                     (std::get<bool>(variant.param) ? "_with_options" : "");
                          });
 

@@ -55,23 +55,23 @@ TEST(LiquidState, is_the_equation_asked_for_and_the_background_on_top) {
     }
 }
 
-TEST(StratifiedDiffusion, one_pair_by_hand) {
-    const StratifiedDiffusion<2> diffusion(0.1, 3.0, 20, V2{{1.5, -9.81}});
+TEST(HydrostaticDiffusion, one_pair_by_hand) {
+    const HydrostaticDiffusion<2> diffusion(0.1, 3.0, 20, V2{{1.5, -9.81}});
     // 2 delta h / c0 = 2 * 0.1 * 1.5 / 20; g . x_ij = 1.5 * 0.75 + 9.81 = 10.935, mean density 1000.
     const double expected = 0.015 * 0.9 * ((120 - 80) - 1000 * 10.935) * kernel_derivative(distance) / distance;
     EXPECT_NEAR(diffusion.law(pair_of(particle_i, particle_j, separation)), expected, 1e-6 * std::abs(expected));
 }
 
-TEST(StratifiedDiffusion, does_nothing_to_a_fluid_at_rest_and_is_the_plain_one_without_a_force) {
+TEST(HydrostaticDiffusion, does_nothing_to_a_fluid_at_rest_and_is_the_plain_one_without_a_force) {
     const V2 g{{1.5, -9.81}};
     Point i = particle_i, j = particle_j;
     i.pressure = j.pressure + 0.5 * (i.density + j.density) * dot(g, separation);
-    EXPECT_NEAR((StratifiedDiffusion<2>(0.1, 3.0, 20, g).law(pair_of(i, j, separation))), 0, 1e-9);
+    EXPECT_NEAR((HydrostaticDiffusion<2>(0.1, 3.0, 20, g).law(pair_of(i, j, separation))), 0, 1e-9);
     const LinearEquation state{20, 1000};
     i.pressure = state.pressure(i.density);
     j.pressure = state.pressure(j.density);
     const double plain = DensityDiffusion(0.1, 3.0, 20).law(pair_of(i, j, separation));
-    EXPECT_NEAR((StratifiedDiffusion<2>(0.1, 3.0, 20, V2{{0, 0}}).law(pair_of(i, j, separation))), plain,
+    EXPECT_NEAR((HydrostaticDiffusion<2>(0.1, 3.0, 20, V2{{0, 0}}).law(pair_of(i, j, separation))), plain,
                 1e-12 * std::abs(plain));
 }
 
@@ -234,16 +234,17 @@ TEST(MonaghanViscosity, one_pair_by_hand) {
     // v_ij . x_ij = 0.6 * 0.75 + 0.8 * 1.0 = 1.25, the pair parts; twice the mean of the viscosities is 3e-3.
     const double size = 1.1 * 0.9 * 8 * 1.5e-3 * 1.25 / (1.5625 + 0.01 * 2.25) * kernel_derivative(distance);
     const MonaghanViscosity<2> all(3.0, false, false), approaching(3.0, true, false), arithmetic(3.0, false, true);
-    const auto parting = pair_of(particle_i, particle_j, separation);
-    expect_near(all.law(parting), {{size * 0.6, size * -0.8}}, 1e-12);
-    expect_near(arithmetic.law(parting), {{size * 0.6 * 4 / 3, size * -0.8 * 4 / 3}}, 1e-12);
-    expect_near(approaching.law(parting), {{0, 0}}, 0);
-    expect_near(all.law(pair_of(particle_j, particle_i, -1.0 * separation)), -1.0 * all.law(parting), 0);
+    const auto normal_velocity = pair_of(particle_i, particle_j, separation);
+    expect_near(all.law(normal_velocity), {{size * 0.6, size * -0.8}}, 1e-12);
+    expect_near(arithmetic.law(normal_velocity), {{size * 0.6 * 4 / 3, size * -0.8 * 4 / 3}}, 1e-12);
+    expect_near(approaching.law(normal_velocity), {{0, 0}}, 0);
+    expect_near(all.law(pair_of(particle_j, particle_i, -1.0 * separation)), -1.0 * all.law(normal_velocity), 0);
 
     Point i = particle_i, j = particle_j;
     std::swap(i.velocity, j.velocity);
     expect_near(approaching.law(pair_of(i, j, separation)), {{-2 * size * 0.6, 2 * size * 0.8}}, 1e-12);
-    expect_near(MonaghanViscosity<3>(3.0, false, false).law(parting), {{1.25 * size * 0.6, 1.25 * size * -0.8}}, 1e-12);
+    expect_near(MonaghanViscosity<3>(3.0, false, false).law(normal_velocity), {{1.25 * size * 0.6, 1.25 * size * -0.8}},
+                1e-12);
 }
 
 TEST(MonaghanViscosity, alpha_is_the_one_of_the_literature) {
@@ -321,11 +322,11 @@ TEST(ExtrapolatedSolid, continues_a_linear_shear_exactly) {
     Point fluid = particle_i;
     fluid.position = 0.9 * along + 0.4 * normal;
     fluid.velocity = velocity_at(fluid.position);
-    const V2 place = 0.2 * along - 0.7 * normal;
-    const Solid wall{place, wall_velocity, 1.2, 0, 0, normal, 0.7};
+    const V2 position = 0.2 * along - 0.7 * normal;
+    const Solid wall{position, wall_velocity, 1.2, 0, 0, normal, 0.7};
 
     const auto ghost = law.rigid(fluid, wall, fluid.position - wall.position);
-    expect_near(ghost.velocity, velocity_at(place), 1e-14);
+    expect_near(ghost.velocity, velocity_at(position), 1e-14);
     EXPECT_DOUBLE_EQ(ghost.pressure, fluid.pressure);
     EXPECT_EQ(ghost.volume, 1.2);
     EXPECT_EQ(ghost.density, fluid.density);

@@ -47,8 +47,8 @@ class AllPairs {
 
     Sums sums() {
         for_all_pairs(particles_, settings_.support, [this](const Meeting& m) {
-            const bool i_is_fluid = set_.kind(m.i) == ParticleKind::fluid;
-            const bool j_is_fluid = set_.kind(m.j) == ParticleKind::fluid;
+            const bool i_is_fluid = set_.kind(m.i) == PartKind::fluid;
+            const bool j_is_fluid = set_.kind(m.j) == PartKind::fluid;
             const V separation = narrowed<D>(m.separation);
             if (never_meet(set_, m.i, m.j)) return;
             if (i_is_fluid && j_is_fluid) two_fluids(m.i, m.j, separation);
@@ -87,7 +87,7 @@ class AllPairs {
 
     void fluid_and_solid(std::size_t i, std::size_t j, const V& separation) {
         const auto a = fluid(i);
-        const bool is_wall = set_.kind(j) == ParticleKind::rigid;
+        const bool is_wall = set_.kind(j) == PartKind::rigid;
         const auto b = is_wall ? solid<true>(j) : solid<false>(j);
         const auto ghost = is_wall ? solid_.rigid(a, b, separation) : solid_.springs(a, b, separation);
         const auto seen = pair(a, ghost, separation);
@@ -102,7 +102,7 @@ class AllPairs {
     }
 
     void two_solids(std::size_t i, std::size_t j, const V& separation) {
-        const bool with_wall = set_.kind(i) == ParticleKind::rigid || set_.kind(j) == ParticleKind::rigid;
+        const bool with_wall = set_.kind(i) == PartKind::rigid || set_.kind(j) == PartKind::rigid;
         add(contact(with_wall ? Field::wall_contact_range : Field::contact_range, i, j, separation), sums_.force[i]);
     }
 
@@ -221,7 +221,7 @@ class PairSweepsOf : public testing::TestWithParam<Variant> {
 
 TEST_P(PairSweepsOf, sums_are_those_of_all_pairs) {
     for (const VectorUnit unit : available_vector_units()) {
-        SCOPED_TRACE(word(unit));
+        SCOPED_TRACE(to_string(unit));
         ArrangedCrowd arranged(set, settings, {.vector_unit = unit});
         const Sums found = arranged.sweep(), expected = sums_of_all_pairs(arranged.particles(), set, settings);
         const Tolerance tolerance(arranged.sweeps(), settings, set.dimension);
@@ -230,7 +230,7 @@ TEST_P(PairSweepsOf, sums_are_those_of_all_pairs) {
             EXPECT_NEAR(found.density_rate[i], expected.density_rate[i], tolerance.density_rate) << "particle " << i;
         if (settings.shifting > 0) expect_near(found.shift, expected.shift, tolerance.shift);
         for (const ParticleGroup& group : arranged.particles().groups())
-            EXPECT_EQ(group.has(Field::shift), settings.shifting > 0 && group.kind() == ParticleKind::fluid);
+            EXPECT_EQ(group.has(Field::shift), settings.shifting > 0 && group.kind() == PartKind::fluid);
     }
 }
 
@@ -244,7 +244,7 @@ TEST_P(PairSweepsOf, forces_add_up_to_nothing_at_all) {
                 sum += force[axis];
                 largest = std::max(largest, std::abs(force[axis]));
             }
-            EXPECT_EQ(sum, 0) << word(unit) << ", axis " << axis;
+            EXPECT_EQ(sum, 0) << to_string(unit) << ", axis " << axis;
             EXPECT_GT(largest, 0);
         }
     }
@@ -265,7 +265,7 @@ TEST_P(PairSweepsOf, kernels_are_those_asked_for) {
 
 std::string name_of(const testing::TestParamInfo<Variant>& variant) {
     const auto& [dimension, kernel, walls, extras] = variant.param;
-    return std::to_string(dimension) + "d_" + word(kernel) + "_" + word(walls) + (extras ? "_with_extras" : "");
+    return std::to_string(dimension) + "d_" + to_string(kernel) + "_" + to_string(walls) + (extras ? "_with_extras" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, PairSweepsOf,
@@ -301,7 +301,7 @@ TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
                 EXPECT_EQ(sum, 0);
             }
             if (first.empty()) first = found.force;
-            EXPECT_EQ(found.force, first) << "not the same bits for " << word(unit);
+            EXPECT_EQ(found.force, first) << "not the same bits for " << to_string(unit);
         }
         for (const auto& other : seen) EXPECT_NE(first, other) << "two laws are one";
         seen.push_back(first);
@@ -319,7 +319,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweeps,
                                           testing::Values(WallModel::extrapolated, WallModel::plain)),
                          [](const auto& variant) {
                              return std::to_string(std::get<int>(variant.param)) + "d_" +
-                                    word(std::get<WallModel>(variant.param));
+                                    to_string(std::get<WallModel>(variant.param));
                          });
 
 TEST(PairSweeps, declare_only_the_fields_they_need) {
@@ -331,8 +331,8 @@ TEST(PairSweeps, declare_only_the_fields_they_need) {
     };
     const ParticleStore bare = declared(WallModel::extrapolated, false), plain = declared(WallModel::plain, false);
     const ParticleStore full = declared(WallModel::extrapolated, true);
-    for (const ParticleKind kind : all_kinds) {
-        const bool is_fluid = kind == ParticleKind::fluid, is_wall = kind == ParticleKind::rigid;
+    for (const PartKind kind : all_kinds) {
+        const bool is_fluid = kind == PartKind::fluid, is_wall = kind == PartKind::rigid;
         EXPECT_EQ(bare.of(kind).has(Field::density_rate), is_fluid);
         EXPECT_TRUE(plain.of(kind).has(Field::density_rate));
         EXPECT_EQ(bare.of(kind).has(Field::viscosity), is_fluid);

@@ -87,14 +87,14 @@ TEST(Poiseuille, follows_the_series_at_40_particles_across) {
 }
 
 TEST(Poiseuille, plain_walls_slip) {
-    const Flow flow = flow_of("0.05 mm", {"accuracy.walls=plain"});
+    const Flow flow = flow_of("0.05 mm", {"numerics.walls=plain"});
     EXPECT_GE(flow.error.at(1.0), 0.05);
     EXPECT_LE(flow.error.at(1.0), 0.30);
     EXPECT_LT(flow.summary.momentum_residual, 1e-12);
 }
 
 TEST(Poiseuille, runs_with_lucys_kernel) {
-    const Flow flow = flow_of("0.05 mm", {"accuracy.kernel=lucy"});
+    const Flow flow = flow_of("0.05 mm", {"numerics.kernel=lucy"});
     EXPECT_LE(flow.error.at(1.0), 0.02);
 }
 
@@ -103,14 +103,14 @@ TEST(Poiseuille, shear_stress_is_that_of_the_parabola_away_from_the_walls) {
     const FrameGroup& fluid = *group_of(flow.kept.frames.back(), "fluid");
     const FrameField& stress = *field_of(fluid, "shear_stress");
     const double at_wall = density * acceleration * width / 2;
-    std::size_t looked_at = 0;
+    std::size_t camera_of = 0;
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double y = fluid.position[3 * k + 1];
         if (y < 0.2 * width || y > 0.8 * width) continue;
-        ++looked_at;
+        ++camera_of;
         EXPECT_NEAR(stress.values[k], density * acceleration * std::abs(width / 2 - y), 0.03 * at_wall) << "y = " << y;
     }
-    EXPECT_GT(looked_at, 80U);
+    EXPECT_GT(camera_of, 80U);
 }
 
 TEST(Poiseuille, probe_follows_the_speed_in_the_middle) {

@@ -218,7 +218,7 @@ std::string divergence_of(const SceneAndParticles& made) {
     return "no error";
 }
 
-TEST(Watch, names_the_particle_that_is_faster_than_sound) {
+TEST(StabilityMonitor, names_the_particle_that_is_faster_than_sound) {
     SceneAndParticles made = endless_water("1000");
     made.scene.flow.largest_speed = 0.01;
     made.scene.output.every = 1.0;
@@ -228,20 +228,20 @@ TEST(Watch, names_the_particle_that_is_faster_than_sound) {
     EXPECT_THAT(problem, HasSubstr("sound speed 0.1 m/s"));
 }
 
-TEST(Watch, names_a_particle_whose_state_is_no_number) {
+TEST(StabilityMonitor, names_a_particle_whose_state_is_no_number) {
     SceneAndParticles made = endless_water("sqrt(0.01 - t)");
     made.scene.output.every = 1.0;
     EXPECT_THAT(divergence_of(made), ContainsRegex("particle [0-9]+ of 'water' at \\(.*is not finite"));
 }
 
-TEST(Watch, survives_that_only_some_particles_are_no_numbers) {
+TEST(StabilityMonitor, survives_that_only_some_particles_are_no_numbers) {
     // Half of the fluid moves on properly, so the neighbour list is made again with the others in it.
     SceneAndParticles made = endless_water("t < 0.3 ? 0.9 : sqrt(y - 0.4)");
     made.scene.output.every = 1.0;
     EXPECT_THAT(divergence_of(made), ContainsRegex("particle [0-9]+ of 'water' at \\(.*is not finite"));
 }
 
-TEST(Watch, survives_a_burst) {
+TEST(StabilityMonitor, survives_a_burst) {
     // One particle is thrown out at once: far away, other lists, but a message at the end.
     SceneAndParticles made = endless_water("x < 0.06 ? 1e12 : 0");
     made.particles.periodic = {false, false, false};
@@ -249,7 +249,7 @@ TEST(Watch, survives_a_burst) {
     EXPECT_THAT(divergence_of(made), ContainsRegex("particle [0-9]+ of 'water' at \\("));
 }
 
-TEST(Watch, names_a_particle_that_has_left_the_domain) {
+TEST(StabilityMonitor, names_a_particle_that_has_left_the_domain) {
     SceneAndParticles made = endless_water("0.5");
     made.particles.periodic = {false, false, false};
     made.scene.flow.largest_speed = 2.0;
@@ -258,7 +258,7 @@ TEST(Watch, names_a_particle_that_has_left_the_domain) {
     EXPECT_THAT(divergence_of(made), HasSubstr("has left the domain"));
 }
 
-TEST(Watch, spring_body_that_cannot_follow_its_load_is_a_divergence_too) {
+TEST(StabilityMonitor, spring_body_that_cannot_follow_its_load_is_a_divergence_too) {
     // A node that all but lies on a fluid particle: the repulsion between them is beyond all measure.
     SceneAndParticles made = endless_water("0.5");
     add_flags(made);
@@ -288,16 +288,16 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
         EXPECT_FALSE(use.reason.empty()) << use.model;
     }
     EXPECT_THAT(plan.models[3].reason, ContainsRegex("viscosity at .*scene.toml:[0-9]+:[0-9]+"));
-    EXPECT_EQ(plan.models[4].reason, "accuracy.density_diffusion (default)");
+    EXPECT_EQ(plan.models[4].reason, "numerics.density_diffusion (default)");
     EXPECT_THAT(plan.models[8].reason, ContainsRegex("part 'leaflets' at .*scene.toml:[0-9]+:[0-9]+"));
-    EXPECT_EQ(plan.particles.at("fluid"), made.particles.count(ParticleKind::fluid));
-    EXPECT_EQ(plan.particles.at("rigid"), made.particles.count(ParticleKind::rigid));
-    EXPECT_EQ(plan.particles.at("springs"), made.particles.count(ParticleKind::springs));
+    EXPECT_EQ(plan.particles.at("fluid"), made.particles.count(PartKind::fluid));
+    EXPECT_EQ(plan.particles.at("rigid"), made.particles.count(PartKind::rigid));
+    EXPECT_EQ(plan.particles.at("elastic"), made.particles.count(PartKind::elastic));
 }
 
 TEST(Plan, limits_the_step_and_says_what_rules) {
     const SceneAndParticles made =
-        case_of("vein_valve", {"particles.spacing=0.4 mm", "flow.largest_speed=0.22 m/s", "accuracy.sound_speed=auto",
+        case_of("vein_valve", {"particles.spacing=0.4 mm", "flow.largest_speed=0.22 m/s", "numerics.sound_speed=auto",
                                "run.duration=4 s", "flow.acceleration=[\"0.15 m/s^2 * sin(2*pi*t / 4 s)\", 0]"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
@@ -308,7 +308,7 @@ TEST(Plan, limits_the_step_and_says_what_rules) {
     double shortest = 1e300;
     std::string ruling;
     for (const StepLimit& limit : plan.limits)
-        if (limit.model.rfind("springs", 0) != 0 && limit.dt < shortest) {
+        if (limit.model.rfind("elastic", 0) != 0 && limit.dt < shortest) {
             shortest = limit.dt;
             ruling = limit.model;
         }
@@ -330,7 +330,7 @@ TEST(Plan, of_poiseuille_is_ruled_by_viscosity) {
 TEST(Plan, counts_the_spring_steps_in_one_fluid_step) {
     const auto substeps = [](const std::string& stepping) {
         const SceneAndParticles made =
-            case_of("vein_valve", {"particles.spacing=0.4 mm", "accuracy.spring_stepping=" + stepping});
+            case_of("vein_valve", {"particles.spacing=0.4 mm", "numerics.spring_stepping=" + stepping});
         return Simulation(made.scene, made.particles, 1).plan();
     };
     EXPECT_EQ(substeps("implicit").spring_substeps, 1);
@@ -342,8 +342,8 @@ TEST(Plan, counts_the_spring_steps_in_one_fluid_step) {
 TEST(Plan, models_that_are_switched_off_do_not_run_and_have_no_fields) {
     SceneAndParticles made = endless_water("0.5");
     const Plan with = Simulation(made.scene, made.particles, 1).plan();
-    made.scene.accuracy.shifting = 0.0;
-    made.scene.accuracy.density_diffusion = 0.0;
+    made.scene.numerics.shifting = 0.0;
+    made.scene.numerics.density_diffusion = 0.0;
     made.scene.flow.acceleration[0] = Expression();
     const Plan without = Simulation(made.scene, made.particles, 1).plan();
     EXPECT_THAT(models(without),
@@ -375,16 +375,16 @@ TEST(Plan, lists_the_fields_of_each_kind_which_exist_only_where_they_are_needed)
         return kinds;
     };
     for (const char* everywhere : {"position, 16 bytes", "velocity, 16 bytes", "mass, 8 bytes", "force, 16 bytes"})
-        EXPECT_THAT(kinds_with(everywhere), ElementsAre("fluid", "rigid", "springs")) << everywhere;
+        EXPECT_THAT(kinds_with(everywhere), ElementsAre("fluid", "rigid", "elastic")) << everywhere;
     for (const char* of_fluid : {"density, 8 bytes", "density_rate, 8 bytes", "viscosity, 8 bytes", "shift, 16 bytes"})
         EXPECT_THAT(kinds_with(of_fluid), ElementsAre("fluid")) << of_fluid;
     for (const char* of_walls : {"wall_normal, 16 bytes", "wall_distance, 8 bytes"})
         EXPECT_THAT(kinds_with(of_walls), ElementsAre("rigid")) << of_walls;
-    EXPECT_THAT(kinds_with("wall_contact_range, 8 bytes"), ElementsAre("rigid", "springs"));
+    EXPECT_THAT(kinds_with("wall_contact_range, 8 bytes"), ElementsAre("rigid", "elastic"));
 }
 
 TEST(Plan, plain_walls_carry_a_density) {
-    const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm", "accuracy.walls=plain"});
+    const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm", "numerics.walls=plain"});
     const auto fields = Simulation(made.scene, made.particles, 1).plan().fields;
     EXPECT_THAT(fields, testing::IsSupersetOf(
                             {"fluid: density, 8 bytes", "rigid: density, 8 bytes", "springs: density, 8 bytes"}));
@@ -393,7 +393,7 @@ TEST(Plan, plain_walls_carry_a_density) {
 TEST(Setup, sound_speed_is_the_scenes_or_ten_times_the_largest_speed) {
     SceneAndParticles made = endless_water();
     EXPECT_DOUBLE_EQ(sound_speed(made.scene), 10);
-    made.scene.accuracy.sound_speed = 33.0;
+    made.scene.numerics.sound_speed = 33.0;
     EXPECT_DOUBLE_EQ(sound_speed(made.scene), 33);
 }
 

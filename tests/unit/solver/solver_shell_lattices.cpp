@@ -181,7 +181,7 @@ TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_thr
     scene.output.every = 0.1;
     scene.contact.strength = 1e-2;
     for (const SpringStepping stepping : {SpringStepping::implicit, SpringStepping::subcycled}) {
-        scene.accuracy.spring_stepping = stepping;
+        scene.numerics.spring_stepping = stepping;
         std::string hash;
         for (const int threads : {1, 2}) {
             Simulation simulation(scene, set, threads);

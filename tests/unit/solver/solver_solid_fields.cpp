@@ -88,7 +88,7 @@ class SolidFields : public ::testing::Test {
         std::vector<Vec> sum(set_.size(), Vec::Zero());
         double duration = 0;
         for (int step = 0; step < 8; ++step) {
-            particles.of(ParticleKind::springs).data(Field::force, 0)[set_.size() - 1] = 0.01 * (step + 1);
+            particles.of(PartKind::elastic).data(Field::force, 0)[set_.size() - 1] = 0.01 * (step + 1);
             springs.advance(particles, dt, 1);
             mean.add(springs, step * dt, dt);
             const double counted = std::min(dt, (step + 1) * dt - *scene_.output.average_from);

@@ -44,8 +44,8 @@ class FrozenLattice {
         const Binds binds = binding_rule(rule.kind, rule.probability);
         std::vector<int> sizes;
         for (int event = 0; event < events; ++event) {
-            std::vector<PlacedParticle> seeds, liquid;
-            for (const PlacedParticle& point : points_) {
+            std::vector<ParticlePosition> seeds, liquid;
+            for (const ParticlePosition& point : points_) {
                 if (!solid.contains(point.id)) {
                     liquid.push_back(point);
                 } else if (const auto found = since.find(point.id);
@@ -54,10 +54,10 @@ class FrozenLattice {
                     seeds.push_back(point);
                 }
             }
-            auto encounters = find_encounters(seeds, liquid, reach, space_);
-            find_nearest(encounters, reach);
-            const Dice dice{seed, 0, static_cast<std::uint64_t>(event)};
-            for (const Encounter& bond : binding_ones(encounters, binds, dice, room, rule.most_bonds)) {
+            auto candidates = find_bond_candidates(seeds, liquid, reach, space_);
+            find_nearest(candidates, reach);
+            const RandomTrial trial{seed, 0, static_cast<std::uint64_t>(event)};
+            for (const BondCandidate& bond : binding_ones(candidates, binds, trial, room, rule.most_bonds)) {
                 for (const std::int64_t end : {bond.seed, bond.liquid})
                     --room.try_emplace(end, rule.most_bonds).first->second;
                 solid.insert(bond.liquid);
@@ -72,7 +72,7 @@ class FrozenLattice {
 
   private:
     ParticleSpace space_;
-    std::vector<PlacedParticle> points_;
+    std::vector<ParticlePosition> points_;
     std::int64_t first_;
 };
 
@@ -124,7 +124,7 @@ TEST(SolidifyRules, grow_on_a_frozen_lattice_as_a_monte_carlo_says) {
     for (const Growth& growth : growths) {
         const Mean found = mean_size({growth.rule, growth.probability}, growth.events, growth.events + 1);
         EXPECT_NEAR(found.value, growth.mean, three_errors(growth.deviation))
-            << word(growth.rule) << " p = " << growth.probability << " n = " << growth.events;
+            << to_string(growth.rule) << " p = " << growth.probability << " n = " << growth.events;
         EXPECT_NEAR(found.deviation / growth.deviation, 1, 0.25);
     }
 }
@@ -203,7 +203,7 @@ TEST(SolidifyRules, find_all_pairs_within_reach_across_periodic_borders_and_no_o
     space.dimension = 3;
     space.box = {Vec(-1, 0, 2), Vec(4, 3, 7)};
     space.periodic = {true, false, true};
-    std::vector<PlacedParticle> seeds, liquid;
+    std::vector<ParticlePosition> seeds, liquid;
     std::uint64_t k = 0;
     const auto somewhere = [&] {
         Vec at;
@@ -213,18 +213,18 @@ TEST(SolidifyRules, find_all_pairs_within_reach_across_periodic_borders_and_no_o
     };
     for (int n = 0; n < 60; ++n) seeds.push_back({n, somewhere()});
     for (int n = 0; n < 300; ++n) liquid.push_back({1000 + n, somewhere()});
-    liquid[5].place[0] += 5;  // wherever it was wrapped
-    seeds[7].place[2] -= 10;
-    auto found = find_encounters(seeds, liquid, 0.9, space);
+    liquid[5].location[0] += 5;  // wherever it was wrapped
+    seeds[7].position[2] -= 10;
+    auto found = find_bond_candidates(seeds, liquid, 0.9, space);
     find_nearest(found, 0.9);
     std::size_t expected = 0;
     for (const auto& particle : liquid) {
-        const Encounter* nearest = nullptr;
+        const BondCandidate* nearest = nullptr;
         for (const auto& seed : seeds) {
-            const double distance = nearest_image(particle.place - seed.place, space).norm();
+            const double distance = nearest_image(particle.position - seed.location, space).norm();
             if (distance > 0.9) continue;
             const auto pair = std::ranges::find_if(
-                found, [&](const Encounter& e) { return e.seed == seed.id && e.liquid == particle.id; });
+                found, [&](const BondCandidate& e) { return e.seed == seed.id && e.liquid == particle.id; });
             ASSERT_NE(pair, found.end());
             EXPECT_NEAR(pair->distance, distance, 1e-12);
             if (nearest == nullptr || pair->distance < nearest->distance) nearest = &*pair;

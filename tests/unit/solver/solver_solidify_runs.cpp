@@ -64,7 +64,7 @@ TEST(Solidify, fills_a_diamond_in_liquid_at_rest_and_keeps_all_mass) {
         EXPECT_EQ(group_of(frames.frames[row], "solid")->size(), static_cast<std::size_t>(1 + 2 * n * (n + 1)));
     }
     EXPECT_NEAR(summary.end.mass, summary.start.mass, 1e-14 * summary.start.mass);
-    EXPECT_EQ(summary.particles.at("springs"), 61U);
+    EXPECT_EQ(summary.particles.at("elastic"), 61U);
     EXPECT_EQ(summary.particles.at("fluid"), 24U * 16 - 61);
     ASSERT_EQ(summary.aggregates.size(), 1U);
     EXPECT_EQ(summary.aggregates[0].bonds_made, 100);
@@ -81,7 +81,8 @@ TEST(Solidify, in_space_fills_an_octahedron) {
     set.periodic[2] = true;
     made.scene.flow.periodic[2] = true;
     for (int level = 0; level < 8; ++level)
-        for (const Vec& place : layer.position) set.position.emplace_back(place[0], place[1], 0.1 * (level + 0.5));
+        for (const Vec& position : layer.position)
+            set.position.emplace_back(position[0], position[1], 0.1 * (level + 0.5));
     const std::size_t count = set.position.size();
     set.volume.assign(count, 1e-3);
     set.mass.assign(count, 1);
@@ -189,7 +190,7 @@ TEST(Solidify, joins_drawn_bodies_and_stiff_bonds_are_stable_with_either_stepper
                 set.body[i] = body;
             }
         set.bonds = {{17, 25, 0.1, 1e3}, {22, 30, 0.1, 1e3}};
-        made.scene.accuracy.spring_stepping = stepping;
+        made.scene.numerics.spring_stepping = stepping;
         made.scene.flow.initial_velocity.value[0] = Expression("0.2", "0.2");
         made.scene.flow.initial_velocity.value[1] = Expression("0.1*sin(2*pi*x/0.8)", "0.1*sin(2*pi*x/0.8)");
         Solidify clot = clot_of("water");
@@ -297,7 +298,7 @@ TEST(Solidify, refuses_what_the_particles_do_not_have) {
     EXPECT_EQ(problem([](SceneAndParticles& made) {
                   made.scene.regions[0].from = Vec(0.31, 0.31, 0);
                   made.scene.regions[0].to = Vec(0.34, 0.34, 0);
-                  made.scene.solidify[0].seed_region.place = {"scene.toml", 7, 3};
+                  made.scene.solidify[0].seed_region.location = {"scene.toml", 7, 3};
               }),
               "scene.toml:7:3: seed_region of solidify 'clot': there is no particle of 'water' in the region 'nidus'\n"
               "  move the region into the liquid, or make it as large as a few spacings");

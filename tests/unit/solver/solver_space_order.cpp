@@ -23,31 +23,31 @@ namespace {
 constexpr double spacing = 0.1;
 
 /// Disordered particles `lengths` spacings wide, one a cubic spacing, of three bodies if they are springs. Each one's
-/// density tells its id, and its place is what place_of says.
+/// density tells its id, and its place is what position_of says.
 class Strewn {
   public:
-    Strewn(ParticleKind kind, const std::vector<int>& lengths)
-        : group(kind, static_cast<int>(lengths.size())), places_(lengths.size()) {
+    Strewn(PartKind kind, const std::vector<int>& lengths)
+        : group(kind, static_cast<int>(lengths.size())), positions_(lengths.size()) {
         std::size_t count = 1;
         for (const int length : lengths) count *= static_cast<std::size_t>(length);
         std::mt19937 random(3);
         group.declare({Field::position, Field::density});
         group.resize(count, 2);  // copies, which are to go
         for (std::size_t i = 0; i < group.total(); ++i) {
-            const int body = kind == ParticleKind::springs ? static_cast<int>(random() % 3) : -1;
+            const int body = kind == PartKind::elastic ? static_cast<int>(random() % 3) : -1;
             group.tags()[i] = {static_cast<std::int64_t>(i), body, 0};
             group.data(Field::density)[i] = static_cast<double>(i);
             bodies_.push_back(body);
         }
         for (std::size_t axis = 0; axis < lengths.size(); ++axis) {
-            std::uniform_real_distribution<double> place(-1, lengths[axis] * spacing - 1);
-            for (std::size_t i = 0; i < group.total(); ++i) put(i, axis, place(random));
+            std::uniform_real_distribution<double> position(-1, lengths[axis] * spacing - 1);
+            for (std::size_t i = 0; i < group.total(); ++i) put(i, axis, position(random));
         }
     }
 
     void put(std::size_t id, std::size_t axis, double x) {
-        places_[axis].resize(group.total());
-        places_[axis][id] = group.data(Field::position, static_cast<int>(axis))[id] = x;
+        positions_[axis].resize(group.total());
+        positions_[axis][id] = group.data(Field::position, static_cast<int>(axis))[id] = x;
     }
 
     /// Every particle is in one cluster, as it was, and clusters are what they should be.
@@ -72,7 +72,7 @@ class Strewn {
                 EXPECT_EQ(group.tags()[k].body, bodies_[id]);
                 EXPECT_EQ(group.data(Field::density)[k], static_cast<double>(id));
                 for (int axis = 0; axis < group.dimension(); ++axis)
-                    EXPECT_EQ(group.data(Field::position, axis)[k], places_[axis][id]);
+                    EXPECT_EQ(group.data(Field::position, axis)[k], positions_[axis][id]);
             }
         }
         EXPECT_EQ(static_cast<std::size_t>(next), group.owned());
@@ -84,7 +84,7 @@ class Strewn {
     ParticleGroup group;
 
   private:
-    std::vector<std::vector<double>> places_;
+    std::vector<std::vector<double>> positions_;
     std::vector<int> bodies_;
 };
 
@@ -95,9 +95,9 @@ double peak_memory() {
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-class SpaceOrder : public testing::TestWithParam<std::tuple<ParticleKind, std::vector<int>>> {
+class SpaceOrder : public testing::TestWithParam<std::tuple<PartKind, std::vector<int>>> {
   protected:
-    Strewn strewn{std::get<ParticleKind>(GetParam()), std::get<std::vector<int>>(GetParam())};
+    Strewn strewn{std::get<PartKind>(GetParam()), std::get<std::vector<int>>(GetParam())};
 };
 
 TEST_P(SpaceOrder, puts_every_particle_into_one_cluster_that_is_small_and_of_one_body) {
@@ -132,25 +132,25 @@ TEST_P(SpaceOrder, survives_a_particle_that_flew_away) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SpaceOrder,
-                         testing::Combine(testing::Values(ParticleKind::fluid, ParticleKind::springs),
+                         testing::Combine(testing::Values(PartKind::fluid, PartKind::elastic),
                                           testing::Values(std::vector{20, 20}, std::vector{30, 1}, std::vector{300, 7},
                                                           std::vector{9, 8, 7}, std::vector{140, 4, 5})),
                          [](const auto& variant) {
-                             std::string name = std::get<0>(variant.param) == ParticleKind::fluid ? "fluid" : "springs";
+                             std::string name = std::get<0>(variant.param) == PartKind::fluid ? "fluid" : "elastic";
                              for (const int length : std::get<1>(variant.param)) name += "_" + std::to_string(length);
                              return name;
                          });
 
 TEST(SpaceOrder, fills_the_clusters_of_a_fluid) {
     for (const std::vector<int>& lengths : {std::vector{100, 40}, std::vector{100, 10, 10}}) {
-        Strewn strewn(ParticleKind::fluid, lengths);
+        Strewn strewn(PartKind::fluid, lengths);
         const auto clusters = sort_in_space(strewn.group, spacing, 1);
         EXPECT_GT(static_cast<double>(strewn.group.owned()) / static_cast<double>(clusters.size()), 7);
     }
 }
 
 TEST(SpaceOrder, of_nobody_is_empty_and_drops_copies) {
-    ParticleGroup group(ParticleKind::fluid, 2);
+    ParticleGroup group(PartKind::fluid, 2);
     group.declare({Field::position});
     group.resize(0, 3);
     EXPECT_TRUE(sort_in_space(group, spacing, 2).empty());
@@ -158,7 +158,7 @@ TEST(SpaceOrder, of_nobody_is_empty_and_drops_copies) {
 }
 
 TEST(SpaceOrder, of_particles_in_one_place_is_full_clusters) {
-    Strewn strewn(ParticleKind::fluid, {4, 5});
+    Strewn strewn(PartKind::fluid, {4, 5});
     for (std::size_t i = 0; i < 22; ++i)
         for (const std::size_t axis : {0U, 1U}) strewn.put(i, axis, 0.25);
     const auto clusters = sort_in_space(strewn.group, spacing, 1);
@@ -234,12 +234,12 @@ double gap_square(const ParticleGroup& group, std::size_t i, const std::array<do
 void expect_finds_all_near(const ParticleGroup& group, double cell_size, int threads) {
     const SearchGrid grid(group, cell_size, threads);
     std::mt19937 random(8);
-    std::uniform_real_distribution<double> place(-3, 3), size(0, 0.8), distance(0.01, 1.5);
+    std::uniform_real_distribution<double> position(-3, 3), size(0, 0.8), distance(0.01, 1.5);
     std::size_t all = 0;
     for (int k = 0; k < 300; ++k) {
         std::array<double, 3> low{}, high{};
         for (int axis = 0; axis < group.dimension(); ++axis) {
-            low[axis] = place(random) * (k % 10 == 0 ? 1000 : 1);
+            low[axis] = position(random) * (k % 10 == 0 ? 1000 : 1);
             high[axis] = low[axis] + size(random);
         }
         const double reach = distance(random);
@@ -262,7 +262,7 @@ void expect_finds_all_near(const ParticleGroup& group, double cell_size, int thr
 TEST(SearchGrid, finds_all_that_are_near_and_nobody_twice) {
     for (const std::vector<int>& lengths :
          {std::vector{20, 20}, std::vector{40, 3}, std::vector{9, 8, 7}, std::vector{2, 3, 40}}) {
-        const Strewn strewn(ParticleKind::fluid, lengths);
+        const Strewn strewn(PartKind::fluid, lengths);
         for (const double cell_size : {0.02, 0.2, 5.0})
             for (const int threads : {1, 3}) expect_finds_all_near(strewn.group, cell_size, threads);
     }
@@ -271,7 +271,7 @@ TEST(SearchGrid, finds_all_that_are_near_and_nobody_twice) {
 TEST(SearchGrid, survives_a_particle_that_flew_away) {
     for (const std::vector<int>& lengths : {std::vector{20, 20}, std::vector{9, 8, 7}}) {
         const double before = peak_memory();
-        Strewn strewn(ParticleKind::fluid, lengths);
+        Strewn strewn(PartKind::fluid, lengths);
         for (std::size_t axis = 0; axis < lengths.size(); ++axis) strewn.put(5, axis, 1e6 * spacing);
         expect_finds_all_near(strewn.group, 2 * spacing, 2);
         EXPECT_LT(peak_memory() - before, 64e6);
@@ -280,7 +280,7 @@ TEST(SearchGrid, survives_a_particle_that_flew_away) {
 
 TEST(SearchGrid, of_nobody_or_of_one_finds_them) {
     for (const std::size_t count : {0U, 1U}) {
-        ParticleGroup group(ParticleKind::springs, 2);
+        ParticleGroup group(PartKind::elastic, 2);
         group.declare({Field::position});
         group.resize(count, 0);
         expect_finds_all_near(group, 2 * spacing, 2);

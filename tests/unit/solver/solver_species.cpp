@@ -42,7 +42,7 @@ TEST_P(DiffusionOfAStep, follows_the_closed_form) {
     const Step& step = GetParam();
     WalledWater made = strip(240, 6);
     make_part(made, "slow", PartKind::fluid, 12.0, 24.0);
-    made.scene.accuracy.kernel = KernelKind::lucy;
+    made.scene.numerics.kernel = KernelKind::lucy;
     Species drug = species_of("drug", 1, "x < 12 ? 1 : 0");
     drug.diffusivity.all.reset();
     drug.diffusivity.parts = {{"water", 1.0}, {"slow", 1.0 / step.ratio}};
@@ -80,7 +80,7 @@ TEST(Diffusion, of_a_gaussian_spreads_its_variance) {
     made.make_periodic(0);
     made.make_periodic(1);
     made.scene.species = {species_of("dye", 1, "exp(-((x-2)^2 + (y-2)^2) / (2*0.09))")};
-    made.scene.accuracy.shifting = 0.0;
+    made.scene.numerics.shifting = 0.0;
     made.scene.output.fields = {FluidField::concentration};
     Measure spread;
     spread.name = std::string("spread");
@@ -148,8 +148,8 @@ TEST(Diffusion, into_a_wall_is_measured_with_its_sherwood_number) {
     flux.name = std::string("uptake");
     flux.kind = MeasureKind::wall_flux;
     flux.part = std::string("right");
-    flux.length = {2.0, Place{"scene.toml", 9, 1}};
-    flux.area = {0.8, Place{"scene.toml", 9, 1}};
+    flux.length = {2.0, SourceLocation{"scene.toml", 9, 1}};
+    flux.area = {0.8, SourceLocation{"scene.toml", 9, 1}};
     made.scene.measures = {flux};
     made.scene.output.measure_every = 0.5;
     made.scene.run.duration = 6.0;
@@ -215,8 +215,8 @@ TEST(Diffusion, stepped_implicitly_gives_the_same_and_keeps_every_bit) {
     made.scene.run.duration = 0.4;
     KeptFrames explicitly, implicitly;
     const RunSummary first = run_of(made, &explicitly);
-    made.scene.accuracy.species_stepping = SpeciesStepping::implicitly;
-    made.scene.accuracy.step_factor = 0.05;
+    made.scene.numerics.species_stepping = SpeciesStepping::implicitly;
+    made.scene.numerics.step_factor = 0.05;
     const RunSummary second = run_of(made, &implicitly);
     EXPECT_EQ(second.ruling_limit, "sound");
     EXPECT_GT(second.species_solves.mean_iterations(), 1);
@@ -225,7 +225,7 @@ TEST(Diffusion, stepped_implicitly_gives_the_same_and_keeps_every_bit) {
     for (const auto& [x, value] : by_x(implicitly.frames.back())) EXPECT_NEAR(value, one.at(x), 3e-3) << x;
     EXPECT_LT(std::abs(second.species[0].residual()), 1e-15);
     // A hundred times the explicit limit: to the steady state at once.
-    made.scene.accuracy.step_factor = 1.0;
+    made.scene.numerics.step_factor = 1.0;
     made.scene.species[0].diffusivity.all = Value<double>(100.0);
     KeptFrames fast;
     const RunSummary third = run_of(made, &fast);
@@ -270,7 +270,7 @@ TEST(Species, go_on_from_a_checkpoint_to_the_same_bits) {
         const auto folder = std::filesystem::path(testing::TempDir()) / "dmp_species";
         std::filesystem::remove_all(folder);
         SceneAndParticles made = stirred_mixture();
-        made.scene.accuracy.species_stepping = stepping;
+        made.scene.numerics.species_stepping = stepping;
         KeptFrames kept;
         const RunSummary whole = run_of(made, &kept);
         const RunSummary parts = run_in_two_parts(made, folder);
@@ -365,7 +365,7 @@ TEST(Shifting, leaves_behind_what_is_dissolved) {
     scene.parts[2].surface_velocity = std::array<Expression, 3>{Expression("1", "1"), Expression(), Expression()};
     scene.flow.initial_velocity = std::array<Expression, 3>{Expression("y / 1.6", ""), Expression(), Expression()};
     scene.species = {species_of("marker", 0, "y / 1.6")};
-    scene.accuracy.shifting = 4.0;
+    scene.numerics.shifting = 4.0;
     scene.output.fields = {FluidField::concentration};
     scene.run.duration = 5.0;
     KeptFrames frames;

@@ -79,7 +79,7 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
             for (ParticleGroup& group : particles.groups()) {
                 for (const Field field : {Field::species_amount, Field::concentration, Field::species_diffusivity})
                     group.declare(field, 2);
-                if (group.kind() == ParticleKind::rigid) group.declare(Field::species_wall, 2);
+                if (group.kind() == PartKind::rigid) group.declare(Field::species_wall, 2);
             }
             neighbours.list_within_solids();
             fill(set, alike);
@@ -95,7 +95,7 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
                 const auto put = [&](Field field, double value, int array) {
                     if (by_id.group(id).has(field)) by_id.value(field, id, array) = value;
                 };
-                const bool fluid = set.kind(id) == ParticleKind::fluid, rigid = set.kind(id) == ParticleKind::rigid;
+                const bool fluid = set.kind(id) == PartKind::fluid, rigid = set.kind(id) == PartKind::rigid;
                 const double concentration = unit(random), diffusivity = 0.5 + unit(random);
                 // A third of the wall each is held, gives a flux and conducts; a quarter of the bodies is closed.
                 const bool wall = rigid && id % 3 != 2, closed = !fluid && !rigid && id % 4 == 0;
@@ -114,13 +114,13 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
     };
 
     template <int D>
-    static SpeciesWallPoint<double, D> point(const ById& by_id, std::size_t id, const Vec& place) {
+    static SpeciesWallPoint<double, D> point(const ById& by_id, std::size_t id, const Vec& position) {
         SpeciesWallPoint<double, D> point{};
-        for (int axis = 0; axis < D; ++axis) point.position[axis] = place[axis];
+        for (int axis = 0; axis < D; ++axis) point.position[axis] = position[axis];
         point.volume = by_id.value(Field::volume, id);
         point.concentration = by_id.value(Field::concentration, id, species);
         point.diffusivity = by_id.value(Field::species_diffusivity, id, species);
-        if (by_id.group(id).kind() != ParticleKind::rigid) return point;
+        if (by_id.group(id).kind() != PartKind::rigid) return point;
         for (int axis = 0; axis < D; ++axis) point.normal[axis] = by_id.value(Field::wall_normal, id, axis);
         point.depth = by_id.value(Field::wall_distance, id);
         point.held = by_id.value(Field::species_wall, id, species) > 0 ? 1 : 0;
@@ -136,7 +136,7 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
         const double nearest = 0.5 * set.spacing;
         for_all_pairs(particles, settings.support, [&](const Meeting& m) {
             const auto i = point<D>(by_id, m.i, m.separation), j = point<D>(by_id, m.j, Vec::Zero());
-            const bool wall_i = set.kind(m.i) == ParticleKind::rigid, wall_j = set.kind(m.j) == ParticleKind::rigid;
+            const bool wall_i = set.kind(m.i) == PartKind::rigid, wall_j = set.kind(m.j) == PartKind::rigid;
             const double pair = i.volume * j.volume * kernel.slope(m.separation.norm());
             const double di = i.diffusivity, dj = j.diffusivity;
             const auto ratio = [&](const auto& wall, double sign) {
@@ -164,7 +164,7 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
         wanted.array_of_result = species;
         wanted.time = 0.25;
         wanted.largest_term = largest_term;
-        wanted.with_rigid = wanted.with_springs = true;
+        wanted.with_rigid = wanted.with_elastic = true;
         if (alike) wanted.diffusivity = 0.8;
         return wanted;
     }
@@ -178,7 +178,7 @@ TEST_P(SpeciesSweepOf, takes_what_all_pairs_give) {
     std::vector<double> first_bits;
     for (const VectorUnit unit : available_vector_units())
         for (const int threads : {1, 3}) {
-            SCOPED_TRACE(std::string(word(unit)) + ", threads: " + std::to_string(threads));
+            SCOPED_TRACE(std::string(to_string(unit)) + ", threads: " + std::to_string(threads));
             Crowd made(set, settings, unit, threads, alike);
             std::vector<double> taken(set.size()), conductances(set.size());
             if (dimension == 3)
@@ -220,13 +220,13 @@ TEST_P(SpeciesSweepOf, leaves_solids_alone_that_take_no_part) {
     const auto [dimension, alike] = GetParam();
     Crowd made(set, settings, VectorUnit::widest, 1, alike);
     SpeciesSums wanted = sums(alike, 1);
-    wanted.with_rigid = wanted.with_springs = false;
+    wanted.with_rigid = wanted.with_elastic = false;
     made.sweeps->species(made.particles, {made.neighbours.list(), nullptr}, wanted);
     const ById by_id(made.particles);
     double all = 0, some = 0;
     for (std::size_t id = 0; id < set.size(); ++id) {
         const double found = by_id.value(Field::species_amount, id, species);
-        if (set.kind(id) != ParticleKind::fluid) {
+        if (set.kind(id) != PartKind::fluid) {
             EXPECT_EQ(found, 0);
         }
         all += found;
@@ -240,16 +240,16 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
     const auto [dimension, alike] = GetParam();
     settings.shifting = 4;
     for (const VectorUnit unit : available_vector_units()) {
-        SCOPED_TRACE(word(unit));
+        SCOPED_TRACE(to_string(unit));
         Crowd made(set, settings, unit, 1, alike);
         const ById by_id(made.particles);
         std::mt19937 random(13);
         std::uniform_real_distribution<double> unit_sum(-1, 1);
         for (std::size_t id = 0; id < set.size(); ++id)
             for (int axis = 0; axis < dimension; ++axis)
-                if (set.kind(id) == ParticleKind::fluid) by_id.value(Field::shift, id, axis) = unit_sum(random);
+                if (set.kind(id) == PartKind::fluid) by_id.value(Field::shift, id, axis) = unit_sum(random);
         SpeciesSums wanted = sums(alike, 1e-6);
-        wanted.with_rigid = wanted.with_springs = false;
+        wanted.with_rigid = wanted.with_elastic = false;
         const auto run = [&] {
             made.sweeps->species(made.particles, {made.neighbours.list(), nullptr}, wanted);
             std::vector<double> found;
@@ -266,7 +266,7 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
         double largest = 0;
         int shortened = 0;
         for_all_pairs(made.particles, settings.support, [&](const Meeting& m) {
-            if (set.kind(m.i) != ParticleKind::fluid || set.kind(m.j) != ParticleKind::fluid) return;
+            if (set.kind(m.i) != PartKind::fluid || set.kind(m.j) != PartKind::fluid) return;
             Vec shift = -0.01 * by_id.vector(Field::shift, m.i);
             if (shift.norm() > 0.008) {
                 shift *= 0.008 / shift.norm();
@@ -291,22 +291,22 @@ TEST_P(SpeciesSweepOf, takes_up_what_shifting_leaves_behind) {
 TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
     const auto [dimension, alike] = GetParam();
     for (const WallModel walls : {WallModel::extrapolated, WallModel::plain})
-        for (const auto& [stratified, shifting] : {std::pair(false, 0.0), {false, 4.0}, {true, 0.0}, {true, 4.0}})
+        for (const auto& [hydrostatic, shifting] : {std::pair(false, 0.0), {false, 4.0}, {true, 0.0}, {true, 4.0}})
             for (const VectorUnit unit : available_vector_units()) {
-                SCOPED_TRACE(std::string(word(unit)) + ", " + std::string(word(walls)) +
-                             (shifting > 0 ? ", shifted" : "") + (stratified ? ", stratified" : ""));
+                SCOPED_TRACE(std::string(to_string(unit)) + ", " + std::string(to_string(walls)) +
+                             (shifting > 0 ? ", shifted" : "") + (hydrostatic ? ", stratified" : ""));
                 settings.shifting = shifting;
-                settings.stratified = stratified;
+                settings.hydrostatic = hydrostatic;
                 settings.walls = walls;
                 Crowd made(set, settings, unit, 2, alike);
                 SpeciesSums wanted = sums(alike, 1e-6);
-                EXPECT_FALSE(made.sweeps->takes_along(wanted)) << "solids take part";
-                wanted.with_rigid = wanted.with_springs = false;
-                EXPECT_EQ(made.sweeps->takes_along(wanted), alike && shifting == 0);
+                EXPECT_FALSE(made.sweeps->can_fuse(wanted)) << "solids take part";
+                wanted.with_rigid = wanted.with_elastic = false;
+                EXPECT_EQ(made.sweeps->can_fuse(wanted), alike && shifting == 0);
                 if (shifting > 0) {
                     wanted.shift_per_sum = -3e-4;
                     wanted.longest_shift = 0.008;  // of which some want more
-                    EXPECT_EQ(made.sweeps->takes_along(wanted), alike);
+                    EXPECT_EQ(made.sweeps->can_fuse(wanted), alike);
                 }
                 if (!alike) continue;
                 const ById by_id(made.particles);
@@ -318,7 +318,7 @@ TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
                 const auto found = [&](Field field, int array) {
                     std::vector<double> values;
                     for (std::size_t id = 0; id < set.size(); ++id)
-                        if (set.kind(id) == ParticleKind::fluid && by_id.group(id).has(field))
+                        if (set.kind(id) == PartKind::fluid && by_id.group(id).has(field))
                             values.push_back(by_id.value(field, id, array));
                     return values;
                 };

@@ -161,12 +161,12 @@ TEST(SphereAdhesion, jkr_solves_its_equations) {
     const double reach = JkrContact::reach(radius, pair);
     for (const double overlap : {-0.999 * reach, -0.5 * reach, 0.0, 0.1 * reach, reach, 30 * reach, 1e4 * reach}) {
         const Contact<double> contact{overlap, V3{{0, 0, 1}}, radius, mass, 0, V3{}, V3{}};
-        const auto [a, f, grip] = JkrContact::law(contact, pair, 1.0);
+        const auto [a, f, adhesive_force] = JkrContact::law(contact, pair, 1.0);
         const double deep = a * a / radius - std::sqrt(2 * pi * w * a / e_star);
         EXPECT_NEAR(deep, overlap, 1e-12 * (a * a / radius));
         const double pressed = 4 * e_star * a * a * a / (3 * radius);
         EXPECT_NEAR(f, pressed - std::sqrt(8 * pi * w * e_star * a * a * a), 1e-12 * (pressed + pull_off));
-        EXPECT_NEAR(grip, 2 * 0.75 * pull_off, 1e-12 * pull_off);
+        EXPECT_NEAR(adhesive_force, 2 * 0.75 * pull_off, 1e-12 * pull_off);
         const double step = 1e-5 * (overlap + 1.1 * reach);
         EXPECT_NEAR(
             (JkrContact::energy(overlap + step, radius, pair) - JkrContact::energy(overlap - step, radius, pair)) /

@@ -93,7 +93,7 @@ TEST(SphereDriving, crowds_are_the_same_bits_on_any_threads) {
 
 TEST(SphereDriving, what_waits_for_its_push_is_not_still) {
     SphereScene made = row(2);
-    made.scene.run.until_still = 1e-3;
+    made.scene.run.until_steady = 1e-3;
     made.force("beads", {"1e-4", "0", "0"}, ForceAmount::total).from = given(0.01);
     made.scene.forces.back().until = given(0.011);
     const RunSummary summary = run(made);

@@ -14,7 +14,7 @@ namespace dmp::tests {
 namespace {
 
 /// A crowd, or one in which a gravity that happens to be 0 keeps every sphere under a step's eyes.
-SphereScene crowd_looked_at(bool always) {
+SphereScene crowd_seen_from(bool always) {
     SphereScene made = crowd(150, 4);
     made.sphere(0, {0.5e-3, 0.5e-3, 0.2}, 0.1e-3, {-0.0, 1, -0.0}, {-0.0, 0, 0});  // meets nobody
     if (always) made.scene.flow.acceleration[0] = SphereScene::expression("0 * t");
@@ -28,7 +28,7 @@ std::string hash_of(const SphereScene& made, int threads) {
 TEST(SphereFlight, spheres_go_as_far_as_if_each_step_had_looked_at_them) {
     std::set<std::string> hashes;
     for (const bool always : {true, false})
-        for (const int threads : {1, 3}) hashes.insert(hash_of(crowd_looked_at(always), threads));
+        for (const int threads : {1, 3}) hashes.insert(hash_of(crowd_seen_from(always), threads));
     EXPECT_EQ(hashes.size(), 1U);
 }
 
@@ -51,9 +51,9 @@ TEST(SphereFlight, takes_those_that_nothing_acts_on) {
         }
         return sum / 200 / static_cast<double>(made.set.size());
     };
-    EXPECT_GT(share_flying(crowd_looked_at(false)), 0.5);
-    EXPECT_EQ(share_flying(crowd_looked_at(true)), 0);
-    SphereScene pushed = crowd_looked_at(false);
+    EXPECT_GT(share_flying(crowd_seen_from(false)), 0.5);
+    EXPECT_EQ(share_flying(crowd_seen_from(true)), 0);
+    SphereScene pushed = crowd_seen_from(false);
     pushed.force("small", {"1e-4", "0", "0"}, ForceAmount::per_particle);
     pushed.force("large", {"1e-4", "0", "0"}, ForceAmount::per_particle);
     EXPECT_EQ(share_flying(pushed), 0);
@@ -67,9 +67,9 @@ TEST(SphereFlight, many_steps_are_the_same_bits_as_one_after_the_other) {
     const PositionQuantum quantum(space);
     for (const int threads : {1, 2}) {
         std::vector<SphereMotion> once(3), each(3);
-        once[0].place = {{0.1, -0.2, 0.3, 1}};
+        once[0].position = {{0.1, -0.2, 0.3, 1}};
         once[0].velocity = {{1 / 3.0, -7 / 9.0, 1e-9, 1}};
-        once[1].place = {{quantum.round(123 / 7.0), -40, 0, 1}};
+        once[1].position = {{quantum.round(123 / 7.0), -40, 0, 1}};
         once[1].velocity = {{11 / 7.0, -2 / 3.0, 5 / 3.0, 1}};
         once[2] = once[0];
         each = once;
@@ -79,16 +79,18 @@ TEST(SphereFlight, many_steps_are_the_same_bits_as_one_after_the_other) {
             for (int k = 0; k < 1000; ++k) {
                 flight.pass(dt, quantum, once);
                 for (std::size_t i = 0; i < 2; ++i)
-                    write(each[i].place, read(each[i].place) + way_of(read(each[i].velocity), dt, quantum.magic()));
+                    write(each[i].position,
+                          read(each[i].position) + way_of(read(each[i].velocity), dt, quantum.magic()));
             }
-        EXPECT_NE(once[0].place.c[0], each[0].place.c[0]) << "it has been brought to the end of the shorter steps";
+        EXPECT_NE(once[0].position.c[0], each[0].position.c[0])
+            << "it has been brought to the end of the shorter steps";
         flight.land(once);
         for (std::size_t i = 0; i < 3; ++i)
-            for (int c = 0; c < 4; ++c) EXPECT_EQ(once[i].place.c[c], each[i].place.c[c]) << i << ' ' << c;
-        EXPECT_NEAR(once[0].place.c[0], 0.1 + 0.4 / 3, 1e-9);
-        EXPECT_EQ(once[2].place.c[0], 0.1);
+            for (int c = 0; c < 4; ++c) EXPECT_EQ(once[i].position.c[c], each[i].position.c[c]) << i << ' ' << c;
+        EXPECT_NEAR(once[0].position.c[0], 0.1 + 0.4 / 3, 1e-9);
+        EXPECT_EQ(once[2].position.c[0], 0.1);
         flight.land(once);
-        EXPECT_EQ(once[0].place.c[0], each[0].place.c[0]) << "there already";
+        EXPECT_EQ(once[0].position.c[0], each[0].position.c[0]) << "there already";
     }
 }
 

@@ -87,10 +87,10 @@ TEST(SphereNeighbours, miss_no_contact_however_unlike_the_speeds) {
             list.for_each(
                 [&](std::size_t c, std::int16_t) { listed.emplace(std::minmax(list.low()[c], list.high()[c])); });
             const auto motion = shot.step->rows().motion();
-            const auto place = [&](int i) { return Eigen::Map<const Vec>(motion[i].place.c); };
+            const auto position = [&](int i) { return Eigen::Map<const Vec>(motion[i].position.c); };
             for (int j = 0; j < static_cast<int>(shot.made.set.size()); ++j)
                 for (int i = 0; i < j; ++i)
-                    if ((place(i) - place(j)).norm() < motion[i].radius() + motion[j].radius()) {
+                    if ((position(i) - position(j)).norm() < motion[i].radius() + motion[j].radius()) {
                         ++touching;
                         ASSERT_TRUE(listed.contains({i, j})) << "step " << k;
                     }

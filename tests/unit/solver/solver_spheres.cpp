@@ -51,7 +51,7 @@ class LammpsCrowd {
         return values;
     }
     [[nodiscard]] auto positions() const {
-        return by_id([](const SphereRows& r, std::size_t i) { return r.motion()[i].place.c; });
+        return by_id([](const SphereRows& r, std::size_t i) { return r.motion()[i].position.c; });
     }
     [[nodiscard]] auto velocities() const {
         return by_id([](const SphereRows& r, std::size_t i) { return r.motion()[i].velocity.c; });
@@ -69,7 +69,7 @@ class LammpsCrowd {
   private:
     SphereScene made_;
     SphereSetup setup_;
-    ParticleGroup group_{ParticleKind::spheres, 3};
+    ParticleGroup group_{PartKind::spheres, 3};
     std::optional<SphereStep> step_;
 };
 
@@ -139,7 +139,7 @@ TEST(SphereEngine, elastic_spheres_without_friction_keep_energy_and_momentum) {
     made.set.periodic = {true, true, true};
     made.scene.contact_pairs[0].restitution = given(1);
     made.scene.contact_pairs[0].friction = given(0);
-    made.scene.accuracy.steps_per_contact = 50;
+    made.scene.numerics.steps_per_contact = 50;
     const SphereSetup setup = sphere_setup(made.scene, made.set);
     const PositionQuantum quantum(made.set);
     const ParticleSpace space = with_whole_periods(made.set, quantum);
@@ -152,8 +152,9 @@ TEST(SphereEngine, elastic_spheres_without_friction_keep_energy_and_momentum) {
         list.for_each([&](std::size_t k, std::int16_t kind) {
             if (list.low()[k] >= static_cast<std::int32_t>(group.owned())) return;  // the other image counts
             const SphereMotion &a = step.rows().motion()[list.low()[k]], &b = step.rows().motion()[list.high()[k]];
-            const double distance =
-                Vec(a.place.c[0] - b.place.c[0], a.place.c[1] - b.place.c[1], a.place.c[2] - b.place.c[2]).norm();
+            const double distance = Vec(a.position.c[0] - b.position.c[0], a.position.c[1] - b.position.c[1],
+                                        a.position.c[2] - b.position.c[2])
+                                        .norm();
             sum += HertzContact::energy(a.radius() + b.radius() - distance,
                                         a.radius() * b.radius() / (a.radius() + b.radius()),
                                         setup.pairs[static_cast<std::size_t>(kind)].constants);
@@ -182,7 +183,7 @@ TEST(SphereEngine, elastic_spheres_without_friction_keep_energy_and_momentum) {
 /// Normal velocity after an impact on a plane over that before.
 double bounce(double restitution) {
     SphereScene made;
-    made.scene.accuracy.steps_per_contact = 200;
+    made.scene.numerics.steps_per_contact = 200;
     const int ball = made.part("ball", PartKind::spheres), floor = made.part("floor", PartKind::plane, 0);
     made.contact(restitution, 0.3);
     made.plane(floor, Vec::Zero(), Vec::UnitZ());
@@ -208,7 +209,7 @@ SphereScene thrown_ball() {
     Measure velocity;
     velocity.name = std::string("v");
     velocity.kind = MeasureKind::velocity;
-    velocity.part = Value<std::string>("ball", Place{"scene.toml", 3, 1});
+    velocity.part = Value<std::string>("ball", SourceLocation{"scene.toml", 3, 1});
     Measure spin = velocity;
     spin.name = std::string("w");
     spin.kind = MeasureKind::spin;
@@ -242,12 +243,12 @@ TEST(SphereWalls, a_ball_that_rolls_over_triangles_feels_no_edges) {
 }
 
 /// The force of walls on a ball at rest, pressed into them by a micrometre.
-Vec force_in(const std::vector<std::array<Vec, 3>>& triangles, const Vec& place) {
+Vec force_in(const std::vector<std::array<Vec, 3>>& triangles, const Vec& position) {
     SphereScene made;
     const int ball = made.part("ball", PartKind::spheres);
     made.part("walls", PartKind::surface, 0);
     made.contact(1, 0);
-    made.sphere(ball, place, 1e-3);
+    made.sphere(ball, position, 1e-3);
     for (const auto& [a, b, c] : triangles) made.triangle(1, a, b, c);
     const SphereSetup setup = sphere_setup(made.scene, made.set);
     ParticleGroup group = sphere_group(made.set, PositionQuantum(made.set), Ranks::alone());
@@ -295,7 +296,7 @@ TEST(SphereEngine, ends_when_nothing_changes_any_more) {
     SphereScene made = thrown_ball();
     made.plane(1, Vec::Zero(), Vec::UnitZ());
     made.scene.flow.acceleration[2] = Expression();
-    made.scene.run.until_still = 1e-3;
+    made.scene.run.until_steady = 1e-3;
     const RunSummary summary = run(made);
     EXPECT_LT(summary.simulated_s, 3e-3);  // one impact, then free flight
     EXPECT_GT(summary.spheres->still_since, 0);
@@ -315,7 +316,7 @@ TEST(SphereEngine, counts_what_detaches_by_halves) {
     Measure detached;
     detached.name = std::string("gone");
     detached.kind = MeasureKind::detached;
-    detached.part = Value<std::string>("carrier", Place{"scene.toml", 3, 1});
+    detached.part = Value<std::string>("carrier", SourceLocation{"scene.toml", 3, 1});
     made.scene.measures = {detached};
     made.scene.run.duration = given(1e-9);
     const MeasureSeries series = run(made).measures;
@@ -325,7 +326,7 @@ TEST(SphereEngine, counts_what_detaches_by_halves) {
 
 TEST(SphereEngine, refuses_what_it_cannot_do) {
     SphereScene both = thrown_ball();
-    both.set.parts.push_back({"water", ParticleKind::fluid});
+    both.set.parts.push_back({"water", PartKind::fluid});
     both.set.part.back() = 2;
     EXPECT_THROW(run(both), InputError);
     SphereScene tight = thrown_ball();

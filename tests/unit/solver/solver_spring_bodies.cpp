@@ -20,7 +20,7 @@ const Ranks alone = Ranks::alone();
 TEST(SpringBodies, substeps_keep_below_the_asked_fraction_of_the_limit) {
     const ParticleSet set = ladder({16, 0.5, true});
     Scene scene = scene_with(part_with(0), SpringStepping::subcycled);
-    scene.accuracy.spring_step_factor = 0.5;
+    scene.numerics.spring_step_factor = 0.5;
     const SpringBodies bodies(set, scene, alone);
     ASSERT_EQ(bodies.step_limits().size(), 1U);
     EXPECT_EQ(bodies.step_limits()[0].part, "beam");
@@ -59,7 +59,7 @@ TEST(SpringBodies, load_that_is_no_number_is_a_divergence_that_can_be_caught) {
         SpringBodies bodies(set, scene_with(part_with(0), SpringStepping::implicit), alone);
         ParticleStore particles(set, {1000});
         bodies.find_nodes(particles);
-        particles.of(ParticleKind::springs).data(Field::force, 1)[set.size() - 1] =
+        particles.of(PartKind::elastic).data(Field::force, 1)[set.size() - 1] =
             std::numeric_limits<double>::quiet_NaN();
         EXPECT_THROW(bodies.advance(particles, 0.1, threads), DivergenceError);
     }
@@ -70,8 +70,8 @@ ParticleSet two_ladders() {
     const ParticleSet one = ladder({6, 0.5, true});
     ParticleSet set = one;
     const int count = static_cast<int>(one.size());
-    for (const Vec& place : one.position) {
-        set.position.emplace_back(place + Vec(0, 3, 0));
+    for (const Vec& position : one.position) {
+        set.position.emplace_back(position + Vec(0, 3, 0));
         set.body.push_back(1);
     }
     for (auto* values : {&set.volume, &set.mass, &set.wall_distance}) values->resize(2 * one.size(), values->back());
@@ -94,7 +94,7 @@ TEST(SpringBodies, take_forces_from_and_show_motion_to_particles_in_any_order_an
     for (const bool reversed : {false, true}) {
         SpringBodies bodies(set, scene_with(part_with(0.01), SpringStepping::implicit), alone);
         ParticleStore particles(set, {1000});
-        ParticleGroup& group = particles.of(ParticleKind::springs);
+        ParticleGroup& group = particles.of(PartKind::elastic);
         std::vector<std::int32_t> order(group.owned());
         std::iota(order.begin(), order.end(), 0);
         if (reversed) std::reverse(order.begin(), order.end());
@@ -142,7 +142,7 @@ TEST(SpringBodies, node_goes_to_a_multiple_of_the_quantum_wherever_it_was_wrappe
     const ParticleSet set = ladder({6, 0.5, true});
     SpringBodies bodies(set, scene_with(part_with(0.01), SpringStepping::implicit), alone);
     ParticleStore particles(set, {1000});
-    ParticleGroup& group = particles.of(ParticleKind::springs);
+    ParticleGroup& group = particles.of(PartKind::elastic);
     const double period = 16;
     for (std::size_t i = 0; i < group.owned(); i += 2) group.data(Field::position)[i] -= period;
     bodies.find_nodes(particles);
@@ -153,7 +153,7 @@ TEST(SpringBodies, node_goes_to_a_multiple_of_the_quantum_wherever_it_was_wrappe
     }
     for (std::size_t i = 0; i < group.owned(); ++i) {
         const double x = group.data(Field::position)[i] + (i % 2 == 0 ? period : 0);
-        EXPECT_EQ(x, particles.quantum().round(bodies.bodies()[0]->place(i)[0]));
+        EXPECT_EQ(x, particles.quantum().round(bodies.bodies()[0]->position(i)[0]));
     }
 }
 

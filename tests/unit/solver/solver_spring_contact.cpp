@@ -53,10 +53,10 @@ TEST(SelfContact, repels_what_was_drawn_apart_as_the_law_says_and_nothing_else) 
     // Approaching by small steps, with pairs listed before: the same bits as looked for anew.
     for (int small = 0; small < 139; ++small) {
         const double x = 2.2 - 0.013 * small;
-        const Vectors place{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{x, 0.2}}};
+        const Vectors position{{{0, 0}}, {{1, 0}}, {{2, 0}}, {{x, 0.2}}};
         Vectors listed(4, V2::zero()), anew(4, V2::zero());
-        contact.add_forces(place, listed);
-        SelfContact<2>(contact_within(1), held_apart).add_forces(place, anew);
+        contact.add_forces(position, listed);
+        SelfContact<2>(contact_within(1), held_apart).add_forces(position, anew);
         for (std::size_t n = 0; n < 4; ++n)
             for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(listed[n][axis], anew[n][axis]);
     }
@@ -117,7 +117,7 @@ double gap_of_pressed_leaflets(double repulsion) {
     settings.repulsion_strength = repulsion;
     ParticleStore particles(set, {1});
     const auto sweeps = make_pair_sweeps(settings, particles);
-    ParticleGroup& nodes = particles.of(ParticleKind::springs);
+    ParticleGroup& nodes = particles.of(PartKind::elastic);
     for (std::size_t i = 0; i < nodes.owned() && repulsion > 0; ++i)
         nodes.data(Field::contact_range)[i] = nodes.data(Field::wall_contact_range)[i] = 1;
     Neighbours neighbours(ranks, particles.space(), settings.support, 1);
@@ -136,7 +136,8 @@ double gap_of_pressed_leaflets(double repulsion) {
     const SpringBody &low = *bodies.bodies()[0], &high = *bodies.bodies()[1];
     for (std::size_t a = 0; a < low.nodes(); ++a)
         for (std::size_t b = 0; b < high.nodes(); ++b)
-            if (const Vec apart = high.place(b) - low.place(a); std::abs(apart[0]) < 0.5) gap = std::min(gap, apart[1]);
+            if (const Vec apart = high.position(b) - low.position(a); std::abs(apart[0]) < 0.5)
+                gap = std::min(gap, apart[1]);
     return gap;
 }
 

@@ -138,12 +138,12 @@ TEST_P(PlaneLadder, stretches_bends_and_shears_as_said) {
         part.cross_bonds = GetParam().shear == 0;
         part.lower_axial_stiffness = false;
         const LadderConstants constants = ladder_constants(part, along, across);
-        std::vector<Vec> place;
+        std::vector<Vec> position;
         for (int column = 0; column <= 64; ++column)
-            for (const double y : {0.5, -0.5}) place.emplace_back(column * along, y * across, 0);
-        ParticleSet set = set_of_nodes(2, place, std::vector<double>(place.size(), 1));
+            for (const double y : {0.5, -0.5}) position.emplace_back(column * along, y * across, 0);
+        ParticleSet set = set_of_nodes(2, position, std::vector<double>(position.size(), 1));
         const auto bond = [&](int a, int b, double stiffness) {
-            set.bonds.push_back({a, b, (place[a] - place[b]).norm(), stiffness});
+            set.bonds.push_back({a, b, (position[a] - position[b]).norm(), stiffness});
         };
         for (int n = 0; n <= 128; n += 2) {
             bond(n, n + 1, constants.rung_stiffness);

@@ -42,24 +42,26 @@ double dihedral_angle(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
 ParticleSet strained_chain(int nodes = 12) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1, 1);
-    std::vector<Vec> place;
+    std::vector<Vec> position;
     std::vector<double> mass;
     for (int n = 0; n < nodes; ++n) {
-        place.emplace_back(0.8 * n + 0.2 * number(random), 0.6 * number(random), 0.6 * number(random));
+        position.emplace_back(0.8 * n + 0.2 * number(random), 0.6 * number(random), 0.6 * number(random));
         mass.push_back(1 + 0.5 * number(random));
     }
-    ParticleSet set = set_of_nodes(3, place, mass);
+    ParticleSet set = set_of_nodes(3, position, mass);
     for (int n = 1; n < nodes; ++n)
-        set.bonds.push_back({n - 1, n, (place[n] - place[n - 1]).norm() * (1 + 0.1 * number(random)), 5});
+        set.bonds.push_back({n - 1, n, (position[n] - position[n - 1]).norm() * (1 + 0.1 * number(random)), 5});
     for (int n = 2; n < nodes; ++n)
-        set.hinges.push_back({n - 2, n - 1, n, angle(place[n - 2] - place[n - 1], place[n] - place[n - 1]), 0.7});
+        set.hinges.push_back(
+            {n - 2, n - 1, n, angle(position[n - 2] - position[n - 1], position[n] - position[n - 1]), 0.7});
     set.hinges[1].rest_angle = pi;
     set.hinges[3].rest_angle = 0;
     set.hinges[5].rest_angle *= 0.8;
     for (int n = 7; n < nodes; ++n)  // not over the straight and the folded hinge: there phi has no slope
         set.dihedrals.push_back(
             {n - 3, n - 2, n - 1, n,
-             dihedral_angle(place[n - 3], place[n - 2], place[n - 1], place[n]) + 0.3 * number(random), 0.4});
+             dihedral_angle(position[n - 3], position[n - 2], position[n - 1], position[n]) + 0.3 * number(random),
+             0.4});
     set.dihedrals[2].rest_angle = pi;
     return set;
 }
@@ -173,10 +175,10 @@ TEST(SpringNetwork, forces_stay_finite_where_nodes_lie_on_one_line) {
 
 /// A straight cantilever of one row along x: bonds, and hinges that rest straight; the first two nodes are held.
 ParticleSet filament(int nodes, double k_a) {
-    std::vector<Vec> place;
-    place.reserve(static_cast<std::size_t>(nodes));
-    for (int n = 0; n < nodes; ++n) place.emplace_back(n, 0, 0);
-    ParticleSet set = set_of_nodes(3, place, std::vector<double>(place.size(), 1));
+    std::vector<Vec> position;
+    position.reserve(static_cast<std::size_t>(nodes));
+    for (int n = 0; n < nodes; ++n) position.emplace_back(n, 0, 0);
+    ParticleSet set = set_of_nodes(3, position, std::vector<double>(position.size(), 1));
     for (int n = 1; n < nodes; ++n) set.bonds.push_back({n - 1, n, 1, 10});
     for (int n = 2; n < nodes; ++n) set.hinges.push_back({n - 2, n - 1, n, pi, k_a});
     set.fixed[0] = set.fixed[1] = 1;
@@ -184,7 +186,7 @@ ParticleSet filament(int nodes, double k_a) {
 }
 
 /// Steps the body under constant forces until it no longer moves.
-void settle(Body& body, const Vectors3& load, double dt, int steps) {
+void rest_test(Body& body, const Vectors3& load, double dt, int steps) {
     for (int step = 0; step < steps; ++step) {
         body.kick_from_outside(load, dt);
         body.advance_implicit(dt);
@@ -205,7 +207,7 @@ TEST(SpringNetwork, implicit_steps_far_beyond_the_explicit_limit_settle_a_filame
         Body body(set, part_with(0.01, 0.1), 0);
         Vectors3 force(set.size(), V3{});
         force.back() = {{0, load * std::cos(turn), load * std::sin(turn)}};
-        settle(body, force, 100 * body.step_limit(), 600);
+        rest_test(body, force, 100 * body.step_limit(), 600);
         const V3& tip = body.positions().back();
         EXPECT_NEAR(tip[1], expected * std::cos(turn), 1e-3 * expected);
         EXPECT_NEAR(tip[2], expected * std::sin(turn), 1e-3 * expected);
@@ -239,7 +241,7 @@ TEST(SpringNetwork, momentum_and_moment_of_momentum_are_kept_in_space) {
         const auto moment = [&] {
             Vec sum = Vec::Zero();
             for (std::size_t n = 0; n < set.size(); ++n)
-                sum += set.mass[n] * body.place(n).cross(vector(body.velocities()[n]));
+                sum += set.mass[n] * body.position(n).cross(vector(body.velocities()[n]));
             return sum;
         };
         const Vec before = body.total_momentum(), turning = moment();

@@ -32,7 +32,7 @@ struct Reference {
 
 Reference read(const fs::path& file) {
     Reference reference;
-    std::vector<Vec> place;
+    std::vector<Vec> position;
     std::vector<double> mass;
     std::vector<Bond> bonds;
     std::vector<Hinge> hinges;
@@ -64,12 +64,12 @@ Reference read(const fs::path& file) {
             mass.push_back(0);
             text >> mass.back();
             const V3 at = vector();
-            place.emplace_back(at[0], at[1], at[2]);
+            position.emplace_back(at[0], at[1], at[2]);
             for (auto* values : {&reference.velocity, &reference.force, &reference.end}) values->push_back(vector());
         }
         EXPECT_FALSE(text.fail()) << line;
     }
-    reference.set = set_of_nodes(3, place, mass);
+    reference.set = set_of_nodes(3, position, mass);
     reference.set.bonds = bonds;
     reference.set.hinges = hinges;
     return reference;

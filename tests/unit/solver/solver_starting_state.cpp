@@ -20,7 +20,7 @@ SceneAndParticles water_with(const std::string& velocity_x, const std::string& v
                              const std::string& pressure) {
     SceneAndParticles made = endless_water();
     made.scene.flow.initial_velocity.value = {formula(velocity_x), formula(velocity_y), Expression()};
-    made.scene.flow.initial_velocity.place = {"scene.toml", 20, 3};
+    made.scene.flow.initial_velocity.location = {"scene.toml", 20, 3};
     made.scene.flow.initial_pressure = {formula(pressure), {"scene.toml", 21, 3}};
     return made;
 }
@@ -88,7 +88,7 @@ TEST(StartingState, RefusesWhatIsNoState) {
         fault_of(water_with("0", "40 * y", "0")),
         HasSubstr("scene.toml:20:3: the speed of flow.initial_velocity is 10 m/s at x = 0.05, y = 0.25, z = 0 m; "
                   "the fluid's sound travels at 10 m/s\n  correct the formula, or choose a higher "
-                  "accuracy.sound_speed"));
+                  "numerics.sound_speed"));
     EXPECT_THAT(fault_of(water_with("0", "0", "-40000 * y")),
                 HasSubstr("scene.toml:21:3: flow.initial_pressure is -18000 Pa at x = 0.05, y = 0.45, z = 0 m; the "
                           "equation of state knows pressures above -14285.7 Pa"));

@@ -38,10 +38,10 @@ class QuantumOf : public testing::TestWithParam<ParticleSpace> {
     [[nodiscard]] std::vector<double> some_positions(int axis) const {
         std::mt19937 random(5);
         const double period = whole.box.extent()[axis];
-        std::uniform_real_distribution<double> place(whole.box.low[axis] - 3 * period,
-                                                     whole.box.high[axis] + 3 * period);
+        std::uniform_real_distribution<double> position(whole.box.low[axis] - 3 * period,
+                                                        whole.box.high[axis] + 3 * period);
         std::vector<double> positions{whole.box.low[axis], whole.box.high[axis], 0};
-        for (int k = 0; k < 1000; ++k) positions.push_back(quantum.round(place(random)));
+        for (int k = 0; k < 1000; ++k) positions.push_back(quantum.round(position(random)));
         return positions;
     }
 };
@@ -115,7 +115,7 @@ TEST(ParticleStore, sorts_particles_by_kind_on_multiples_of_the_quantum_with_the
     const std::vector<double> density{1000, 1100, 1200};  // by part, which here is by kind
     const ParticleStore particles(set, density);
     EXPECT_EQ(particles.owned(), set.size());
-    for (const ParticleKind kind : all_kinds) {
+    for (const PartKind kind : all_kinds) {
         const ParticleGroup& group = particles.of(kind);
         EXPECT_EQ(group.kind(), kind);
         EXPECT_EQ(group.owned(), set.count(kind));
@@ -165,7 +165,7 @@ class Group : public testing::Test {
         }
     }
 
-    ParticleGroup group{ParticleKind::fluid, 3};
+    ParticleGroup group{PartKind::fluid, 3};
 };
 
 TEST_F(Group, has_the_fields_that_were_declared_and_no_others) {
@@ -175,7 +175,7 @@ TEST_F(Group, has_the_fields_that_were_declared_and_no_others) {
     EXPECT_FALSE(group.has(Field::velocity));
     EXPECT_EQ(group.axes(Field::position), 3);
     EXPECT_EQ(group.axes(Field::density), 1);
-    EXPECT_EQ(ParticleGroup(ParticleKind::rigid, 2).axes(Field::position), 2);
+    EXPECT_EQ(ParticleGroup(PartKind::rigid, 2).axes(Field::position), 2);
     for (int axis = 0; axis < 3; ++axis)
         for (std::size_t i = 0; i < group.total(); ++i) EXPECT_EQ(group.data(Field::force, axis)[i], 0);
 }

@@ -12,7 +12,7 @@ namespace dmp::tests {
 namespace {
 
 /// Position and velocity by where the particle was drawn, in whole lattice cells.
-std::map<std::pair<long, long>, std::array<double, 4>> by_place(const WalledWater& made, const Frame& frame) {
+std::map<std::pair<long, long>, std::array<double, 4>> by_position(const WalledWater& made, const Frame& frame) {
     std::map<std::pair<long, long>, std::array<double, 4>> found;
     const FrameGroup& fluid = *group_of(frame, "fluid");
     const FrameField& velocity = *field_of(fluid, "velocity");
@@ -37,17 +37,17 @@ TEST(Symmetry, half_a_channel_flows_as_the_whole_does) {
     };
     WalledWater whole = channel(12, true), half = channel(6, false);
     // The whole one's middle at y = 0.
-    for (Vec& place : whole.particles.position) place[1] -= 0.6;
+    for (Vec& position : whole.particles.position) position[1] -= 0.6;
     whole.particles.box.low[1] -= 0.6;
     whole.particles.box.high[1] -= 0.6;
     half.mirror({BoxSide::y_low});
     KeptFrames kept_whole, kept_half;
     const RunSummary of_whole = run_of(whole, &kept_whole), of_half = run_of(half, &kept_half);
-    const auto expected = by_place(whole, kept_whole.frames.back());
-    const auto found = by_place(half, kept_half.frames.back());
+    const auto expected = by_position(whole, kept_whole.frames.back());
+    const auto found = by_position(half, kept_half.frames.back());
     EXPECT_EQ(found.size(), 36U);
-    for (const auto& [place, values] : found)
-        for (int k = 0; k < 4; ++k) EXPECT_NEAR(values[k], expected.at(place)[k], 1e-6);
+    for (const auto& [position, values] : found)
+        for (int k = 0; k < 4; ++k) EXPECT_NEAR(values[k], expected.at(position)[k], 1e-6);
     EXPECT_NEAR(2 * of_half.end.momentum[0], of_whole.end.momentum[0], 1e-9 * of_whole.end.momentum[0]);
     EXPECT_GT(of_half.end.momentum[0], 10);
     EXPECT_LT(of_half.momentum_residual, 1e-12);
@@ -58,11 +58,12 @@ TEST(Symmetry, a_cell_between_four_planes_turns_as_in_the_endless_lattice) {
     KeptFrames kept_cell, kept_period;
     const RunSummary of_cell = run_of(cell, &kept_cell);
     run_of(period, &kept_period);
-    const auto expected = by_place(period, kept_period.frames.back()), found = by_place(cell, kept_cell.frames.back());
+    const auto expected = by_position(period, kept_period.frames.back()),
+               found = by_position(cell, kept_cell.frames.back());
     EXPECT_EQ(found.size(), 100U);
     double fastest = 0;
-    for (const auto& [place, values] : found) {
-        for (int k = 0; k < 4; ++k) EXPECT_NEAR(values[k], expected.at(place)[k], 1e-5);
+    for (const auto& [position, values] : found) {
+        for (int k = 0; k < 4; ++k) EXPECT_NEAR(values[k], expected.at(position)[k], 1e-5);
         fastest = std::max(fastest, std::hypot(values[2], values[3]));
     }
     EXPECT_GT(fastest, 0.5);
@@ -86,9 +87,9 @@ TEST(Symmetry, of_a_drawing_leaves_its_side_open) {
                                          "part.lid.surface_velocity=[0, 0]", "flow.acceleration=[\"1e-4 m/s^2\", 0]"});
     EXPECT_TRUE(made.particles.mirrored[1][0]);
     EXPECT_FALSE(made.particles.mirrored[1][1]);
-    EXPECT_EQ(made.particles.count(ParticleKind::fluid), 20U * 8);
-    EXPECT_EQ(made.particles.count(ParticleKind::rigid), 3U * 8);
-    for (const Vec& place : made.particles.position) EXPECT_GT(place[1], 0);
+    EXPECT_EQ(made.particles.count(PartKind::fluid), 20U * 8);
+    EXPECT_EQ(made.particles.count(PartKind::rigid), 3U * 8);
+    for (const Vec& position : made.particles.position) EXPECT_GT(position[1], 0);
     EXPECT_EQ(made.particles.box.low[1], 0);
 }
 

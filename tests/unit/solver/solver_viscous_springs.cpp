@@ -18,7 +18,7 @@ constexpr double stretch = 0.002, rest_length = 0.1;
 SceneAndParticles stretched_rod(double node_mass) {
     SceneAndParticles made = endless_water();
     made.scene.parts[0].viscosity = 2e4;
-    made.scene.accuracy.viscosity_stepping = ViscosityStepping::implicitly;
+    made.scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
     made.scene.contact.range = 0.0;
     made.scene.run.duration = 0.1;
     made.scene.output.every = 0.05;
@@ -50,15 +50,15 @@ Creep creep_of(const SceneAndParticles& made, const Resources& resources = 1) {
 
 TEST(ViscousSprings, creep_as_with_explicit_viscosity_and_a_step_hundreds_of_times_shorter) {
     SceneAndParticles explicitly = stretched_rod(1);
-    explicitly.scene.accuracy.viscosity_stepping = ViscosityStepping::explicitly;
-    explicitly.scene.accuracy.step_factor = 5e-4;
+    explicitly.scene.numerics.viscosity_stepping = ViscosityStepping::explicitly;
+    explicitly.scene.numerics.step_factor = 5e-4;
     const Creep expected = creep_of(explicitly), found = creep_of(stretched_rod(1));
     EXPECT_GT(expected.summary.steps, 400 * found.summary.steps);
     EXPECT_GT(expected.left, 0.1);
     EXPECT_LT(expected.left, 0.9);
     EXPECT_NEAR(found.left, expected.left, 0.05);
     SceneAndParticles finer = stretched_rod(1);
-    finer.scene.accuracy.step_factor = 0.3 / 8;
+    finer.scene.numerics.step_factor = 0.3 / 8;
     EXPECT_NEAR(creep_of(finer).left, expected.left, 0.05 / 4);
     EXPECT_LT(found.summary.momentum_residual, 1e-12);
 }

@@ -27,7 +27,7 @@ std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, 
     const ById by_id(particles);
     std::vector<Vec> force(set.size(), Vec::Zero());
     for_all_pairs(particles, settings.support, [&](const Meeting& m) {
-        if (set.kind(m.i) != ParticleKind::fluid || never_meet(set, m.i, m.j)) return;
+        if (set.kind(m.i) != PartKind::fluid || never_meet(set, m.i, m.j)) return;
         Vector<double, D> separation;
         for (int axis = 0; axis < D; ++axis) separation[axis] = m.separation[axis];
         const double r = m.separation.norm();
@@ -39,9 +39,9 @@ std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, 
                 if (reacts) force[m.j][axis] -= f[axis];
             }
         };
-        if (set.kind(m.j) == ParticleKind::fluid) {
+        if (set.kind(m.j) == PartKind::fluid) {
             add(FluidReader<Lanes, D>(by_id.group(m.j))(by_id.index(m.j)), false);
-        } else if (set.kind(m.j) == ParticleKind::rigid) {
+        } else if (set.kind(m.j) == PartKind::rigid) {
             const SolidReader<Lanes, D, Solid::needs_state, Solid::needs_surface> read(by_id.group(m.j));
             add(solid.rigid(i, read(by_id.index(m.j)), separation), true);
         } else {
@@ -112,7 +112,7 @@ class ViscousSweepOf : public testing::TestWithParam<Variant> {
 
 TEST_P(ViscousSweepOf, forces_are_those_of_all_pairs) {
     for (const VectorUnit unit : available_vector_units()) {
-        SCOPED_TRACE(word(unit));
+        SCOPED_TRACE(to_string(unit));
         ArrangedCrowd arranged(set, settings, {.vector_unit = unit});
         ParticleStore& particles = arranged.particles();
         arranged.sweeps().viscous_forces(particles, arranged.list(),
@@ -156,9 +156,9 @@ TEST_P(ViscousSweepOf, diagonal_is_what_a_particles_own_velocity_costs) {
     const double term = largest_term(arranged.sweeps());
     arranged.sweeps().viscous_diagonal(arranged.particles(), arranged.list());
     const ById by_id(arranged.particles());
-    std::size_t looked_at = 0;
+    std::size_t camera_of = 0;
     for (std::size_t id = 0; id < set.size(); id += 37) {
-        if (set.kind(id) == ParticleKind::rigid) continue;
+        if (set.kind(id) == PartKind::rigid) continue;
         for (int axis = 0; axis < set.dimension; ++axis) {
             by_id.value(Field::viscous_velocity, id, axis) = 1;
             arranged.exchange({Field::viscous_velocity});
@@ -167,10 +167,10 @@ TEST_P(ViscousSweepOf, diagonal_is_what_a_particles_own_velocity_costs) {
             EXPECT_GT(diagonal, 0);
             EXPECT_NEAR(-by_id.value(Field::viscous_force, id, axis), diagonal, 1e-11 * diagonal) << id;
             by_id.value(Field::viscous_velocity, id, axis) = 0;
-            ++looked_at;
+            ++camera_of;
         }
     }
-    EXPECT_GT(looked_at, 10U);
+    EXPECT_GT(camera_of, 10U);
 }
 
 TEST_P(ViscousSweepOf, bits_do_not_depend_on_the_arrangement) {

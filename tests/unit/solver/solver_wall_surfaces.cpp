@@ -16,7 +16,7 @@ namespace {
 ParticleSpace room() {
     ParticleSpace space;
     space.dimension = 3;
-    space.parts = {{"beads", ParticleKind::spheres}, {"slope", ParticleKind::rigid}, {"tube", ParticleKind::rigid}};
+    space.parts = {{"beads", PartKind::spheres}, {"slope", PartKind::rigid}, {"tube", PartKind::rigid}};
     space.wall_planes = {{1, Vec(0, 0, 1), Vec(0.6, 0, 0.8)}};
     space.wall_corners = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1), Vec(9, 9, 9)};
     space.wall_triangles = {{2, 3, 2, 1}, {2, 0, 1, 2}};

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const Place here{"scene.toml", 7, 9};
+const SourceLocation here{"scene.toml", 7, 9};
 
 template <class T>
 void give(Value<T>& value, T what) {
@@ -34,7 +34,7 @@ Part part(const std::string& name, PartKind kind) {
 /// Water in a pipe with a flap, which nothing is wrong with.
 Scene pipe() {
     Scene scene;
-    scene.parts = {part("water", PartKind::fluid), part("wall", PartKind::rigid), part("flap", PartKind::springs)};
+    scene.parts = {part("water", PartKind::fluid), part("wall", PartKind::rigid), part("flap", PartKind::elastic)};
     scene.flow.acceleration[0] = Expression("1", "1");
     scene.run.duration = 4.0;
     scene.output.every = 1.0;
@@ -87,13 +87,13 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"contact_of_nothing",
                [](Scene& s) {
                    without(s, PartKind::rigid);
-                   without(s, PartKind::springs);
+                   without(s, PartKind::elastic);
                    give(s.contact.range, 1.0);
                },
                "scene.toml:7:9: contact.range", "has no effect: no part is solid"},
         Oddity{"strength_without_range",
                [](Scene& s) {
-                   without(s, PartKind::springs);
+                   without(s, PartKind::elastic);
                    s.contact.range = 0.0;
                    give(s.contact.strength, 1.0);
                },
@@ -105,49 +105,49 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"shifting_of_nothing",
                [](Scene& s) {
                    without_fluid(s);
-                   give(s.accuracy.shifting, 4.0);
+                   give(s.numerics.shifting, 4.0);
                },
-               "scene.toml:7:9: accuracy.shifting", "has no effect: no part is a fluid"},
+               "scene.toml:7:9: numerics.shifting", "has no effect: no part is a fluid"},
         Oddity{"diffusion_of_nothing",
                [](Scene& s) {
                    without_fluid(s);
-                   give(s.accuracy.density_diffusion, 0.1);
+                   give(s.numerics.density_diffusion, 0.1);
                },
-               "scene.toml:7:9: accuracy.density_diffusion", "has no effect: no part is a fluid"},
+               "scene.toml:7:9: numerics.density_diffusion", "has no effect: no part is a fluid"},
         Oddity{"kernel_of_nothing",
                [](Scene& s) {
                    without_fluid(s);
-                   give(s.accuracy.kernel, KernelKind::lucy);
+                   give(s.numerics.kernel, KernelKind::lucy);
                },
-               "scene.toml:7:9: accuracy.kernel", "has no effect: no part is a fluid"},
-        Oddity{"a_support_below_the_cliff", [](Scene& s) { give(s.accuracy.support, 2.5); },
-               "scene.toml:7:9: accuracy.support", "is below 2.9 spacings"},
+               "scene.toml:7:9: numerics.kernel", "has no effect: no part is a fluid"},
+        Oddity{"a_support_below_the_cliff", [](Scene& s) { give(s.numerics.support, 2.5); },
+               "scene.toml:7:9: numerics.support", "is below 2.9 spacings"},
         Oddity{"sound_too_fast_for_shifting",
                [](Scene& s) {
                    give(s.flow.largest_speed, 0.1);
-                   give(s.accuracy.shifting, 4.0);
-                   give(s.accuracy.sound_speed, 5.0);
+                   give(s.numerics.shifting, 4.0);
+                   give(s.numerics.sound_speed, 5.0);
                },
-               "scene.toml:7:9: accuracy.sound_speed", "is 50 times flow.largest_speed or more"},
+               "scene.toml:7:9: numerics.sound_speed", "is 50 times flow.largest_speed or more"},
         Oddity{"walls_of_nothing",
                [](Scene& s) {
                    without(s, PartKind::rigid);
-                   without(s, PartKind::springs);
-                   give(s.accuracy.walls, WallModel::plain);
+                   without(s, PartKind::elastic);
+                   give(s.numerics.walls, WallModel::plain);
                },
-               "scene.toml:7:9: accuracy.walls", "has no effect: no part is solid"},
+               "scene.toml:7:9: numerics.walls", "has no effect: no part is solid"},
         Oddity{"inviscid_between_walls", [](Scene& s) { give(s.parts[0].viscosity, 0.0); },
                "scene.toml:7:9: part.water.viscosity", "is 0 between no-slip walls"},
         Oddity{"nothing_moves", [](Scene& s) { s.flow.acceleration[0] = Expression(); }, "flow.acceleration",
                "nothing will move"},
         Oddity{"stepping_of_nothing",
                [](Scene& s) {
-                   without(s, PartKind::springs);
-                   give(s.accuracy.spring_stepping, SpringStepping::subcycled);
+                   without(s, PartKind::elastic);
+                   give(s.numerics.spring_stepping, SpringStepping::subcycled);
                },
-               "scene.toml:7:9: accuracy.spring_stepping", "has no effect: no part has springs"},
-        Oddity{"step_factor_of_implicit_springs", [](Scene& s) { give(s.accuracy.spring_step_factor, 0.5); },
-               "scene.toml:7:9: accuracy.spring_step_factor", "has no effect: springs are stepped implicitly"},
+               "scene.toml:7:9: numerics.spring_stepping", "has no effect: no part has springs"},
+        Oddity{"step_factor_of_implicit_springs", [](Scene& s) { give(s.numerics.spring_step_factor, 0.5); },
+               "scene.toml:7:9: numerics.spring_step_factor", "has no effect: springs are stepped implicitly"},
         Oddity{"gap_of_a_disabled_part",
                [](Scene& s) {
                    s.parts[2].enabled = false;

@@ -13,7 +13,7 @@
 
 namespace dmp::tests {
 
-inline Value<double> given(double value) { return {value, Place{"scene.toml", 1, 1}}; }
+inline Value<double> given(double value) { return {value, SourceLocation{"scene.toml", 1, 1}}; }
 
 /// A scene of spheres, put together by hand.
 struct SphereScene {
@@ -38,12 +38,12 @@ struct SphereScene {
             made.poisson_ratio = given(0.3);
         }
         scene.parts.push_back(made);
-        set.parts.push_back({name, kind == PartKind::spheres ? ParticleKind::spheres : ParticleKind::rigid});
+        set.parts.push_back({name, kind == PartKind::spheres ? PartKind::spheres : PartKind::rigid});
         return static_cast<int>(set.parts.size()) - 1;
     }
     ContactPair& contact(double restitution, double friction) {
         ContactPair pair;
-        pair.parts = Value<std::array<std::string, 2>>({"any", "any"}, Place{"scene.toml", 2, 1});
+        pair.parts = Value<std::array<std::string, 2>>({"any", "any"}, SourceLocation{"scene.toml", 2, 1});
         pair.restitution = given(restitution);
         pair.friction = given(friction);
         scene.contact_pairs.push_back(pair);
@@ -76,12 +76,12 @@ struct SphereScene {
         return scene.forces.back();
     }
     /// A circle at rest that repels the part on both sides.
-    MovingShape& circle(const std::string& felt_by, const std::array<std::string, 3>& place, double radius) {
+    MovingShape& circle(const std::string& felt_by, const std::array<std::string, 3>& position, double radius) {
         MovingShape made;
         made.name = std::string("circle");
         made.kind = ShapeKind::circle;
         made.parts = std::vector{felt_by};
-        made.place = std::array{expression(place[0]), expression(place[1]), expression(place[2])};
+        made.position = std::array{expression(position[0]), expression(position[1]), expression(position[2])};
         made.radius = radius;
         made.strength = 0.05;
         made.range = 2e-4;
@@ -116,9 +116,9 @@ inline SphereScene crowd(std::size_t small_ones, double size_ratio, unsigned see
     std::uniform_real_distribution<double> unit(0, 1);
     const auto vector = [&] { return Vec(unit(random), unit(random), unit(random)); };
     made.sphere(large, Vec(0.02 * side, 0.5 * side, large_radius + 0.2 * radius), large_radius, 0.5 * vector());
-    const auto is_free = [&](const Vec& place, double of_radius) {
+    const auto is_free = [&](const Vec& position, double of_radius) {
         for (std::size_t i = 0; i < made.set.size(); ++i) {
-            Vec apart = place - made.set.position[i];
+            Vec apart = position - made.set.position[i];
             for (int axis = 0; axis < 2; ++axis) apart[axis] -= side * std::round(apart[axis] / side);
             if (apart.norm() < of_radius + made.set.radius[i]) return false;
         }
@@ -126,10 +126,10 @@ inline SphereScene crowd(std::size_t small_ones, double size_ratio, unsigned see
     };
     for (std::size_t k = 0; k < 40 * small_ones && made.set.size() <= small_ones; ++k) {
         const double r = radius * (0.8 + 0.4 * unit(random));
-        Vec place = side * vector();
-        place[2] = r + place[2] * 0.8;
-        if (is_free(place, r))
-            made.sphere(small, place, r, 4 * (vector() - Vec::Constant(0.5)), 500 * (vector() - Vec::Constant(0.5)));
+        Vec position = side * vector();
+        position[2] = r + position[2] * 0.8;
+        if (is_free(position, r))
+            made.sphere(small, position, r, 4 * (vector() - Vec::Constant(0.5)), 500 * (vector() - Vec::Constant(0.5)));
     }
     return made;
 }

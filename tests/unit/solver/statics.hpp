@@ -16,22 +16,22 @@
 namespace dmp::tests {
 
 /// A set with one springs part 'beam' and nodes of these masses, and nothing between them yet.
-inline ParticleSet set_of_nodes(int dimension, const std::vector<Vec>& place, const std::vector<double>& mass) {
+inline ParticleSet set_of_nodes(int dimension, const std::vector<Vec>& position, const std::vector<double>& mass) {
     ParticleSet set;
     set.dimension = dimension;
     set.spacing = 1;
-    set.parts = {{"beam", ParticleKind::springs}};
-    set.position = place;
+    set.parts = {{"beam", PartKind::elastic}};
+    set.position = position;
     set.mass = mass;
-    set.volume.assign(place.size(), 1);
-    set.part.assign(place.size(), 0);
-    set.body.assign(place.size(), 0);
-    set.fixed.assign(place.size(), 0);
-    set.seated.assign(place.size(), 0);
-    set.wall_normal.assign(place.size(), Vec::Zero());
-    set.wall_distance.assign(place.size(), 0);
+    set.volume.assign(position.size(), 1);
+    set.part.assign(position.size(), 0);
+    set.body.assign(position.size(), 0);
+    set.fixed.assign(position.size(), 0);
+    set.seated.assign(position.size(), 0);
+    set.wall_normal.assign(position.size(), Vec::Zero());
+    set.wall_distance.assign(position.size(), 0);
     set.box = {Vec::Constant(-1), Vec::Constant(1)};
-    for (const Vec& at : place) {
+    for (const Vec& at : position) {
         set.box.low = set.box.low.cwiseMin(at);
         set.box.high = set.box.high.cwiseMax(at);
     }
@@ -41,7 +41,7 @@ inline ParticleSet set_of_nodes(int dimension, const std::vector<Vec>& place, co
 inline Part part_with(double damping, double drag = 0) {
     Part part;
     part.name = std::string("beam");
-    part.kind = PartKind::springs;
+    part.kind = PartKind::elastic;
     part.bond_damping = damping;
     part.drag = drag;
     return part;

@@ -38,33 +38,33 @@ struct WalledWater {
         water.viscosity = 100.0;
         scene.parts = {water};
         particles.spacing = spacing;
-        particles.parts = {{"water", ParticleKind::fluid}};
+        particles.parts = {{"water", PartKind::fluid}};
         for (const std::string& name : walls) {
             Part wall;
             wall.name = name;
             wall.kind = PartKind::rigid;
             wall.layers = 3;
             scene.parts.push_back(wall);
-            particles.parts.push_back({name, ParticleKind::rigid});
+            particles.parts.push_back({name, PartKind::rigid});
         }
         particles.box = {Vec::Zero(), Vec(columns * spacing, rows * spacing, 0)};
         const Vec extent = particles.box.high;
         for (int row = -3; row < rows + 3; ++row)
             for (int column = -3; column < columns + 3; ++column) {
-                const Vec place((column + 0.5) * spacing, (row + 0.5) * spacing, 0);
-                const Vec surface = place.cwiseMax(Vec::Zero()).cwiseMin(extent);
-                const double depth = (surface - place).norm();
+                const Vec position((column + 0.5) * spacing, (row + 0.5) * spacing, 0);
+                const Vec surface = position.cwiseMax(Vec::Zero()).cwiseMin(extent);
+                const double depth = (surface - position).norm();
                 const int part = depth > 0 ? wall_of(column, row) : 0;
                 if (depth == 0)
-                    add(0, place, Vec::Zero(), 0);
+                    add(0, position, Vec::Zero(), 0);
                 else if (part > 0)
-                    add(part, place, (surface - place) / depth, depth);
+                    add(part, position, (surface - position) / depth, depth);
             }
     }
 
     /// Puts a particle there; `part` 0 is the water.
-    void add(int part, const Vec& place, const Vec& normal, double depth) {
-        particles.position.push_back(place);
+    void add(int part, const Vec& position, const Vec& normal, double depth) {
+        particles.position.push_back(position);
         particles.volume.push_back(spacing * spacing);
         particles.mass.push_back(1000 * spacing * spacing);
         particles.part.push_back(part);

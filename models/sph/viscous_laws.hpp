@@ -1,0 +1,65 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tuple>
+
+#include "models/registry.hpp"
+#include "models/sph/cleary_viscosity.hpp"
+#include "models/sph/monaghan_viscosity.hpp"
+#include "models/sph/morris_viscosity.hpp"
+#include "models/sph/viscosity_means.hpp"
+
+namespace dmp::models {
+
+/// The viscous laws, one row each (numerics.viscous_law). A law is made from ViscousScales and has
+///   law(pair, twice_mean)   the force on particle i [N], twice_mean: twice the mean of both viscosities [Pa s]
+///   step_share()            largest stable explicit step over kernel.viscous_limit support^2 / nu [-]
+///   on_lattice(scales)      what it makes of a viscosity on the undisturbed lattice [-]
+///   detail(nu, c0)          what `dmp explain` adds, for a fluid of kinematic viscosity nu [m^2/s]; may be empty
+///   linear                  whether the force is linear in the velocities, as implicit stepping needs
+using ViscousLaws = Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity>;
+using ViscousLaw = Choice<ViscousLaws>;
+
+/// A law with the mean that it is given, as the sweeps apply it.
+template <class Law, class Mean>
+struct ViscousTerm {
+    Law law_of_pair;
+
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        return law_of_pair.law(p, Mean::twice(p.i.viscosity, p.j.viscosity));
+    }
+};
+
+/// Any law of the registry with either mean, chosen at run time: one compiled loop for all that are not the default.
+class AnyViscousTerm {
+  public:
+    AnyViscousTerm(ViscousLaw choice, const ViscousScales& scales, bool arithmetic_mean)
+        : AnyViscousTerm(choice, scales, arithmetic_mean, std::make_index_sequence<ViscousLaws::size>{}) {}
+
+    template <class P>
+    [[nodiscard, gnu::always_inline]] auto law(const P& p) const {
+        const auto harmonic = HarmonicMean::twice(p.i.viscosity, p.j.viscosity);
+        const auto twice_mean =
+            harmonic + arithmetic_ * (ArithmeticMean::twice(p.i.viscosity, p.j.viscosity) - harmonic);
+        return choice_.visit([&]<class Law>() { return std::get<Law>(laws_).law(p, twice_mean); });
+    }
+
+  private:
+    template <std::size_t... k>
+    AnyViscousTerm(ViscousLaw choice, const ViscousScales& scales, bool arithmetic_mean, std::index_sequence<k...>)
+        : choice_(choice), laws_(ViscousLaws::Law<k>(scales)...), arithmetic_(arithmetic_mean ? 1.0 : 0.0) {}
+
+    template <class>
+    struct Tuple;
+    template <class... Laws>
+    struct Tuple<Registry<Laws...>> {
+        using Type = std::tuple<Laws...>;
+    };
+
+    ViscousLaw choice_;
+    Tuple<ViscousLaws>::Type laws_;
+    double arithmetic_;  ///< weight of the arithmetic mean against the harmonic one: 1 or 0 [-]
+};
+
+}  // namespace dmp::models
