@@ -97,7 +97,7 @@ Start carrier() {
               fines = made.part("fines", PartKind::spheres, 2.15e9), wall = made.part("wall", PartKind::plane, 2.15e9);
     made.contact(0.9, 0.5);
     ContactPair& pair = made.scene.contact_pairs.front();
-    pair.adhesion = AdhesionKind::bradley;
+    pair.adhesion = AdhesionLaw::of<BradleyAdhesion>();
     pair.work_of_adhesion = given(0.0173);
     pair.equilibrium_distance = given(4e-10);
     pair.adhesion_cutoff = given(2e-8);

@@ -26,11 +26,13 @@ std::string damping_text(const ContactPair& pair) {
 }
 
 std::string adhesion_text(const ContactPair& pair) {
-    if (*pair.adhesion == AdhesionKind::none) return "none (" + origin_text(pair.adhesion) + ")";
-    std::string text = to_string(*pair.adhesion) + ", " +
+    if (!ContactModel{pair.normal, pair.tangential, pair.rolling, pair.adhesion}.is_adhesive())
+        return "none (" + origin_text(pair.adhesion) + ")";
+    const std::string law = pair.adhesion->is<NoAdhesion>() ? to_string(*pair.normal) : to_string(*pair.adhesion);
+    std::string text = law + ", " +
                        (pair.pull_off_force.given() ? quantity_text(*pair.pull_off_force, "N")
                                                     : quantity_text(*pair.work_of_adhesion, "J/m^2"));
-    if (*pair.adhesion == AdhesionKind::bradley)
+    if (pair.adhesion->visit([]<class Law>() { return Law::has_range; }))
         text += fmt::format(
             ", z0 {}, cut off at {} ({})", quantity_text(*pair.equilibrium_distance, "m"),
             quantity_text(pair.adhesion_cutoff.given() ? *pair.adhesion_cutoff : 50 * *pair.equilibrium_distance, "m"),
@@ -39,13 +41,21 @@ std::string adhesion_text(const ContactPair& pair) {
 }
 
 void add_pair(Listing& list, const ContactPair& pair) {
-    list.add("contact", fmt::format("'{}' and '{}': {} ({})", (*pair.parts)[0], (*pair.parts)[1], to_string(*pair.law),
-                                    origin_text(pair.law)));
-    if (*pair.law == ContactLawKind::none) return;
+    const std::string parts = fmt::format("'{}' and '{}': ", (*pair.parts)[0], (*pair.parts)[1]);
+    if (!*pair.enabled) {
+        list.add("contact", fmt::format("{}none ({})", parts, origin_text(pair.enabled)));
+        return;
+    }
+    list.add("contact",
+             fmt::format("{}normal {} ({}), tangential {} ({})", parts, to_string(*pair.normal),
+                         origin_text(pair.normal), to_string(*pair.tangential), origin_text(pair.tangential)));
+    if (*pair.normal_stiffness_factor != 1 || *pair.tangential_stiffness_factor != 1)
+        list.add("", fmt::format("stiffness times {:.4g} and {:.4g}", *pair.normal_stiffness_factor,
+                                 *pair.tangential_stiffness_factor));
     list.add("", fmt::format("{}; friction {:.4g}", damping_text(pair), *pair.friction));
     if (*pair.rolling_friction > 0)
-        list.add("", fmt::format("rolling friction {:.4g}, {} ({})", *pair.rolling_friction, to_string(*pair.rolling_law),
-                                 origin_text(pair.rolling_law)));
+        list.add("", fmt::format("rolling friction {:.4g}, {} ({})", *pair.rolling_friction, to_string(*pair.rolling),
+                                 origin_text(pair.rolling)));
     list.add("", "adhesion " + adhesion_text(pair));
 }
 

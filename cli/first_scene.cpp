@@ -181,7 +181,7 @@ class Author {
         for (const SurfaceSet& set : drawing.surfaces)
             if (set.name != sheet.name && !is_cap(set)) consider(set.name, set.surface);
         for (const Solid& solid : drawing.solids)
-            if (solid.name != fluid_.name) look(solid.name, solid.surface);
+            if (solid.name != fluid_.name) consider(solid.name, solid.surface);
         return best;
     }
 

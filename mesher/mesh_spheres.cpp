@@ -79,7 +79,7 @@ class Checker {
     [[nodiscard]] const std::string& name_of(int part) const { return set_.parts[static_cast<std::size_t>(part)].name; }
     [[nodiscard]] bool touch(const std::string& a, const std::string& b) const {
         const ContactPair* pair = scene_.contact_between(a, b);
-        return pair == nullptr || *pair->law != ContactLawKind::none;
+        return pair == nullptr || *pair->enabled;
     }
     [[nodiscard]] std::string text(std::size_t i) const {
         const Vec& x = set_.position[i];

@@ -13,6 +13,7 @@
 #include "mesher/sphere_packing.hpp"
 #include "mesher/sphere_table.hpp"
 #include "mesher/uses.hpp"
+#include "models/dem/contact_laws.hpp"
 
 namespace dmp::mesher {
 
@@ -110,19 +111,14 @@ SphereBuilder::Spheres SphereBuilder::listed(const Part& part) const {
 
 double SphereBuilder::rest_overlap(const Part& inner, const Part& part, double inner_radius, double radius) const {
     const ContactPair* pair = scene_.contact_between(*inner.name, *part.name);
-    if (pair == nullptr || *pair->law == ContactLawKind::none || *pair->adhesion == AdhesionKind::none) return 0;
+    if (pair == nullptr || !*pair->enabled) return 0;
     const double effective = inner_radius * radius / (inner_radius + radius);
-    const double modulus = 1 / (compliance(inner) + compliance(part));
-    if (*pair->adhesion == AdhesionKind::bradley) {
-        const double pull = pair->pull_off_force.given() ? *pair->pull_off_force
-                                                         : 2 * std::numbers::pi * *pair->work_of_adhesion * effective;
-        const double stiffness = (*pair->law == ContactLawKind::thesis_eq_7_5 ? 4 : 4.0 / 3) * modulus;
-        return std::pow(pull / (stiffness * std::sqrt(effective)), 2.0 / 3);
-    }
-    const double work = pair->pull_off_force.given() ? *pair->pull_off_force / (1.5 * std::numbers::pi * effective)
-                                                     : *pair->work_of_adhesion;
-    const double contact = std::cbrt(4.5 * std::numbers::pi * work * effective * effective / modulus);
-    return contact * contact / (3 * effective);
+    const double stiffness = *pair->normal_stiffness_factor * 4.0 / 3 / (compliance(inner) + compliance(part));
+    return visit_adhesive_law(*pair->normal, *pair->adhesion, 0.0, [&]<class Law>() {
+        const double work = pair->pull_off_force.given() ? Law::adhesion_energy(*pair->pull_off_force, effective)
+                                                         : *pair->work_of_adhesion;
+        return Law::rest_overlap(effective, stiffness, work);
+    });
 }
 
 SphereBuilder::Spheres SphereBuilder::around(const Part& part) const {

@@ -81,7 +81,7 @@ class Painter {
         const auto all = members(mesh_, [](std::size_t) { return true; });
         const double size = around(mesh_, along(0, 1), all).extent().maxCoeff();
         std::vector<Viewpoint> views;
-        std::vector<PanelDrawing> drawings;
+        std::vector<PanelActors> drawings;
         constexpr std::array<std::array<int, 2>, 3> axes{{{0, 1}, {0, 2}, {1, 2}}};
         for (const auto& [right, up] : axes) {
             views.push_back(along(right, up, middle));

@@ -90,11 +90,12 @@ void need_largest_speed(const Scene& scene, const TomlNode& document) {
 void need_what_implicit_viscosity_solves(const Scene& scene) {
     const auto& numerics = scene.numerics;
     if (*numerics.viscosity_stepping != ViscosityStepping::implicitly) return;
-    if (*numerics.viscous_law == ViscousLaw::monaghan_approaching)
+    if (!numerics.viscous_law->visit([]<class Law>() { return Law::linear; }))
         throw InputError(
             first_known(scene, {&numerics.viscous_law.location}),
             "numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
-            "numerics.viscous_law = \"monaghan_approaching\" is none",
+            "numerics.viscous_law = \"" +
+                to_string(*numerics.viscous_law) + "\" is none",
             "write viscous_law = \"monaghan\" or \"morris\"");
     if (*numerics.spring_stepping == SpringStepping::subcycled && scene.may_have_elastic())
         throw InputError(

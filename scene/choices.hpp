@@ -6,18 +6,16 @@
 
 #include "base/enum_names.hpp"
 #include "base/part_kind.hpp"
+#include "models/dem/contact_laws.hpp"
 #include "models/solidify/activity.hpp"
 #include "models/sph/liquid_state.hpp"
+#include "models/sph/viscous_laws.hpp"
 #include "scene/uses.hpp"
 
 namespace dmp::scene {
 
 /// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
 enum class Quality { draft, standard, fine };
-/// How two spheres, or a sphere and a wall, press on each other.
-enum class ContactLawKind { hertz_mindlin, hertz_history, thesis_eq_7_5, none };
-enum class AdhesionKind { none, bradley, jkr };
-enum class RollingKind { constant, spring };
 /// Whether a force is that on a whole part or on each of its particles.
 enum class ForceAmount { total, per_particle };
 enum class ShapeKind { parabola, circle };
@@ -37,7 +35,6 @@ enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };
 [[nodiscard]] inline bool is_high(BoxSide side) { return static_cast<int>(side) % 2 != 0; }
 enum class WallModel { extrapolated, plain };
 enum class DensityModel { continuity, summation };
-enum class ViscousLaw { morris, monaghan, monaghan_approaching };
 enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
@@ -89,13 +86,6 @@ namespace dmp {
 template <>
 inline constexpr auto enum_names<scene::Quality> = std::to_array<std::string_view>({"draft", "standard", "fine"});
 template <>
-inline constexpr auto enum_names<scene::ContactLawKind> =
-    std::to_array<std::string_view>({"hertz_mindlin", "hertz_history", "thesis_eq_7_5", "none"});
-template <>
-inline constexpr auto enum_names<scene::AdhesionKind> = std::to_array<std::string_view>({"none", "bradley", "jkr"});
-template <>
-inline constexpr auto enum_names<scene::RollingKind> = std::to_array<std::string_view>({"constant", "spring"});
-template <>
 inline constexpr auto enum_names<scene::ForceAmount> = std::to_array<std::string_view>({"total", "per_particle"});
 template <>
 inline constexpr auto enum_names<scene::ShapeKind> = std::to_array<std::string_view>({"parabola", "circle"});
@@ -118,9 +108,6 @@ template <>
 inline constexpr auto enum_names<scene::WallModel> = std::to_array<std::string_view>({"extrapolated", "plain"});
 template <>
 inline constexpr auto enum_names<scene::DensityModel> = std::to_array<std::string_view>({"continuity", "summation"});
-template <>
-inline constexpr auto enum_names<scene::ViscousLaw> = std::to_array<std::string_view>({"morris", "monaghan",
-                                                                                       "monaghan_approaching"});
 template <>
 inline constexpr auto enum_names<scene::ViscosityMean> = std::to_array<std::string_view>({"harmonic", "arithmetic"});
 template <>

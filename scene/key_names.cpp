@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/nearest_name.hpp"
+#include "scene/renamed.hpp"
 #include "scene/schema.hpp"
 
 namespace dmp::scene {
@@ -92,6 +93,7 @@ std::string shown_key(const std::string& pattern) {
 }
 
 std::string advice_for_unknown_key(const std::string& pattern) {
+    if (std::string advice = advice_for_renamed_key(pattern); !advice.empty()) return advice;
     const auto [section, name] = split_at_last_dot(pattern);
     if (section.empty()) {  // perhaps a whole table is misspelt
         std::vector<std::string> tables;

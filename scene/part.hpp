@@ -80,16 +80,20 @@ struct Part {
 struct ContactPair {
     Value<std::string> name;  ///< may be empty
     Value<std::array<std::string, 2>> parts;
-    Value<ContactLawKind> law = ContactLawKind::hertz_mindlin;
+    Value<bool> enabled = true;  ///< false: they pass through each other
+    Value<NormalLaw> normal;
+    Value<TangentialLaw> tangential;
+    Value<double> normal_stiffness_factor = 1.0;      ///< of k_n = 4/3 E* [-]
+    Value<double> tangential_stiffness_factor = 1.0;  ///< of k_t = 8 G* [-]
     Value<double> restitution = 0.0;         ///< normal coefficient of restitution [-]; 0: not given, see the dampings
     Value<double> normal_damping = 0.0;      ///< gamma_n, in place of the restitution [1/(m s)]
     Value<double> tangential_damping = 0.0;  ///< gamma_t [1/(m s)]
     Value<double> friction;                  ///< Coulomb's coefficient mu [-]; 0: none
     Value<bool> dashpot_may_pull = true;     ///< whether damping may hold the two together as they part
     Value<double> rolling_friction = 0.0;    ///< coefficient mu_r of the rolling torque mu_r R_eff F_n [-]
-    Value<RollingKind> rolling_law = RollingKind::constant;
+    Value<RollingLaw> rolling = RollingLaw::of<ConstantRolling>();
     Value<double> rolling_damping = 0.3;  ///< of the rolling spring, fraction of critical [-]
-    Value<AdhesionKind> adhesion = AdhesionKind::none;
+    Value<AdhesionLaw> adhesion;
     Value<double> work_of_adhesion = 0.0;      ///< W, of both surfaces together [J/m^2]; or
     Value<double> pull_off_force = 0.0;        ///< F_c [N]
     Value<double> equilibrium_distance = 0.0;  ///< z0 of Bradley's law [m]

@@ -71,7 +71,7 @@ struct Scene {
         Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
         Value<DensityModel> density = DensityModel::continuity;
         Value<bool> gradient_correction = false;  ///< Bonet & Lok 1999
-        Value<ViscousLaw> viscous_law = ViscousLaw::morris;
+        Value<ViscousLaw> viscous_law;
         Value<ViscosityMean> viscosity_mean = ViscosityMean::harmonic;  ///< between fluids of unlike viscosity
         Value<double> density_diffusion = 0.1;   ///< delta of Molteni & Colagrossi [-]; 0 switches it off
         Value<double> shifting = 4.0;            ///< strength s of the particle shifting [-]; 0 switches it off

@@ -209,7 +209,7 @@ std::vector<Key<Numerics>> numerics_keys() {
         {"gradient_correction", &Numerics::gradient_correction, boolean(), "false",
          "Whether the kernel's gradient is corrected, so that linear fields have exact gradients."},
         {"viscous_law", &Numerics::viscous_law, one_of<ViscousLaw>(), "morris",
-         "Viscous force: Morris' form, or Monaghan's along the line of each pair, all pairs or only approaching ones."},
+         "Viscous force: " + meanings<ViscousLaw>() + "."},
         {"viscosity_mean", &Numerics::viscosity_mean, one_of<ViscosityMean>(), "harmonic",
          "Mean of two viscosities where fluids of unlike viscosity meet."},
         {"density_diffusion", &Numerics::density_diffusion, number(between(0, 1)), "0.1",

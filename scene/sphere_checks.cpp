@@ -211,7 +211,7 @@ void check_names(const Scene& scene, const ContactPair& pair) {
 
 void check_law(const ContactPair& pair) {
     const SourceLocation& at = pair.parts.location;
-    if (*pair.law == ContactLawKind::none) return;
+    if (!*pair.enabled) return;
     const bool damped = pair.normal_damping.given() || pair.tangential_damping.given();
     if (pair.restitution.given() && damped)
         throw InputError(first_given({&pair.normal_damping.location, &pair.tangential_damping.location}, at),
@@ -222,24 +222,29 @@ void check_law(const ContactPair& pair) {
         throw InputError(at, of_pair(pair) + " does not say how much of an impact it gives back",
                          "give restitution (1: elastic), or normal_damping and tangential_damping");
     if (!pair.friction.given())
-        throw InputError(
-            at,
-            of_pair(pair) + ": friction is missing, and the law '" + to_string(*pair.law) + "' has a tangential force",
-            "add friction = 0.3 (Coulomb's coefficient), or friction = 0 for spheres that slide freely");
+        throw InputError(at,
+                         of_pair(pair) + ": friction is missing, and the law '" + to_string(*pair.tangential) +
+                             "' has a tangential force",
+                         "add friction = 0.3 (Coulomb's coefficient), or friction = 0 for spheres that slide freely");
 }
 
 void check_adhesion(const ContactPair& pair) {
-    const SourceLocation& at = pair.adhesion.given() ? pair.adhesion.location : pair.parts.location;
-    const bool bradley = *pair.adhesion == AdhesionKind::bradley, none = *pair.adhesion == AdhesionKind::none;
+    const SourceLocation& at = pair.adhesion.given() ? pair.adhesion.location
+                               : pair.normal.given() ? pair.normal.location
+                                                     : pair.parts.location;
+    const ContactModel model{pair.normal, pair.tangential, pair.rolling, pair.adhesion};
+    const bool has_range = pair.adhesion->visit([]<class Law>() { return Law::has_range; });
+    const std::string laws =
+        "normal = \"" + to_string(*pair.normal) + "\" and adhesion = \"" + to_string(*pair.adhesion) + "\"";
+    if (!model.is_consistent())
+        throw InputError(at, of_pair(pair) + ": " + laws + " do not go together: that normal law is adhesive itself",
+                         "leave one of them out");
     const auto refuse = [&](const Value<double>& value, const char* name, const std::string& advice) {
         if (value.given())
-            throw InputError(
-                value.location,
-                of_pair(pair) + ": " + name + " does not go with adhesion = \"" + to_string(*pair.adhesion) + "\"",
-                advice);
+            throw InputError(value.location, of_pair(pair) + ": " + name + " does not go with " + laws, advice);
     };
-    if (none) {
-        const std::string advice = R"(write adhesion = "bradley" or "jkr", or leave it out)";
+    if (!model.is_adhesive()) {
+        const std::string advice = R"(write adhesion = "bradley" or "dmt", or normal = "jkr", or leave it out)";
         refuse(pair.work_of_adhesion, "work_of_adhesion", advice);
         refuse(pair.pull_off_force, "pull_off_force", advice);
     } else if (pair.work_of_adhesion.given() == pair.pull_off_force.given()) {
@@ -248,7 +253,7 @@ void check_adhesion(const ContactPair& pair) {
                                                                       : " adheres, and does not say how strongly"),
                          "give work_of_adhesion or pull_off_force");
     }
-    if (!bradley) {
+    if (!has_range) {
         refuse(pair.equilibrium_distance, "equilibrium_distance", "leave it out");
         refuse(pair.adhesion_cutoff, "adhesion_cutoff", "leave it out");
     } else if (!pair.equilibrium_distance.given()) {
@@ -279,7 +284,7 @@ void need_contact_of_all(const Scene& scene) {
                              i == j ? "spheres of '" + a + "' can touch each other, and no [[contact_pair]] says how"
                                     : "'" + a + "' and '" + b + "' can touch, and no [[contact_pair]] says how",
                              "add a [[contact_pair]] with parts = [\"" + a + "\", \"" + b +
-                                 "\"], restitution and friction, or law = \"none\"");
+                                 "\"], restitution and friction, or enabled = false");
         }
     }
 }

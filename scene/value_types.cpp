@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/formula.hpp"
+#include "scene/renamed.hpp"
 
 namespace dmp::scene {
 
@@ -350,8 +351,11 @@ std::size_t index_of_name(const TomlNode& node, const std::string& path, const s
     const auto found = std::find(words.begin(), words.end(), node.text.text);
     if (found == words.end()) {
         const std::string nearest = nearest_name(node.text.text, words);
+        const std::string renamed = advice_for_renamed_value(path, node.text.text);
         throw InputError(node.location, path + ": found " + node.shown() + ", expected " + expected,
-                         nearest.empty() ? "write one of these words" : "did you mean \"" + nearest + "\"?");
+                         !renamed.empty()  ? renamed
+                         : nearest.empty() ? "write one of these names"
+                                           : "did you mean \"" + nearest + "\"?");
     }
     return static_cast<std::size_t>(found - words.begin());
 }

@@ -149,6 +149,15 @@ ValueType<Enumeration> one_of() {
             [](const Enumeration& value) { return toml_quoted(to_string(value)); }};
 }
 
+/// What the laws of a registry are, for the reference: "'hertz': Hertz' elastic contact; 'jkr': ...".
+template <class Law>
+std::string meanings() {
+    std::string text;
+    for (const LawFacts& facts : Law::Registry::facts)
+        text += (text.empty() ? "'" : "; '") + std::string(facts.key) + "': " + std::string(facts.meaning);
+    return text;
+}
+
 /// A list of different names of an enumeration.
 template <class Enumeration>
 ValueType<std::vector<Enumeration>> list_of() {

@@ -7,6 +7,7 @@
 
 #include "models/dem/contact.hpp"
 #include "models/dem/contact_constants.hpp"
+#include "models/registry.hpp"
 
 namespace dmp::models {
 
@@ -17,6 +18,10 @@ namespace dmp::models {
 ///   F_c = 2 pi W R*   [N],   W = gamma_i + gamma_j - gamma_ij, 2 gamma of equal surfaces [J/m^2]
 /// Work to part bodies with overlap d: F_c (d + 16/7 z0), less what is cut off, close to 4/3 F_c z0^2 / range.
 struct BradleyAdhesion {
+    static constexpr LawFacts facts{"bradley", "Bradley 1932; Derjaguin, Muller & Toporov 1975",
+                                    "Bradley's between rigid spheres (constant in contact, as DMT)"};
+    static constexpr bool adhesive = true, has_range = true;
+
     /// Along the normal: below 0, or 0.
     template <class T, class Constants>
     static T law(const Contact<T>& contact, const Constants& pair) {
@@ -36,6 +41,14 @@ struct BradleyAdhesion {
 
     /// W of a pull-off force measured on spheres of this effective radius [J/m^2].
     static double adhesion_energy(double pull_off, double radius) { return pull_off / (2 * std::numbers::pi * radius); }
+
+    /// Overlap at which Hertz' force of this stiffness k_n balances the pull of this work of adhesion [m].
+    static double rest_overlap(double radius, double normal_stiffness, double work) {
+        const double pull = 2 * std::numbers::pi * work * radius;
+        return std::pow(pull / (normal_stiffness * std::sqrt(radius)), 2.0 / 3);
+    }
+
+    static double reach(double /*radius*/, const ContactConstants<>& pair) { return pair.adhesion_range; }
 
     /// 0 beyond the range [J].
     static double energy(double overlap, double radius, const ContactConstants<>& pair) {

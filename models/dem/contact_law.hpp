@@ -1,40 +1,33 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
 
-#include "models/dem/bradley.hpp"
 #include "models/dem/contact.hpp"
 #include "models/dem/contact_constants.hpp"
+#include "models/dem/contact_laws.hpp"
 #include "models/dem/dashpot_ends.hpp"
-#include "models/dem/hertz.hpp"
-#include "models/dem/jkr.hpp"
-#include "models/dem/mindlin.hpp"
-#include "models/dem/rolling_friction.hpp"
 
 namespace dmp::models {
-
-enum class TangentialHistory { rescaled, plain };       ///< RescaledHistory, PlainHistory
-enum class RollingFriction { none, constant, spring };  ///< ConstantRolling, RollingSpring
-enum class Adhesion { none, bradley, jkr };             ///< BradleyAdhesion, JkrContact
-
-/// Which laws a contact consists of.
-struct ContactModel {
-    TangentialHistory history = TangentialHistory::rescaled;
-    RollingFriction rolling = RollingFriction::none;
-    Adhesion adhesion = Adhesion::none;
-};
 
 /// All that acts in one contact, and what it remembers.
 template <ContactModel model>
 struct ContactLaw {
-    /// Where a law asks whether surfaces have touched, the history ends with the contact's radius at the last step.
-    static constexpr bool keeps_touch = model.adhesion == Adhesion::jkr;
-    /// A dashpot of d^(1/4) begins and ends with the overlap, and in LAMMPS' way every step counts alike.
-    static constexpr bool counts_ends = model.adhesion != Adhesion::jkr && model.history == TangentialHistory::rescaled;
-    static constexpr int history_vectors = model.rolling == RollingFriction::spring ? 2 : 1;
+    static_assert(model.is_consistent(), "an adhesive normal law takes no adhesion besides");
+    using Normal = NormalLaws::Law<model.normal.number()>;
+    using Tangential = TangentialLaws::Law<model.tangential.number()>;
+    using Rolling = RollingLaws::Law<model.rolling.number()>;
+    using Adhesion = AdhesionLaws::Law<model.adhesion.number()>;
+
+    /// Where a law needs to know whether surfaces have touched, the history ends with the contact's radius at the last
+    /// step.
+    static constexpr bool keeps_touch = Normal::keeps_touch;
+    /// A dashpot of d^(1/4) begins and ends with the overlap; in LAMMPS' way every step counts alike.
+    static constexpr bool counts_ends = !keeps_touch && Tangential::centred;
+    static constexpr int history_vectors = 1 + Rolling::history_vectors;
     static constexpr int history_values = 3 * history_vectors + (keeps_touch ? 1 : 0);
 
     template <class T>
@@ -48,9 +41,7 @@ struct ContactLaw {
 
     /// Largest gap across which a force can act [m]; 0 where only contacts have any.
     static double reach(double radius, const ContactConstants<>& pair) {
-        if constexpr (model.adhesion == Adhesion::bradley) return pair.adhesion_range;
-        if constexpr (model.adhesion == Adhesion::jkr) return JkrContact::reach(radius, pair);
-        return 0;
+        return std::max(Normal::reach(radius, pair), Adhesion::reach(radius, pair));
     }
 
     /// The force of a contact whose surfaces have moved for dt [s] with the velocities given; `history` follows them.
@@ -62,7 +53,7 @@ struct ContactLaw {
         const T zero(0.0);
         T before = zero;
         if constexpr (keeps_touch) before = history[history_values - 1];
-        const NormalContact<T> normal = normal_contact(contact, pair, before);
+        const NormalContact<T> normal = Normal::law(contact, pair, before);
 
         const T root = sqrt(contact.mass * normal.touch), mass_touch = contact.mass * normal.touch;
         const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
@@ -90,31 +81,22 @@ struct ContactLaw {
         ContactForce<T> force{pressing, sheared.force, Vector<T, 3>::zero()};
         if (dt > 0) keep(history, 0, sheared.kept, normal.touch);
 
-        if constexpr (model.rolling != RollingFriction::none) {
-            using Law = std::conditional_t<model.rolling == RollingFriction::spring, RollingSpring, ConstantRolling>;
+        if constexpr (!std::is_same_v<Rolling, NoRolling>) {
             const RollingContact<T> rolling{pair.normal_stiffness * normal.touch, normal_load};
             const Vector<T, 3> angle = vector_of(history, std::size_t{history_vectors} - 1);
-            const Rolling<T> rolled = Law::law(contact, pair, rolling, angle, dt);
+            const RollingTorque<T> rolled = Rolling::law(contact, pair, rolling, angle, dt);
             force.rolling = rolled.torque;
             if (history_vectors == 2 && dt > 0) keep(history, 1, rolled.angle, normal.touch);
         }
         // Friction rests on Hertz' force alone: the two bodies press on each other with what adhesion and loads add up
         // to.
-        if constexpr (model.adhesion == Adhesion::bradley) force.normal += BradleyAdhesion::law(contact, pair);
+        if constexpr (!std::is_same_v<Adhesion, NoAdhesion>) force.normal += Adhesion::law(contact, pair);
         if constexpr (keeps_touch)
             if (dt > 0) history[history_values - 1] = normal.touch;
         return force;
     }
 
   private:
-    using Tangential = std::conditional_t<model.history == TangentialHistory::plain, PlainHistory, RescaledHistory>;
-
-    template <class T, class Constants>
-    static NormalContact<T> normal_contact(const Contact<T>& contact, const Constants& pair, const T& before) {
-        if constexpr (model.adhesion == Adhesion::jkr) return JkrContact::law(contact, pair, before);
-        return HertzContact::law(contact, pair);
-    }
-
     template <class T>
     static Vector<T, 3> vector_of(const History<T>& history, std::size_t number) {
         return {{history[3 * number], history[3 * number + 1], history[3 * number + 2]}};

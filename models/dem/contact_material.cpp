@@ -30,6 +30,8 @@ void check_material(const ContactMaterial& material) {
 void check_settings(const ContactSettings& settings) {
     check(settings.restitution > 0 && settings.restitution <= 1, "the restitution of a contact", settings.restitution,
           "a number above 0 and at most 1");
+    for (const double factor : {settings.normal_stiffness_factor, settings.tangential_stiffness_factor})
+        check(factor > 0 && std::isfinite(factor), "a stiffness factor of a contact", factor, "a number above 0");
     check_not_negative("the normal damping of a contact", settings.normal_rate);
     check_not_negative("the tangential damping of a contact", settings.tangential_rate);
     check_not_negative("the friction of a contact", settings.friction);
@@ -60,9 +62,9 @@ ContactConstants<> contact_constants(const ContactMaterial& i, const ContactMate
         throw InputError("both materials of a contact are rigid", "give one of them a finite Young's modulus");
 
     ContactConstants<> pair;
-    const bool thesis = settings.stiffness == ContactStiffness::thesis_eq_7_5;
-    pair.normal_stiffness = (thesis ? 3 : 1) * 4.0 / 3 / normal;
-    pair.tangential_stiffness = (thesis ? 2 : 1) * 8.0 / (shear_compliance(i) + shear_compliance(j));
+    pair.normal_stiffness = settings.normal_stiffness_factor * 4.0 / 3 / normal;
+    pair.tangential_stiffness =
+        settings.tangential_stiffness_factor * 8.0 / (shear_compliance(i) + shear_compliance(j));
     if (settings.damping == ContactDamping::coefficients) {
         pair.normal_rate = settings.normal_rate;
         pair.tangential_rate = settings.tangential_rate;

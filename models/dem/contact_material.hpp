@@ -11,11 +11,6 @@ struct ContactMaterial {
     double poisson_ratio;  ///< nu, above -1, at most 1/2 [1]
 };
 
-enum class ContactStiffness {
-    hertz_mindlin,  ///< k_n = 4/3 E*, k_t = 8 G*
-    thesis_eq_7_5,  ///< 3 and 2 times that
-};
-
 enum class ContactDamping {
     restitution,          ///< the dashpot may pull just before the contact ends
     restitution_no_pull,  ///< it may not
@@ -24,7 +19,8 @@ enum class ContactDamping {
 
 /// What a pair of materials is told besides its elasticity.
 struct ContactSettings {
-    ContactStiffness stiffness = ContactStiffness::hertz_mindlin;
+    double normal_stiffness_factor = 1;      ///< of k_n = 4/3 E* [1]
+    double tangential_stiffness_factor = 1;  ///< of k_t = 8 G* [1]
     ContactDamping damping = ContactDamping::restitution;
     double restitution = 1;            ///< e, above 0, at most 1 [1]
     double normal_rate = 0;            ///< g_n [1/(m s)]
@@ -37,7 +33,7 @@ struct ContactSettings {
     double adhesion_range = 2e-8;      ///< gap at which it is cut off [m]
 };
 
-/// The constants of contacts between two materials.
+/// The constants of contacts between two materials: k_n = 4/3 E*, k_t = 8 G*, times their factors.
 ///   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j,   1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j,   G = E / (2 (1 + nu))
 /// Throws InputError, naming the value, where one is out of its bounds or both materials are rigid.
 ContactConstants<> contact_constants(const ContactMaterial& i, const ContactMaterial& j,

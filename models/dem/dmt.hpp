@@ -33,6 +33,12 @@ struct DmtAdhesion {
     /// W of a pull-off force measured on spheres of this effective radius [J/m^2].
     static double adhesion_energy(double pull_off, double radius) { return pull_off / (2 * std::numbers::pi * radius); }
 
+    /// Overlap at which Hertz' force of this stiffness k_n balances the pull of this work of adhesion [m].
+    static double rest_overlap(double radius, double normal_stiffness, double work) {
+        const double pull = 2 * std::numbers::pi * work * radius;
+        return std::pow(pull / (normal_stiffness * std::sqrt(radius)), 2.0 / 3);
+    }
+
     static double reach(double /*radius*/, const ContactConstants<>& /*pair*/) { return 0; }
     /// 0 where the bodies do not touch [J].
     static double energy(double overlap, double radius, const ContactConstants<>& pair) {

@@ -16,6 +16,10 @@ namespace dmp::models {
 /// apart there, and what they stored is lost. Largest pull 3/2 pi W R*, 3/4 of Bradley's and DMT's.
 /// In units x^2 = a / a_c: F = pi W R* (x^6/6 - x^3) and d R* / a_c^2 = x^4 - 4 x, x >= 1.
 struct JkrContact {
+    static constexpr LawFacts facts{"jkr", "Johnson, Kendall & Roberts 1971",
+                                    "JKR's contact of soft spheres that adhere"};
+    static constexpr bool adhesive = true, has_range = false, keeps_touch = true;
+
     /// `held` is above 0 where the surfaces touched at the last step.
     template <class T, class Constants>
     static NormalContact<T> law(const Contact<T>& contact, const Constants& pair, const T& held) {
@@ -38,6 +42,22 @@ struct JkrContact {
         // 1e-12 R* without adhesion: the equations then are Hertz'.
         const T cube = (std::numbers::pi / 6) * pair.adhesion_energy / pair.normal_stiffness + 1e-36 * radius;
         return cube_root(radius * radius * cube);
+    }
+
+    /// Largest pull [N].
+    static double pull_off(double radius, const ContactConstants<>& pair) {
+        return 1.5 * std::numbers::pi * pair.adhesion_energy * radius;
+    }
+    /// W of a pull-off force measured on spheres of this effective radius [J/m^2].
+    static double adhesion_energy(double pull_off, double radius) {
+        return pull_off / (1.5 * std::numbers::pi * radius);
+    }
+
+    /// Overlap at which nothing pulls or pushes, for a stiffness k_n [m].
+    static double rest_overlap(double radius, double normal_stiffness, double work) {
+        const double modulus = 0.75 * normal_stiffness;
+        const double contact = std::cbrt(4.5 * std::numbers::pi * work * radius * radius / modulus);
+        return contact * contact / (3 * radius);
     }
 
     /// Gap at which surfaces that touched come apart [m].

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/dem/contact.hpp"
+#include "models/registry.hpp"
 
 namespace dmp::models {
 
@@ -31,6 +32,11 @@ struct ShearContact {
 /// are undone (docs/contact.md compares the rules in use). What is remembered is xi sqrt(a) [m^(3/2)].
 /// While the surfaces slide, the spring holds what friction can hold, not more.
 struct RescaledHistory {
+    static constexpr LawFacts facts{"mindlin", "Mindlin 1949; history that makes no energy (docs/contact.md)",
+                                    "Mindlin's spring, its displacement rescaled as the contact grows and shrinks"};
+    /// Forces take the directions of the middle of a step; the dashpot begins and ends with the overlap.
+    static constexpr bool centred = true;
+
     /// A dashpot that acts on what moves with this mass [kg], in steps of dt: c / max(1 + x/4, x), x = c dt / m.
     /// It sees the velocity of half a step ago, which makes it too strong by the part x/4 as far as energy goes; and it
     /// stops a motion at most, however strong it is.
@@ -93,6 +99,10 @@ struct RescaledHistory {
 /// and dashpot together are what friction holds, and forces act at the spheres' radii. For comparison with other
 /// programs: a growing contact gains energy from nothing, and a strong dashpot makes the spring swing.
 struct PlainHistory {
+    static constexpr LawFacts facts{"mindlin_unscaled", "Mindlin 1949; history as in LAMMPS' gran/hertz/history",
+                                    "the same with the displacement kept as LAMMPS' gran/hertz/history keeps it"};
+    static constexpr bool centred = false;
+
     template <class T>
     static Shear<T> law(const Contact<T>& contact, const ShearContact<T>& shear, const Vector<T, 3>& stretch_before,
                         double dt) {

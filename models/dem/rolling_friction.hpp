@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "models/dem/contact.hpp"
+#include "models/registry.hpp"
 
 namespace dmp::models {
 
 /// A torque on i against its rolling over j, and the angle of its spring after it.
 template <class T>
-struct Rolling {
+struct RollingTorque {
     Vector<T, 3> torque, angle;  ///< [N m], [rad]
 };
 
@@ -26,14 +27,23 @@ Vector<T, 3> rolling_rate(const Contact<T>& contact) {
     return contact.relative_spin - dot(contact.relative_spin, contact.normal) * contact.normal;
 }
 
+/// Nothing resists rolling.
+struct NoRolling {
+    static constexpr LawFacts facts{"none", "", "none"};
+    static constexpr int history_vectors = 0;
+};
+
 /// A torque of fixed size against the rolling (Zhou et al. 1999; model A of Ai et al., Powder Technol. 206, 2011):
 ///   M = -mu_r R* F_n w / |w|   [N m],   w the rolling rate
 /// but never more than stops a sphere within the step, so that one at rest does not tremble. It cannot hold a sphere on
 /// a slope; the spring can.
 struct ConstantRolling {
+    static constexpr LawFacts facts{"constant", "constant torque", "a torque of constant size"};
+    static constexpr int history_vectors = 0;
+
     template <class T, class Constants>
-    static Rolling<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
-                          const Vector<T, 3>& angle, double dt) {
+    static RollingTorque<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
+                                const Vector<T, 3>& angle, double dt) {
         using std::sqrt;
         const Vector<T, 3> rate = rolling_rate(contact);
         const T speed = sqrt(dot(rate, rate));
@@ -50,9 +60,12 @@ struct ConstantRolling {
 /// theta is the integral of the rolling rate w, c_r = 2 zeta sqrt(k_r I) with I = 7/5 m* R*^2 (a sphere that rolls on a
 /// plane), and 0 once the spring yields. Spring and dashpot together do not exceed mu_r R* F_n either.
 struct RollingSpring {
+    static constexpr LawFacts facts{"spring", "spring and dashpot", "a torque that a spring builds up until it slips"};
+    static constexpr int history_vectors = 1;
+
     template <class T, class Constants>
-    static Rolling<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
-                          const Vector<T, 3>& angle_before, double dt) {
+    static RollingTorque<T> law(const Contact<T>& contact, const Constants& pair, const RollingContact<T>& rolling,
+                                const Vector<T, 3>& angle_before, double dt) {
         using std::sqrt;
         const T zero(0.0), one(1.0), tiny(1e-300);
         const Vector<T, 3> rate = rolling_rate(contact);

@@ -74,7 +74,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         node.origin = source.origin;
         node.mass = set.mass[id];
         node.drag = source.drag;
-        node.location = node.position_before = node.rest_position = set.position[id];
+        node.position = node.position_before = node.rest_position = set.position[id];
         parts.nodes.push_back(node);
         positions.push_back(set.position[id]);
     }
@@ -192,7 +192,7 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
             through(node.origin);
             through(node.mass);
             through(node.drag);
-            for (Vec* vector : {&node.location, &node.velocity, &node.position_before, &node.rest_position})
+            for (Vec* vector : {&node.position, &node.velocity, &node.position_before, &node.rest_position})
                 through(*vector);
         });
         springs(body.bonds);

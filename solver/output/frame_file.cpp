@@ -48,9 +48,9 @@ void check_name(const std::string& name) {
         throw std::invalid_argument("'" + name + "' cannot be the name of a field or group in a file");
 }
 
-void write_fields(Hdf5Writer& to, const std::string& position, const std::vector<FrameField>& fields) {
+void write_fields(Hdf5Writer& to, const std::string& prefix, const std::vector<FrameField>& fields) {
     std::vector<std::string> names;
-    const std::string group = position + "/";
+    const std::string group = prefix + "/";
     for (const FrameField& field : fields) {
         check_name(field.name);
         names.push_back(field.name);
@@ -59,28 +59,28 @@ void write_fields(Hdf5Writer& to, const std::string& position, const std::vector
         to.set_attribute(dataset, "unit", field.unit);
         to.set_attribute<std::int32_t>(dataset, "components", field.components);
     }
-    to.write_texts(position + "_names", names);
+    to.write_texts(prefix + "_names", names);
 }
 
 void write_group(Hdf5Writer& to, const FrameGroup& group) {
     const std::string problem = problem_with(group);
     if (!problem.empty()) throw std::invalid_argument(problem);
     check_name(group.name);
-    const std::string position = "group/" + group.name + "/";
-    to.write_array<float>(position + "position", group.position);
-    to.set_attribute(position + "position", "unit", "m");
-    to.write_array<std::int64_t>(position + "id", group.id);
-    to.write_array<std::int32_t>(position + "part", group.part);
-    to.write_array<std::int32_t>(position + "bond_ends", group.bond_ends);
-    if (!group.triangles.empty()) to.write_array<std::int32_t>(position + "triangles", group.triangles);
-    write_fields(to, position + "field", group.fields);
-    write_fields(to, position + "bond_field", group.bond_fields);
+    const std::string prefix = "group/" + group.name + "/";
+    to.write_array<float>(prefix + "position", group.position);
+    to.set_attribute(prefix + "position", "unit", "m");
+    to.write_array<std::int64_t>(prefix + "id", group.id);
+    to.write_array<std::int32_t>(prefix + "part", group.part);
+    to.write_array<std::int32_t>(prefix + "bond_ends", group.bond_ends);
+    if (!group.triangles.empty()) to.write_array<std::int32_t>(prefix + "triangles", group.triangles);
+    write_fields(to, prefix + "field", group.fields);
+    write_fields(to, prefix + "bond_field", group.bond_fields);
 }
 
-std::vector<FrameField> read_fields(const Hdf5Reader& from, const std::string& position) {
+std::vector<FrameField> read_fields(const Hdf5Reader& from, const std::string& prefix) {
     std::vector<FrameField> fields;
-    const std::string group = position + "/";
-    for (const std::string& name : from.texts(position + "_names")) {
+    const std::string group = prefix + "/";
+    for (const std::string& name : from.texts(prefix + "_names")) {
         const std::string dataset = group + name;
         fields.push_back({name, from.text_attribute(dataset, "unit"),
                           from.number_attribute<std::int32_t>(dataset, "components"), from.array<float>(dataset)});
@@ -89,16 +89,16 @@ std::vector<FrameField> read_fields(const Hdf5Reader& from, const std::string& p
 }
 
 FrameGroup read_group(const Hdf5Reader& from, const std::string& name) {
-    const std::string position = "group/" + name + "/";
+    const std::string prefix = "group/" + name + "/";
     FrameGroup group;
     group.name = name;
-    group.position = from.array<float>(position + "position");
-    group.id = from.array<std::int64_t>(position + "id");
-    group.part = from.array<std::int32_t>(position + "part");
-    group.bond_ends = from.array<std::int32_t>(position + "bond_ends");
-    if (from.has(position + "triangles")) group.triangles = from.array<std::int32_t>(position + "triangles");
-    group.fields = read_fields(from, position + "field");
-    group.bond_fields = read_fields(from, position + "bond_field");
+    group.position = from.array<float>(prefix + "position");
+    group.id = from.array<std::int64_t>(prefix + "id");
+    group.part = from.array<std::int32_t>(prefix + "part");
+    group.bond_ends = from.array<std::int32_t>(prefix + "bond_ends");
+    if (from.has(prefix + "triangles")) group.triangles = from.array<std::int32_t>(prefix + "triangles");
+    group.fields = read_fields(from, prefix + "field");
+    group.bond_fields = read_fields(from, prefix + "bond_field");
     const std::string problem = problem_with(group);
     if (!problem.empty()) from.refuse(problem);
     return group;

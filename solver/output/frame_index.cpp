@@ -22,7 +22,7 @@ constexpr const char* count = "pieces";
 FrameEntry entry_of(const nlohmann::json& json) {
     FrameEntry entry;
     const bool in_pieces = json.contains(some_pieces);
-    entry.location = json.at(in_pieces ? some_pieces : one_file);
+    entry.path = json.at(in_pieces ? some_pieces : one_file);
     if (in_pieces) entry.pieces = json.at(count);
     entry.time = json.at("time");
     entry.step = json.at("step");
@@ -31,7 +31,7 @@ FrameEntry entry_of(const nlohmann::json& json) {
 
 nlohmann::ordered_json json_of(const FrameEntry& entry) {
     nlohmann::ordered_json json;
-    json[entry.pieces > 0 ? some_pieces : one_file] = entry.location;
+    json[entry.pieces > 0 ? some_pieces : one_file] = entry.path;
     if (entry.pieces > 0) json[count] = entry.pieces;
     json["time"] = entry.time;
     json["step"] = entry.step;
@@ -41,10 +41,10 @@ nlohmann::ordered_json json_of(const FrameEntry& entry) {
 }  // namespace
 
 std::vector<fs::path> FrameEntry::files(const fs::path& folder) const {
-    if (pieces == 0) return {folder / position};
+    if (pieces == 0) return {folder / path};
     std::vector<fs::path> paths;
     paths.reserve(static_cast<std::size_t>(pieces));
-    for (int rank = 0; rank < pieces; ++rank) paths.push_back(folder / position / piece_name(rank));
+    for (int rank = 0; rank < pieces; ++rank) paths.push_back(folder / path / piece_name(rank));
     return paths;
 }
 

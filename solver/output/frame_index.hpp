@@ -13,9 +13,9 @@ inline constexpr const char* frame_index_name = "frames.json";
 
 /// One frame of a run: a file, or a folder with a piece of each rank in it.
 struct FrameEntry {
-    std::string position;  ///< relative to the run's folder
-    int pieces = 0;        ///< 0: one file
-    double time = 0;       ///< [s]
+    std::string path;  ///< relative to the run's folder
+    int pieces = 0;    ///< 0: one file
+    double time = 0;   ///< [s]
     long step = 0;
 
     /// Of the frame or its pieces, below the run's folder.

@@ -37,7 +37,7 @@ double GapMeasure::smallest(const SpringBodies& springs) const {
         const SpringBody& of = *springs.bodies()[body];
         for (std::size_t node = 0; node < of.nodes(); ++node)
             if (const auto found = piece_.find(of.ids()[node]); found != piece_.end())
-                nodes.push_back({{body, found->second}, of.location(node)});
+                nodes.push_back({{body, found->second}, of.position(node)});
     }
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < nodes.size(); ++a)

@@ -13,7 +13,6 @@ namespace dmp::solver {
 /// The processor's vector instructions that the loops over pairs use. Results do not depend on it.
 enum class VectorUnit { widest, avx2, avx512, generic };
 
-std::string_view to_string(VectorUnit unit);
 /// Those that this processor has, narrowest first. Throws ResourceError when there are none.
 std::vector<VectorUnit> available_vector_units();
 /// `asked`, or the widest there is. Throws ResourceError when the processor lacks it.

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "base/nearest_name.hpp"
-#include "models/sph/lattice_viscosity.hpp"
-#include "models/sph/monaghan_viscosity.hpp"
+#include "models/sph/viscous_laws.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/elastic/body_parts.hpp"
 #include "solver/forcing/driving_models.hpp"
@@ -30,25 +29,16 @@ std::string on_the_lattice(const LatticeViscosity& viscosity) {
            three_digits(viscosity.longitudinal) + " along";
 }
 
-/// Where the viscous law is from, and what it really gives.
-std::string viscous_source(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps) {
-    const auto slope = [&](double r) { return sweeps.kernel_slope(r); };
-    const int dimension = scene.dimension;
-    if (settings.viscous_force != ViscousForce::monaghan)
-        return std::string("Morris, Fox & Zhu 1997, eq. 22") +
-               (settings.viscous_force == ViscousForce::morris_harmonic
-                    ? ", harmonic mean between fluids (Cleary & Monaghan 1999); "
-                    : "; ") +
-               on_the_lattice(lattice_viscosity_of_morris(dimension, settings.spacing, settings.support, slope));
+/// Where the viscous law is from, and what it gives on the lattice.
+std::string viscous_source(const Scene& scene, const PairSettings& settings, const ViscousScales& scales) {
     const Part& fluid = *scene.parts_of(PartKind::fluid).front();
-    const double alpha =
-        MonaghanViscosity<2>(settings.support, settings.approaching_pairs_only, settings.arithmetic_viscosity)
-            .alpha(fluid.viscosity / fluid.density, settings.support, settings.sound_speed) *
-        (dimension + 2) / 4;
-    return std::string("Monaghan & Gingold 1983, ") +
-           (settings.approaching_pairs_only ? "approaching pairs only" : "all pairs") +
-           ", alpha = " + three_digits(alpha) + "; " +
-           on_the_lattice(lattice_viscosity_of_monaghan(dimension, settings.spacing, settings.support, slope));
+    const bool harmonic = settings.unlike_viscosities && settings.viscosity_mean == ViscosityMean::harmonic;
+    return settings.viscous_law.visit([&]<class Law>() {
+        const Law law(scales);
+        return std::string(Law::facts.citation) + law.detail(fluid.viscosity / fluid.density, settings.sound_speed) +
+               (harmonic ? ", harmonic mean between fluids (Cleary & Monaghan 1999)" : "") + "; " +
+               on_the_lattice(law.on_lattice(scales));
+    });
 }
 
 /// What binds, with which probability, when.
@@ -145,9 +135,9 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
         add("continuity", "Monaghan 1994, in volume form", fluid);
     }
     add("pressure force", "Bonet & Lok 1999", fluid);
-    add("viscous force", viscous_source(scene_, settings, sweeps),
-        settings.viscous_force == ViscousForce::monaghan ? because(numerics.viscous_law, "numerics.viscous_law")
-                                                         : because(fluids.front()->viscosity, "viscosity"));
+    add("viscous force", viscous_source(scene_, settings, sweeps.viscous_scales()),
+        settings.viscous_law == ViscousLaw() ? because(fluids.front()->viscosity, "viscosity")
+                                             : because(numerics.viscous_law, "numerics.viscous_law"));
     if (settings.implicit_viscosity)
         add("implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
             because(numerics.viscosity_stepping, "numerics.viscosity_stepping"));

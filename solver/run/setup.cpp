@@ -21,12 +21,6 @@ bool has_unlike_viscosities(const Scene& scene) {
                        [&](const Part* part) { return *part->viscosity != *fluids.front()->viscosity; });
 }
 
-ViscousForce viscous_force(const Scene& scene) {
-    if (*scene.numerics.viscous_law != ViscousLaw::morris) return ViscousForce::monaghan;
-    const bool harmonic = *scene.numerics.viscosity_mean == ViscosityMean::harmonic;
-    return harmonic && has_unlike_viscosities(scene) ? ViscousForce::morris_harmonic : ViscousForce::morris;
-}
-
 double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
@@ -44,9 +38,9 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
     settings.kernel = scene.numerics.kernel;
     settings.walls = scene.numerics.walls;
-    settings.viscous_force = viscous_force(scene);
-    settings.approaching_pairs_only = *scene.numerics.viscous_law == ViscousLaw::monaghan_approaching;
-    settings.arithmetic_viscosity = *scene.numerics.viscosity_mean == ViscosityMean::arithmetic;
+    settings.viscous_law = scene.numerics.viscous_law;
+    settings.viscosity_mean = scene.numerics.viscosity_mean;
+    settings.unlike_viscosities = has_unlike_viscosities(scene);
     settings.spacing = scene.particles.spacing;
     settings.support = scene.numerics.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
@@ -115,8 +109,7 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
     std::vector<double> viscosities, slips;
     for (const auto& part : set.parts) {
         slips.push_back(part.kind == PartKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
-        viscosities.push_back(part.kind == PartKind::fluid ? scene.part_of_particles(part.name).viscosity.value
-                                                               : 0);
+        viscosities.push_back(part.kind == PartKind::fluid ? scene.part_of_particles(part.name).viscosity.value : 0);
     }
     const double range = scene.contact.range * scene.particles.spacing;
     for (ParticleGroup& group : particles.groups()) {

@@ -20,7 +20,7 @@ Vec vec(const std::array<double, 3>& of) { return {of[0], of[1], of[2]}; }
 void need_short_reach(const Solidify& rule, const ParticleSpace& space) {
     for (int axis = 0; axis < space.dimension; ++axis)
         if (space.periodic[axis] && !(2 * rule.reach < space.box.high[axis] - space.box.low[axis]))
-            throw InputError(rule.reach.position,
+            throw InputError(rule.reach.location,
                              "reach of solidify '" + *rule.name + "' is half the period along " + "xyz"[axis] +
                                  " or more: a seed would find the same liquid on both sides",
                              "lower it; neighbours are about a spacing away");
@@ -31,7 +31,7 @@ void need_liquid_in_seed_region(const Scene& scene, const Solidify& rule, const 
     const SolidifyRegion region(scene, rule.seed_region, set);
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.part[i] == liquid_part && region.contains(set.position[i])) return;
-    throw InputError(rule.seed_region.position,
+    throw InputError(rule.seed_region.location,
                      "seed_region of solidify '" + *rule.name + "': there is no particle of '" + *rule.liquid +
                          "' in the region '" + *rule.seed_region + "'",
                      "move the region into the liquid, or make it as large as a few spacings");
@@ -69,7 +69,7 @@ Solidification::Solidification(const Scene& scene, int number, const ParticleSet
 }
 
 Solidification::SolidifyingParticle Solidification::turning(const ParticleStore& particles, std::size_t i,
-                                                     double ahead) const {
+                                                            double ahead) const {
     const ParticleGroup& fluid = particles.fluid();
     SolidifyingParticle of{fluid.tags()[i].id, fluid.data(Field::mass)[i], {}, {}};
     for (int axis = 0; axis < fluid.dimension(); ++axis) {

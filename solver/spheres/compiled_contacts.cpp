@@ -2,8 +2,8 @@
 //
 // The loops over contacts of spheres for one vector unit, DMP_VECTOR_UNIT its word; see sweeps/compiled_sweeps.cpp for
 // what may not be in here.
+#include "models/dem/contact_laws.hpp"
 #include "solver/spheres/contact_kernel.hpp"
-#include "solver/spheres/contact_models.hpp"
 
 namespace dmp::solver {
 
@@ -12,7 +12,11 @@ namespace {
 template <class L, VectorUnit unit, std::size_t... number>
 ContactSweep sweep_of(std::size_t wanted, std::index_sequence<number...>) {
     ContactSweep found = nullptr;
-    ((number == wanted ? void(found = &ContactKernel<L, contact_model(number)>::run) : void()), ...);
+    const auto take = [&]<std::size_t n>() {
+        if constexpr (contact_model(n).is_consistent())
+            if (n == wanted) found = &ContactKernel<L, contact_model(n)>::run;
+    };
+    (take.template operator()<number>(), ...);
     return found;
 }
 

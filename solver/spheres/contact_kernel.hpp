@@ -79,7 +79,7 @@ class ContactKernel {
         auto contact = contact_of_spheres<Law>(i, j, separation, distance);
         const Levers<L> arm{Law::lever(i.radius, contact.radius, contact.overlap),
                             Law::lever(j.radius, contact.radius, contact.overlap)};
-        if constexpr (model.history != TangentialHistory::plain) {
+        if constexpr (Law::Tangential::centred) {
             const V relative = i.velocity - j.velocity, around = arm.i * i.spin + arm.j * j.spin;
             const V before = separation - L(job.time.half_dt) * relative;
             const V n = (L(1.0) / sqrt(dot(before, before))) * before;

@@ -45,26 +45,25 @@ ContactMaterial material_of(const Part& part) {
 
 double reduced(double a, double b) { return a * b / (a + b); }
 
-/// The energy of adhesion that a pull-off force stands for: F_c = 2 pi W R* (Bradley), 3/2 pi W R* (JKR).
+/// The work of adhesion, also of a pull-off force that is given in its place [J/m^2].
 double adhesion_energy(const ContactPair& asked, const SpherePair& pair) {
     if (!asked.pull_off_force.given()) return asked.work_of_adhesion;
     if (pair.largest_radius > pair.radius * (1 + 1e-9))
         throw InputError(asked.pull_off_force.location,
                          "pull_off_force between " + pair.parts + ", whose spheres differ in radius",
                          "give work_of_adhesion, from which each contact's pull-off force follows");
-    return asked.pull_off_force / ((*asked.adhesion == AdhesionKind::jkr ? 1.5 : 2.0) * std::numbers::pi * pair.radius);
+    return visit_adhesive_law(*asked.normal, *asked.adhesion, 0.0,
+                              [&]<class Law>() { return Law::adhesion_energy(*asked.pull_off_force, pair.radius); });
 }
 
 SpherePair pair_of(const Part& a, const Part& b, const ContactPair& asked, SpherePair pair) {
     pair.parts = "'" + *a.name + "' and '" + *b.name + "'";
     pair.asked = &asked;
-    pair.model.history =
-        *asked.law == ContactLawKind::hertz_history ? TangentialHistory::plain : TangentialHistory::rescaled;
-    if (*asked.rolling_friction > 0)
-        pair.model.rolling =
-            *asked.rolling_law == RollingKind::spring ? RollingFriction::spring : RollingFriction::constant;
+    pair.model = {asked.normal, asked.tangential,
+                  *asked.rolling_friction > 0 ? *asked.rolling : RollingLaw::of<NoRolling>(), asked.adhesion};
     ContactSettings settings;
-    if (*asked.law == ContactLawKind::thesis_eq_7_5) settings.stiffness = ContactStiffness::thesis_eq_7_5;
+    settings.normal_stiffness_factor = asked.normal_stiffness_factor;
+    settings.tangential_stiffness_factor = asked.tangential_stiffness_factor;
     if (asked.restitution.given()) {
         settings.restitution = asked.restitution;
         settings.damping = asked.dashpot_may_pull ? ContactDamping::restitution : ContactDamping::restitution_no_pull;
@@ -76,8 +75,7 @@ SpherePair pair_of(const Part& a, const Part& b, const ContactPair& asked, Spher
     settings.friction = asked.friction;
     settings.rolling_friction = asked.rolling_friction;
     settings.rolling_damping = asked.rolling_damping;
-    if (*asked.adhesion != AdhesionKind::none) {
-        pair.model.adhesion = *asked.adhesion == AdhesionKind::jkr ? Adhesion::jkr : Adhesion::bradley;
+    if (pair.model.is_adhesive()) {
         settings.adhesion_energy = adhesion_energy(asked, pair);
         if (asked.equilibrium_distance.given()) {
             settings.adhesion_distance = asked.equilibrium_distance;
@@ -93,7 +91,7 @@ SpherePair pair_of(const Part& a, const Part& b, const ContactPair& asked, Spher
 /// Null: they pass through each other.
 const ContactPair* law_between(const Scene& scene, const Part& a, const Part& b) {
     const ContactPair* asked = scene.contact_between(a.name, b.name);
-    return asked == nullptr || *asked->law == ContactLawKind::none ? nullptr : asked;
+    return asked == nullptr || !*asked->enabled ? nullptr : asked;
 }
 
 void check_periods(const ParticleSet& set, double reach) {
@@ -182,12 +180,12 @@ std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup&
                 limits.push_back({"contact of " + pair.parts,
                                   ContactTimes::impact(pair.radius, pair.mass, fastest, pair.constants) / steps,
                                   "impact at " + text_of(fastest) + " m/s in " + text_of(steps) + " steps"});
-            if (pair.model.adhesion == Adhesion::bradley)
-                limits.push_back(
-                    {"adhesion of " + pair.parts,
-                     finer * adhesion_part *
-                         ContactTimes::stable(BradleyAdhesion::stiffness(pair.radius, pair.constants), pair.mass),
-                     text_of(finer * adhesion_part) + " of 2 sqrt(m* / largest slope of the force)"});
+            const double stiffness =
+                pair.model.adhesion.visit([&]<class Law>() { return Law::stiffness(pair.radius, pair.constants); });
+            if (stiffness > 0)
+                limits.push_back({"adhesion of " + pair.parts,
+                                  finer * adhesion_part * ContactTimes::stable(stiffness, pair.mass),
+                                  text_of(finer * adhesion_part) + " of 2 sqrt(m* / largest slope of the force)"});
         }
     for (std::size_t k = 0; k < space.parts.size(); ++k) {
         const double radius = setup.smallest_by_part[k];
@@ -209,24 +207,19 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
     for (const auto* pairs : {&setup.pairs, &setup.wall_pairs})
         for (const SpherePair& pair : *pairs) {
             const std::string where = "[[contact_pair]] at " + pair.asked->parts.location.text();
-            const bool thesis = *pair.asked->law == ContactLawKind::thesis_eq_7_5;
-            const bool plain = pair.model.history == TangentialHistory::plain;
-            models.push_back({"contact of " + pair.parts,
-                              std::string("Hertz 1882, Mindlin 1949") +
-                                  (thesis ? ", stiffness as in the thesis (docs/spheres.md)" : "") +
-                                  (plain ? "; history as in LAMMPS' gran/hertz/history"
-                                         : "; history that makes no energy (docs/contact.md)"),
-                              where});
-            if (pair.model.rolling != RollingFriction::none)
-                models.push_back(
-                    {"rolling friction of " + pair.parts,
-                     pair.model.rolling == RollingFriction::spring ? "spring and dashpot" : "constant torque", where});
-            if (pair.model.adhesion != Adhesion::none)
-                models.push_back({"adhesion of " + pair.parts,
-                                  pair.model.adhesion == Adhesion::jkr
-                                      ? "Johnson, Kendall & Roberts 1971"
-                                      : "Bradley 1932; Derjaguin, Muller & Toporov 1975",
-                                  where});
+            const auto add = [&](const std::string& what, const LawFacts& facts) {
+                if (!facts.citation.empty())
+                    models.push_back({what + " of " + pair.parts, std::string(facts.citation), where});
+            };
+            const LawFacts &normal = pair.model.normal.facts(), &tangential = pair.model.tangential.facts();
+            const ContactPair& asked = *pair.asked;
+            std::string source = std::string(normal.citation) + ", " + std::string(tangential.citation);
+            if (*asked.normal_stiffness_factor != 1 || *asked.tangential_stiffness_factor != 1)
+                source += ", stiffness times " + text_of(asked.normal_stiffness_factor) + " and " +
+                          text_of(asked.tangential_stiffness_factor);
+            models.push_back({"contact of " + pair.parts, source, where});
+            add("rolling friction", pair.model.rolling.facts());
+            add("adhesion", pair.model.adhesion.facts());
         }
     if (!space.wall_planes.empty() || !space.wall_triangles.empty())
         models.push_back({"walls",

@@ -270,7 +270,7 @@ double SphereStep::expected_force(double dt) const {
             largest, pair.constants.normal_stiffness * touch * overlap +
                          pair.constants.normal_dashpot * std::sqrt(mass * touch) * speed +
                          std::min(pair.constants.normal_rate * mass * touch, mass / std::max(dt, 1e-300)) * speed);
-        if (pair.model.adhesion != Adhesion::none)
+        if (pair.model.is_adhesive())
             largest = std::max(largest, BradleyAdhesion::pull_off(pair.largest_radius, pair.constants));
     }
     return largest;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "solver/spheres/contact_models.hpp"
+#include "models/dem/contact_laws.hpp"
 
 namespace dmp::solver {
 
@@ -27,40 +27,38 @@ WallPush push(const SphereMotion& sphere, const WallTouch& touch, const ContactC
     return {force.on_i(touch.normal), force.torque(arm, touch.normal) + force.rolling, force.normal};
 }
 
-template <std::size_t... number>
-WallLaw law_of(std::size_t wanted, std::index_sequence<number...> /*all*/) {
-    WallLaw found = nullptr;
-    ((number == wanted ? void(found = &push<contact_model(number)>) : void()), ...);
-    return found;
+/// Calls visit.template operator()<model>() with the model as a constant.
+template <class Visit, std::size_t... number>
+void with_model(const ContactModel& model, const Visit& visit, std::index_sequence<number...> /*all*/) {
+    const auto call = [&]<std::size_t n>() {
+        if constexpr (contact_model(n).is_consistent())
+            if (contact_model(n) == model) visit.template operator()<contact_model(n)>();
+    };
+    (call.template operator()<number>(), ...);
 }
-
-template <std::size_t... number>
-int values_of(std::size_t wanted, std::index_sequence<number...> /*all*/) {
-    int found = 0;
-    ((number == wanted ? void(found = ContactLaw<contact_model(number)>::history_values) : void()), ...);
-    return found;
-}
-
-template <std::size_t... number>
-double reach_of(std::size_t wanted, double radius, const ContactConstants<double>& pair,
-                std::index_sequence<number...> /*all*/) {
-    double found = 0;
-    ((number == wanted ? void(found = ContactLaw<contact_model(number)>::reach(radius, pair)) : void()), ...);
-    return found;
+template <class Visit>
+void with_model(const ContactModel& model, const Visit& visit) {
+    with_model(model, visit, std::make_index_sequence<contact_models>{});
 }
 
 }  // namespace
 
 double contact_reach(const ContactModel& model, const ContactConstants<double>& pair, double radius) {
-    return reach_of(number_of(model), radius, pair, std::make_index_sequence<contact_models>{});
+    double reach = 0;
+    with_model(model, [&]<ContactModel constant>() { reach = ContactLaw<constant>::reach(radius, pair); });
+    return reach;
 }
 
 WallLaw wall_law(const ContactModel& model) {
-    return law_of(number_of(model), std::make_index_sequence<contact_models>{});
+    WallLaw law = nullptr;
+    with_model(model, [&]<ContactModel constant>() { law = &push<constant>; });
+    return law;
 }
 
 int history_values(const ContactModel& model) {
-    return values_of(number_of(model), std::make_index_sequence<contact_models>{});
+    int values = 0;
+    with_model(model, [&]<ContactModel constant>() { values = ContactLaw<constant>::history_values; });
+    return values;
 }
 
 ContactSweep contact_sweep(const ContactModel& model, VectorUnit unit) {

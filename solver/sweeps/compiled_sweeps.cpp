@@ -11,9 +11,8 @@
 
 #include "base/simd/lanes.hpp"
 #include "models/sph/kernels.hpp"
-#include "models/sph/monaghan_viscosity.hpp"
-#include "models/sph/morris_viscosity.hpp"
 #include "models/sph/no_viscosity.hpp"
+#include "models/sph/viscous_laws.hpp"
 #include "solver/sweeps/correction_sweep.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
@@ -45,6 +44,8 @@ class Sweeps final : public PairSweeps {
     explicit Sweeps(const PairSettings& settings)
         : settings_(settings),
           kernel_(settings.support),
+          scales_(models::viscous_scales(D, settings.spacing, settings.support,
+                                         [this](double r) { return kernel_.slope(r); })),
           steepest_(steepest()),
           diffusion_(settings.density_diffusion, settings.support, settings.sound_speed),
           shifting_(settings.shifting, settings.support, settings.spacing, kernel_),
@@ -58,8 +59,7 @@ class Sweeps final : public PairSweeps {
 
     void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
                 ClusterChoice choice) const override {
-        const ViscousForce force = settings_.implicit_viscosity ? ViscousForce::none : settings_.viscous_force;
-        with_viscosity(force, [&](const auto& viscosity) {
+        const auto sweep_with = [&](const auto& viscosity) {
             const auto run = [&](const auto& solid) {
                 ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
                     particles, list, kernel_, solid, viscosity, repulsion_, force_rounding_, settings_.threads)
@@ -71,7 +71,12 @@ class Sweeps final : public PairSweeps {
                 with_flag(settings_.slip_walls || settings_.moving_walls,
                           [&](auto motion) { run(extrapolated<decltype(motion)::value>(body_acceleration)); });
             }
-        });
+        };
+        if (settings_.implicit_viscosity) {
+            sweep_with(NoViscosity{});
+        } else {
+            with_viscosity(sweep_with);
+        }
         if (settings_.gradient_correction) {
             const auto solid = extrapolated(body_acceleration);
             corrected(particles, list, solid).forces(choice);
@@ -163,11 +168,10 @@ class Sweeps final : public PairSweeps {
 
     [[nodiscard]] double sound_limit() const override { return Kernel::sound_limit; }
     [[nodiscard]] double viscous_limit() const override {
-        return settings_.viscous_force == ViscousForce::monaghan
-                   ? MonaghanViscosity<D>::share_of_morris_step(settings_.approaching_pairs_only) *
-                         Kernel::viscous_limit
-                   : Kernel::viscous_limit;
+        const auto share = [&]<class Law>() { return Law(scales_).step_share(); };
+        return settings_.viscous_law.visit(share) * Kernel::viscous_limit;
     }
+    [[nodiscard]] ViscousScales viscous_scales() const override { return scales_; }
     [[nodiscard]] double diffusion_limit() const override { return Kernel::viscous_limit; }
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
@@ -178,19 +182,17 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
   private:
-    /// Calls then(law) with the law of a viscous force of these settings.
+    /// Calls then(term) with the viscous term of these settings: the default law in a loop of its own, for fluids of
+    /// like and of unlike viscosity, all others in one loop that chooses at run time.
     template <class Then>
-    void with_viscosity(ViscousForce force, const Then& then) const {
-        switch (force) {
-            case ViscousForce::morris:
-                return then(MorrisViscosity{});
-            case ViscousForce::morris_harmonic:
-                return then(HarmonicMorrisViscosity{});
-            case ViscousForce::monaghan:
-                return then(MonaghanViscosity<D>(settings_.support, settings_.approaching_pairs_only,
-                                                 settings_.arithmetic_viscosity));
-            case ViscousForce::none:
-                return then(NoViscosity{});
+    void with_viscosity(const Then& then) const {
+        const bool arithmetic = settings_.viscosity_mean == ViscosityMean::arithmetic;
+        if (!settings_.viscous_law.is<MorrisViscosity>()) {
+            then(AnyViscousTerm(settings_.viscous_law, scales_, arithmetic));
+        } else if (settings_.unlike_viscosities && !arithmetic) {
+            then(ViscousTerm<MorrisViscosity, HarmonicMean>{MorrisViscosity(scales_)});
+        } else {
+            then(ViscousTerm<MorrisViscosity, ArithmeticMean>{MorrisViscosity(scales_)});
         }
     }
 
@@ -232,20 +234,16 @@ class Sweeps final : public PairSweeps {
     template <class Run>
     void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const ReproducibleSum& rounding,
                             Field velocity, double wall_motion, const Run& run) const {
-        with_viscosity(settings_.viscous_force, [&](const auto& viscosity) {
-            using Law = std::decay_t<decltype(viscosity)>;
-            if constexpr (!std::is_same_v<Law, NoViscosity>) {
-                const auto run_with = [&](const auto& solid) {
-                    run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, Law>(
-                        particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion},
-                        settings_.threads));
-                };
-                if (settings_.walls == WallModel::plain) {
-                    run_with(PlainSolid<D>{});
-                } else {
-                    with_flag(settings_.slip_walls || settings_.moving_walls,
-                              [&](auto motion) { run_with(extrapolated<decltype(motion)::value>({})); });
-                }
+        with_viscosity([&](const auto& viscosity) {
+            const auto run_with = [&](const auto& solid) {
+                run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
+                    particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion}, settings_.threads));
+            };
+            if (settings_.walls == WallModel::plain) {
+                run_with(PlainSolid<D>{});
+            } else {
+                with_flag(settings_.slip_walls || settings_.moving_walls,
+                          [&](auto motion) { run_with(extrapolated<decltype(motion)::value>({})); });
             }
         });
     }
@@ -291,6 +289,7 @@ class Sweeps final : public PairSweeps {
 
     PairSettings settings_;
     Kernel kernel_;
+    ViscousScales scales_;
     double steepest_;  ///< largest |dW/dr| [1/m^(D+1)]
     DensityDiffusion diffusion_;
     Shifting<Kernel> shifting_;

@@ -15,16 +15,13 @@
 
 namespace dmp::solver {
 
-/// The viscous law of the force sweep. `none` leaves viscous forces to others.
-enum class ViscousForce { morris, morris_harmonic, monaghan, none };
-
 /// What the pair terms of a scene need to know, in SI.
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
     WallModel walls = WallModel::extrapolated;
-    ViscousForce viscous_force = ViscousForce::morris;
-    bool approaching_pairs_only = false;  ///< of Monaghan's viscosity
-    bool arithmetic_viscosity = false;    ///< of Monaghan's viscosity: the mean of two fluids' viscosities
+    ViscousLaw viscous_law;
+    ViscosityMean viscosity_mean = ViscosityMean::harmonic;
+    bool unlike_viscosities = false;  ///< fluids differ in viscosity
     /// A free surface, or a body force along an axis that is not periodic: diffusion and shifting mind it.
     bool hydrostatic = false;
     bool density_by_summation = false;
@@ -137,6 +134,8 @@ class PairSweeps {
     /// Largest stable c dt / support and nu dt / support^2 of the kernel (linear theory).
     [[nodiscard]] virtual double sound_limit() const = 0;
     [[nodiscard]] virtual double viscous_limit() const = 0;
+    /// What the viscous law makes of a viscosity on the lattice.
+    [[nodiscard]] virtual ViscousScales viscous_scales() const = 0;
     /// The same of the diffusion of species, D dt / support^2.
     [[nodiscard]] virtual double diffusion_limit() const = 0;
     /// W at distance r [1/m^D], for interpolation at points.
