@@ -1,5 +1,5 @@
-// A channel of constant width that rises over a hump and comes back to its level, with one flap on the inner wall of
-// the crest. All lengths in metres, angles in radians.
+// A channel of constant width that rises over a hump and returns to its initial level, with one flap on the inner wall
+// of the crest. All lengths in metres, angles in radians.
 //
 //                      ____.____
 //                   .-'    .    '-.            crest: a bend of 2 bend_angle around (0, level)
@@ -10,11 +10,11 @@
 //                .'                 '.                centre line at y = 0 here
 //   __________.-'                     '-.__________
 //
-//   |<---------------- domain_length ---------------->|     periodic: the two end lines have no name
+//   |<---------------- domain_length ---------------->|     periodic: the two end lines are unnamed
 //
-// The centre line is made of lines and of arcs of radius bend_radius: out of the level by bend_angle, a leg up, over
-// the crest, a leg down, and back into the level. The walls are its parallels at half_width, so that the area is the centre
-// line's length times the width. The drawing is its own mirror image in x = 0, but for the flap.
+// The centre line consists of straight lines and arcs of radius bend_radius: up from the level by bend_angle, a leg up, over
+// the crest, a leg down, and back to the level. The walls are parallel to it at a distance of half_width, so the area is the
+// length of the centre line times the width. Except for the flap, the geometry is symmetric about x = 0.
 
 DefineConstant[
   half_width    = {0.003, Name "half_width"},
@@ -29,7 +29,7 @@ DefineConstant[
 s = Sin(bend_angle);
 c = Cos(bend_angle);
 end = domain_length / 2;
-bend_x = 2 * bend_radius * s + leg_length * c;         // where the level ends and the first bend begins
+bend_x = 2 * bend_radius * s + leg_length * c;         // end of the level, start of the first bend
 crest = 2 * bend_radius * (1 - c) + leg_length * s;    // height of the crest's centre line
 level = crest - bend_radius;                           // height of the crest's centre of curvature
 
@@ -54,18 +54,18 @@ If (flap_length * Cos(flap_lean) >= 2 * half_width || Fabs(flap_lean) >= Pi/2)
   Abort;
 EndIf
 
-// Centres of curvature: of the crest, and of the bends out of and into the level.
+// Centres of curvature: of the crest, and of the bends that leave and reach the level.
 Point(1) = {0, level, 0};
 Point(2) = {-bend_x, bend_radius, 0};
 Point(3) = {bend_x, bend_radius, 0};
 
-// Lower wall (0) and upper wall (1): the parallels at -half_width and +half_width.
+// Lower wall (0) and upper wall (1): parallel to the centre line at -half_width and +half_width.
 For wall In {0:1}
   side = (2 * wall - 1) * half_width;
   first = 100 + 100 * wall;
   level_radius = bend_radius - side;  // the bends at the level turn left, the crest turns right
   crest_radius = bend_radius + side;
-  foot_x = bend_x - level_radius * s;  // where the legs begin, and where they end
+  foot_x = bend_x - level_radius * s;  // start and end of the legs
   foot_y = bend_radius - level_radius * c;
   top_x = crest_radius * s;
   top_y = level + crest_radius * c;

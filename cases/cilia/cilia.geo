@@ -1,19 +1,19 @@
-// A carpet of cilia on a membrane: the periciliary liquid between them, mucus above. All lengths in metres.
+// A carpet of cilia on a membrane, with periciliary liquid between them and mucus above. All lengths in metres.
 //
-//   ____________________________________________  y = pcl + mucus: a plane of symmetry, has no name
+//   ____________________________________________  y = pcl + mucus: a plane of symmetry, unnamed
 //                     mucus
 //   ____________________________________________  pcl
-//     |   |   |   |   |   |   |   |   |   |   |     cilia, pitch = length / cilia, the first half a pitch from the end
+//     |   |   |   |   |   |   |   |   |   |   |     cilia, pitch = length / cilia; the first is half a pitch from the end
 //     |   |   |   |  pcl  |   |   |   |   |   |
 //   __|___|___|___|___|___|___|___|___|___|___|_  membrane, y = 0
 //
-//   |<---------------- length ---------------->|    periodic: the two end lines have no name
+//   |<---------------- length ---------------->|    periodic: the two end lines are unnamed
 
 DefineConstant[
   length        = {20e-6, Name "length"},
   pcl           = {5e-6,  Name "pcl"},            // depth of the periciliary liquid
   mucus         = {2e-6,  Name "mucus"},          // depth of the mucus
-  cilia         = {36,    Name "cilia"},          // how many
+  cilia         = {36,    Name "cilia"},          // number of cilia
   cilium_length = {5e-6,  Name "cilium_length"}
 ];
 
@@ -38,7 +38,7 @@ Point(5) = {0, pcl + mucus, 0};
 Point(6) = {0, pcl, 0};
 Line(1) = {1, 2};  // membrane
 Line(2) = {2, 3};
-Line(3) = {3, 6};  // where the liquids meet
+Line(3) = {3, 6};  // interface of the two fluids
 Line(4) = {6, 1};
 Line(5) = {3, 4};
 Line(6) = {4, 5};
@@ -48,7 +48,7 @@ Plane Surface(1) = {1};
 Curve Loop(2) = {-3, 5, 6, 7};
 Plane Surface(2) = {2};
 
-// From root to tip.
+// Cilia, from root to tip.
 For k In {0:cilia - 1}
   x = (k + 0.5) * length / cilia;
   Point(1000 + k) = {x, 0, 0};

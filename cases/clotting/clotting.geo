@@ -1,4 +1,4 @@
-// A straight channel whose lower wall has a wound in its middle. All lengths in metres.
+// A straight channel with a wound in its lower wall, about a third of the way along. All lengths in metres.
 //
 //   ______________________________________   wall
 //

@@ -1,4 +1,4 @@
-// Two vein valves one behind the other, with flexible channels between them, in tissue, and an embolus. All lengths in
+// Two vein valves in series with flexible channels between them, surrounded by tissue, and an embolus. All lengths in
 // metres, angles in radians. The upper half:
 //
 //   ______________________________________________________________   casing
@@ -12,28 +12,28 @@
 //                     chamber 1                      chamber 2 ... and channel 1 again
 //
 // The origin is the middle of chamber 1. The period begins and ends in the middle of chamber 2, so that no flexible wall
-// is cut; the end lines have no name. Liquid goes to the right: valve 1 lets it out of channel 1 into channel 2. A rigid
-// rim at both ends of each channel keeps its wall clear of the leaflets' roots. Each side of a chamber follows an ellipse
-// through the chamber's two corners and its top. The tissue is one liquid all along the vein, so that one channel can
-// give way while the other is squeezed.
+// is cut; the end lines are unnamed. The flow is to the right: through valve 1 from channel 1 into channel 2. A rigid rim
+// at both ends of each channel keeps its wall away from the leaflets' roots. Each side of a chamber is part of an ellipse
+// through the chamber's two corners and its top. The tissue is one fluid along the whole vein, so that one channel can
+// expand while the other is squeezed.
 //
-// The embolus is a bar with round ends, a disc where its length is its height. It is an area of its own; the liquid in it
-// turns solid when the run starts.
+// The embolus is a bar with round ends, or a disc if its length equals its height. It is a separate area; the fluid in it
+// solidifies when the run starts.
 
 DefineConstant[
   half_width     = {0.004, Name "half_width"},      // of the vein
   chamber_length = {0.040, Name "chamber_length"},  // between the corners
   chamber_height = {0.007, Name "chamber_height"},  // half height at the chamber's middle
   channel_1      = {0.048, Name "channel_1"},       // length between the chambers, before valve 1
-  channel_2      = {0.048, Name "channel_2"},       // length between the chambers, after it
+  channel_2      = {0.048, Name "channel_2"},       // length between the chambers, after valve 1
   rim            = {0.002, Name "rim"},             // rigid part at each end of a channel
   shell          = {0.0015, Name "shell"},          // thickness of the chambers' walls
-  casing         = {0.0115, Name "casing"},         // half height of all
+  casing         = {0.0115, Name "casing"},         // half height of the whole geometry
   leaflet_length = {0.010, Name "leaflet_length"},
   tip_gap        = {0.002, Name "tip_gap"},         // between the two tips of a valve
-  embolus_length = {0.0052, Name "embolus_length"}, // over all
+  embolus_length = {0.0052, Name "embolus_length"}, // total length
   embolus_height = {0.0052, Name "embolus_height"},
-  embolus_x      = {-0.034, Name "embolus_x"},      // its middle
+  embolus_x      = {-0.034, Name "embolus_x"},      // position of its middle
   embolus_y      = {0,      Name "embolus_y"},
   embolus_tilt   = {0,      Name "embolus_tilt"}    // from the x axis, counter-clockwise
 ];
@@ -157,7 +157,7 @@ c = Cos(embolus_tilt);
 s = Sin(embolus_tilt);
 radius = embolus_height / 2;
 half = embolus_length / 2 - radius;  // from its middle to the centres of its round ends
-// Its corners, counter-clockwise from the lower left one, and the ends' outermost points.
+// Corners of the embolus, counter-clockwise from the lower left one, and the outermost points of its ends.
 Point(400) = {embolus_x - half * c + radius * s, embolus_y - half * s - radius * c, 0};
 Point(401) = {embolus_x + half * c + radius * s, embolus_y + half * s - radius * c, 0};
 Point(402) = {embolus_x + (half + radius) * c, embolus_y + (half + radius) * s, 0};

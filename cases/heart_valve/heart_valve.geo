@@ -12,7 +12,7 @@
 //   -----------*                   *----------
 //               '.               .'
 //                  '-._______.-'
-//   |<--------------- domain_length --------------->|     periodic: the two end lines have no name
+//   |<--------------- domain_length --------------->|     periodic: the two end lines are unnamed
 
 DefineConstant[
   half_width     = {0.0125, Name "half_width"},      // of the vessel

@@ -1,16 +1,16 @@
-// A coronary artery along x with a stent: rings at its wall, one behind the other, joined by two bars on opposite sides.
+// A coronary artery along x with a stent: a row of rings at its wall, joined by two bars on opposite sides.
 // All lengths in metres.
 //
-//   wall  ----------------[=]====[=]====[=]====[=]-----------   [=] strut: width along x, strut high into the blood,
-//                         [=]    [=]    [=]    [=]                  embedded deep in the wall
+//   wall  ----------------[=]====[=]====[=]====[=]-----------   [=] strut: size `width` along x, `strut` into the blood,
+//                         [=]    [=]    [=]    [=]                  `embedded` into the wall
 //                        |<---->|  pitch
-//   axis  ..............|<- first: where the first strut stands
+//   axis  ..............|<- first: position of the first strut
 //
-//   |<------------------------- length --------------------->|     periodic: the two ends have no name
+//   |<------------------------- length --------------------->|     periodic: the two ends are unnamed
 //
-// The blood is the whole lumen, the stent's room included: what is solid goes first. Seen along x, share = 1 is the whole
-// artery, 2 the half z > 0, 4 the quarter y, z > 0; the stent is drawn whole, beyond the planes of symmetry too. The
-// bars lie at y = 0, so that the plane z = 0 cuts rings only: the stent of two-dimensional models.
+// The blood is the whole lumen, including the volume of the stent: solids take precedence. In the cross-section, share = 1
+// is the whole artery, 2 the half z > 0, 4 the quarter y, z > 0; the stent is always complete, also beyond the planes of
+// symmetry. The bars lie at y = 0, so the plane z = 0 cuts only rings: the stent of two-dimensional models.
 
 SetFactory("OpenCASCADE");
 
@@ -42,7 +42,7 @@ If (struts > 1 && pitch <= width)
   Error("pitch must exceed width");
   Abort;
 EndIf
-last = first + (struts - 1) * pitch + width;  // where the stent ends
+last = first + (struts - 1) * pitch + width;  // end of the stent
 If (first < 0 || last > length)
   Error("the stent does not fit between 0 and length");
   Abort;
@@ -55,7 +55,7 @@ EndIf
 outer = radius + embedded;
 inner = radius - strut;
 
-// Drawn along z, then turned: z becomes x, x becomes y, y becomes z.
+// Constructed along z, then rotated: z becomes x, x becomes y, y becomes z.
 rings[] = {};
 For k In {0:struts - 1}
   disc = newv;
@@ -83,4 +83,4 @@ around[] = Abs(Boundary{ Volume{blood}; });
 
 Physical Volume("blood") = {blood};
 Physical Volume("stent") = {stent[]};
-Physical Surface("wall") = {around[0]};  // the round one
+Physical Surface("wall") = {around[0]};  // the curved one

@@ -1,16 +1,16 @@
-// A straight tube along x with a valve of three flat leaflets, which point downstream. All lengths in metres.
+// A straight tube along x with a valve of three flat leaflets that point downstream. All lengths in metres.
 //
 //   wall  ----------------*----.--------------------   seen from the side: leaflet k is the part of an inclined plane
 //                          '.   '. edge                that lies in its third of the tube, one edge along the wall,
-//                            '.   '.                   two free. Its lowest place (*, x = 0) is in the middle of that
-//   axis  ....................'.....'.. x = height     third, at the wall.
+//                            '.   '.                   two free. Its most upstream point (*, x = 0) is mid-way in
+//   axis  ....................'.....'.. x = height     that third, at the wall.
 //
-//   Seen along x, three slits, gap wide, part the leaflets from each other; on the axis, where they would meet, they
-//   leave a triangle open.
+//   Seen along x, three slits of width gap separate the leaflets from each other; on the axis, where the leaflets would
+//   meet, a triangle remains open.
 //
-//   |<- upstream ->|<-------- downstream ---------->|  of x = 0; periodic: the two ends have no name
+//   |<- upstream ->|<-------- downstream ---------->|  of x = 0; periodic: the two ends are unnamed
 //
-// The leaflets are faces in the blood, not part of the tube's surface: the blood is the whole inside of the tube.
+// The leaflets are faces inside the blood, not part of the tube's surface: the blood fills the whole tube.
 
 SetFactory("OpenCASCADE");
 
@@ -18,7 +18,7 @@ DefineConstant[
   radius     = {5e-3,  Name "radius"},
   upstream   = {10e-3, Name "upstream"},
   downstream = {20e-3, Name "downstream"},
-  height     = {6e-3,  Name "height"},       // of the place on the axis where the three planes meet
+  height     = {6e-3,  Name "height"},       // x at which the three planes meet on the axis
   gap        = {1e-3,  Name "gap"}
 ];
 
@@ -41,7 +41,7 @@ leaflets[] = {};
 far = 2 * radius;  // beyond the tube
 reach = corner + far;
 For k In {0:2}
-  // Drawn in the third about +y, then turned about x.
+  // Constructed in the third about +y, then rotated about x.
   a = newp; Point(a) = {height * (1 - corner / radius), corner, 0};
   b = newp; Point(b) = {height * (1 - reach / radius), reach, far * Tan(Pi / 3)};
   c = newp; Point(c) = {height * (1 - reach / radius), reach, -far * Tan(Pi / 3)};
@@ -61,5 +61,5 @@ Cylinder(blood) = {-upstream, 0, 0, upstream + downstream, 0, 0, radius};
 around[] = Abs(Boundary{ Volume{blood}; });
 
 Physical Volume("blood") = {blood};
-Physical Surface("wall") = {around[0]};  // the round one
+Physical Surface("wall") = {around[0]};  // the curved one
 Physical Surface("leaflets") = {leaflets[]};

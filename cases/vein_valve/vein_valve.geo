@@ -11,9 +11,9 @@
 //              ''--..___             ___..--''
 //                       ''''''''''''
 //             |<------ chamber_length ------>|
-//   |<--------------- domain_length --------------->|     periodic: the two end lines have no name
+//   |<--------------- domain_length --------------->|     periodic: the two end lines are unnamed
 //
-// Each side of the chamber follows an ellipse around the origin through the chamber's two corners and its top.
+// Each side of the chamber is part of an ellipse around the origin through the chamber's two corners and its top.
 
 DefineConstant[
   half_width     = {0.004,  Name "half_width"},      // of the vein
@@ -83,7 +83,7 @@ Line(31) = {24, 14};
 Curve Loop(1) = {20, 21, 22, 23, 31, -13, -12, -11, -10, -30};
 Plane Surface(1) = {1};
 
-// Leaflets, from root to tip: they lean by Asin(rise / leaflet_length) towards the centre line.
+// Leaflets, from root to tip: inclined by Asin(rise / leaflet_length) towards the centre line.
 tip_x = -corner + Sqrt(leaflet_length^2 - rise^2);
 Point(15) = {tip_x, tip_gap / 2, 0};
 Point(25) = {tip_x, -tip_gap / 2, 0};

@@ -1,4 +1,4 @@
-// A strip along x that is clamped where it begins. All lengths in metres.
+// A strip along x, clamped at x = 0. All lengths in metres.
 
 DefineConstant[
   length = {0.2, Name "length"}

@@ -1,4 +1,4 @@
-// A slot that hangs from a ceiling, as wide as one particle. All lengths in metres.
+// A slot below a ceiling, one particle wide. All lengths in metres.
 
 DefineConstant[
   width  = {0.001, Name "width"},

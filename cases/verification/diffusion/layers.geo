@@ -1,4 +1,4 @@
-// Two layers, one on the other, between a floor and a lid; periodic in x. All lengths in metres.
+// Two layers, one above the other, between a floor and a lid; periodic in x. All lengths in metres.
 
 DefineConstant[
   lower  = {0.06, Name "lower"},
@@ -21,7 +21,7 @@ Point(6) = {length, lower + upper, 0};
 Line(1) = {1, 2};
 Line(2) = {3, 4};
 Line(3) = {5, 6};
-// The ends, which the period joins.
+// The ends, which are periodic.
 Line(4) = {1, 3};
 Line(5) = {2, 4};
 Line(6) = {3, 5};

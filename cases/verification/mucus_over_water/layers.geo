@@ -21,10 +21,10 @@ EndFor
 // Walls.
 Line(1) = {1, 2};
 Line(2) = {14, 13};
-// Faces of the belt.
+// Interfaces between mucus and water.
 Line(3) = {4, 3};
 Line(4) = {11, 12};
-// The ends, which the period joins.
+// The ends, which are periodic.
 Line(5) = {1, 4};
 Line(6) = {2, 3};
 Line(7) = {4, 11};

@@ -1,4 +1,4 @@
-// A straight round pipe along x, periodic: its two ends have no name. All lengths in metres.
+// A straight round pipe along x, periodic: its two ends are unnamed. All lengths in metres.
 
 SetFactory("OpenCASCADE");
 

@@ -23,6 +23,6 @@ Line(4) = {1, 4};
 Curve Loop(1) = {1, 2, -3, -4};
 Plane Surface(1) = {1};
 
-// The two ends have no name: they are joined by the period.
+// The two ends are unnamed because they are periodic.
 Physical Surface("water") = {1};
 Physical Curve("wall") = {1, 3};

@@ -1,4 +1,4 @@
-// A square that repeats itself in x and y. All lengths in metres.
+// A square, periodic in x and y. All lengths in metres.
 
 DefineConstant[
   side = {1, Name "side"}
@@ -22,5 +22,5 @@ Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
 
-// The sides have no name: they are joined by the periods.
+// The sides are unnamed because they are periodic.
 Physical Surface("water") = {1};
