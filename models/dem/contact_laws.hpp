@@ -44,6 +44,12 @@ struct ContactModel {
     friend constexpr bool operator==(const ContactModel&, const ContactModel&) = default;
 };
 
+/// The model of these laws.
+template <class Normal = HertzContact, class Tangential = RescaledHistory, class Rolling = NoRolling,
+          class Adhesion = NoAdhesion>
+inline constexpr ContactModel model_of{NormalLaw::of<Normal>(), TangentialLaw::of<Tangential>(),
+                                       RollingLaw::of<Rolling>(), AdhesionLaw::of<Adhesion>()};
+
 /// The law of these that attracts: visit.template operator()<Law>(), or `none` where there is none.
 template <class Result, class Visit>
 Result visit_adhesive_law(NormalLaw normal, AdhesionLaw adhesion, Result none, const Visit& visit) {

@@ -37,7 +37,7 @@ TEST(Rolling, SlowsDownByRollingFriction) {
     constexpr double rolling = 0.02, time = 0.4;
     for (const std::string law : {"constant", "spring"}) {
         const std::vector<std::string> common{set_to("contact_pair.touch.rolling_friction", rolling),
-                                              "contact_pair.touch.rolling_law=" + law,
+                                              "contact_pair.touch.rolling=" + law,
                                               set_to("part.ball.initial_spin", {0, start / radius, 0}, "rad/s")};
         std::vector<std::string> spins = common, rolls = common;
         spins.insert(spins.end(), {"contact_pair.touch.friction=0", "part.ball.initial_velocity=[0, 0, 0]"});

@@ -145,7 +145,7 @@ TEST(SphereMesh, spheres_that_adhere_start_pressed_in_where_they_rest) {
     // JKR without load (Johnson, Kendall & Roberts 1971): d = a^2 / 3 R*, a^3 = 9 pi W R*^2 / (2 E*).
     const double modulus = 3.0427e9 * 0.75;
     const double radius = std::cbrt(4.5 * std::numbers::pi * work * effective * effective / modulus);
-    EXPECT_NEAR(depth("adhesion = \"jkr\"\nwork_of_adhesion = \"" + std::to_string(1e6 * work) + " uJ/m^2\"\n"),
+    EXPECT_NEAR(depth("normal = \"jkr\"\nwork_of_adhesion = \"" + std::to_string(1e6 * work) + " uJ/m^2\"\n"),
                 radius * radius / (3 * effective), 1e-13);
 }
 
@@ -202,7 +202,7 @@ TEST(WrongSphereMesh, spheres_in_each_other_are_named) {
               "scene.toml:20:8: sphere 1 of 'beads' at (0, 0, 0.005) m and sphere 0 of 'ball' at (0, 0, 0.006) m lie "
               "0.0005 m in each other at the start\n"
               "  move them apart: at most 0.05 of the smaller radius, 2.5e-05 m, may overlap");
-    EXPECT_EQ(fault(head + "[[contact_pair]]\nparts = [\"any\", \"any\"]\nlaw = \"none\"\n" + beads + ball),
+    EXPECT_EQ(fault(head + "[[contact_pair]]\nparts = [\"any\", \"any\"]\nenabled = false\n" + beads + ball),
               "no error");
 }
 

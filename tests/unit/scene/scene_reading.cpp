@@ -160,7 +160,7 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.numerics.density, *fresh.numerics.density);
     EXPECT_FALSE(*scene.numerics.gradient_correction);
     EXPECT_EQ(*scene.numerics.gradient_correction, *fresh.numerics.gradient_correction);
-    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::morris);
+    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<MorrisViscosity>());
     EXPECT_EQ(*scene.numerics.viscous_law, *fresh.numerics.viscous_law);
     EXPECT_EQ(*scene.numerics.viscosity_mean, ViscosityMean::harmonic);
     EXPECT_EQ(*scene.numerics.viscosity_mean, *fresh.numerics.viscosity_mean);
@@ -327,7 +327,7 @@ TEST(ReadScene, fluid_terms_that_are_off_by_default) {
     EXPECT_EQ(*scene.numerics.background_pressure, 3);
     EXPECT_EQ(*scene.numerics.density, DensityModel::summation);
     EXPECT_TRUE(*scene.numerics.gradient_correction);
-    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::monaghan_approaching);
+    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<ApproachingMonaghanViscosity>());
     EXPECT_EQ(*scene.numerics.viscosity_mean, ViscosityMean::arithmetic);
     EXPECT_TRUE(*scene.numerics.transport_velocity);
     EXPECT_EQ(*scene.numerics.density_diffusion, 0) << "gives way to the summed density";
@@ -377,7 +377,7 @@ TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(to_string(KernelKind::cubic_spline), "cubic_spline");
     EXPECT_EQ(to_string(EquationOfState::linear), "linear");
     EXPECT_EQ(to_string(DensityModel::summation), "summation");
-    EXPECT_EQ(to_string(ViscousLaw::monaghan_approaching), "monaghan_approaching");
+    EXPECT_EQ(to_string(ViscousLaw::of<ApproachingMonaghanViscosity>()), "monaghan_approaching");
     EXPECT_EQ(to_string(ViscosityMean::arithmetic), "arithmetic");
 }
 

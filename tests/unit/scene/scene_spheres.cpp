@@ -105,10 +105,10 @@ TEST(SpheresScene, finds_the_most_particular_contact) {
     EXPECT_EQ(*any->normal_damping, 0.3);
     EXPECT_EQ(*any->restitution, 0) << "not given";
     const Scene half = read_text(spheres_with(R"(["any", "any"])", R"(["any", "drug"])") +
-                                 "[[contact_pair]]\nparts = [\"any\", \"any\"]\nlaw = \"none\"\n");
+                                 "[[contact_pair]]\nparts = [\"any\", \"any\"]\nenabled = false\n");
     EXPECT_EQ(half.contact_between("drug", "floor"), &half.contact_pairs[1]);
     EXPECT_EQ(half.contact_between("carrier", "floor"), &half.contact_pairs[2]);
-    EXPECT_EQ(*half.contact_pairs[2].law, ContactLawKind::none);
+    EXPECT_FALSE(*half.contact_pairs[2].enabled);
 }
 
 TEST(SpheresScene, reads_back_as_the_same_scene) {
@@ -267,7 +267,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{
             "pair_missing", "parts = [\"any\", \"any\"]", "parts = [\"any\", \"floor\"]",
             "scene.toml:16:8: spheres of 'drug' can touch each other, and no [[contact_pair]] says how\n"
-            "  add a [[contact_pair]] with parts = [\"drug\", \"drug\"], restitution and friction, or law = \"none\""},
+            "  add a [[contact_pair]] with parts = [\"drug\", \"drug\"], restitution and friction, or enabled = false"},
         Fault{"pair_with_the_wall_missing", "parts = [\"any\", \"any\"]", "parts = [\"drug\", \"any\"]",
               "scene.toml:26:8: 'carrier' and 'floor' can touch, and no [[contact_pair]] says how\n"
               "  add a [[contact_pair]] with parts = [\"carrier\", \"floor\"], restitution and friction, or law = "
@@ -283,14 +283,14 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:36:12: the contact of 'drug' and 'carrier': equilibrium_distance is missing, which Bradley's "
               "law needs\n"
               "  add equilibrium_distance = \"0.4 nm\""},
-        Fault{"distance_without_bradley", "adhesion = \"bradley\"", "adhesion = \"jkr\"",
-              "scene.toml:38:24: the contact of 'drug' and 'carrier': equilibrium_distance does not go with adhesion = "
-              "\"jkr\"\n"
+        Fault{"distance_without_bradley", "adhesion = \"bradley\"", "adhesion = \"dmt\"",
+              "scene.toml:38:24: the contact of 'drug' and 'carrier': equilibrium_distance does not go with normal = "
+              "\"hertz\" and adhesion = \"dmt\"\n"
               "  leave it out"},
         Fault{"strength_without_adhesion", "adhesion = \"bradley\"\n", "",
-              "scene.toml:36:18: the contact of 'drug' and 'carrier': pull_off_force does not go with adhesion = "
-              "\"none\"\n"
-              "  write adhesion = \"bradley\" or \"jkr\", or leave it out"},
+              "scene.toml:36:18: the contact of 'drug' and 'carrier': pull_off_force does not go with normal = "
+              "\"hertz\" and adhesion = \"none\"\n"
+              "  write adhesion = \"bradley\" or \"dmt\", or normal = \"jkr\", or leave it out"},
         Fault{"cut_off_too_early", "equilibrium_distance = \"0.4 nm\"",
               "equilibrium_distance = \"0.4 nm\"\nadhesion_cutoff = \"0.4 nm\"",
               "scene.toml:39:19: the contact of 'drug' and 'carrier': adhesion_cutoff is not more than "

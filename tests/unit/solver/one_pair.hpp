@@ -7,6 +7,7 @@
 
 #include "models/pair.hpp"
 #include "models/sph/kernels.hpp"
+#include "models/sph/viscous_laws.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests::one_pair {
@@ -22,6 +23,11 @@ inline constexpr double distance = 1.25;
 
 inline const Point particle_i{{{1.75, 1.0}}, {{0.4, -0.3}}, 1.1, 990, 120, 1e-3};
 inline const Point particle_j{{{1.0, 2.0}}, {{-0.2, 0.5}}, 0.9, 1010, 80, 3e-3};
+
+/// Of a lattice of spacing 1.
+inline const ViscousScales scales = viscous_scales(2, 1, 3, [](double r) { return kernel.slope(r); });
+inline const ViscousTerm<MorrisViscosity, ArithmeticMean> morris{MorrisViscosity(scales)};
+inline const ViscousTerm<MorrisViscosity, HarmonicMean> harmonic_morris{MorrisViscosity(scales)};
 
 /// dW/dr by central differences.
 inline double kernel_derivative(double r) { return (kernel.value(r + 1e-5) - kernel.value(r - 1e-5)) / 2e-5; }

@@ -89,14 +89,14 @@ void expect_the_same() {
                 }
                 for (std::size_t value = 0; value < history[k].size(); ++value) {
                     EXPECT_NEAR(wide_history[value][k], history[k][value], 1e-9 * std::abs(history[k][value]) + 1e-18);
-                    if (one.overlap < 0 && model.adhesion != Adhesion::jkr) {
+                    if (one.overlap < 0 && !model.normal.is<JkrContact>()) {
                         EXPECT_EQ(history[k][value], 0);
                     }
                 }
-                if (model.adhesion == Adhesion::none && one.overlap < 0) {
+                if (!model.is_adhesive() && one.overlap < 0) {
                     EXPECT_EQ(force.normal, 0);
                 }
-                if (one.overlap < 0 && model.adhesion != Adhesion::jkr) {
+                if (one.overlap < 0 && !model.normal.is<JkrContact>()) {
                     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(force.tangential[axis], 0);
                 }
             }
@@ -107,18 +107,17 @@ void expect_the_same() {
 }
 
 TEST(ContactLawsOnLanes, give_what_they_give_on_numbers) {
-    using enum TangentialHistory;
-    expect_the_same<ContactModel{}>();
-    expect_the_same<ContactModel{plain, RollingFriction::none, Adhesion::none}>();
-    expect_the_same<ContactModel{rescaled, RollingFriction::constant, Adhesion::bradley}>();
-    expect_the_same<ContactModel{rescaled, RollingFriction::spring, Adhesion::none}>();
-    expect_the_same<ContactModel{rescaled, RollingFriction::spring, Adhesion::jkr}>();
-    expect_the_same<ContactModel{plain, RollingFriction::none, Adhesion::jkr}>();
+    expect_the_same<model_of<>>();
+    expect_the_same<model_of<HertzContact, PlainHistory, NoRolling, NoAdhesion>>();
+    expect_the_same<model_of<HertzContact, RescaledHistory, ConstantRolling, BradleyAdhesion>>();
+    expect_the_same<model_of<HertzContact, RescaledHistory, RollingSpring, NoAdhesion>>();
+    expect_the_same<model_of<JkrContact, RescaledHistory, RollingSpring, NoAdhesion>>();
+    expect_the_same<model_of<JkrContact, PlainHistory, NoRolling, NoAdhesion>>();
 }
 
 // i and j change their parts: forces are opposite, and so is what is remembered of directions.
 TEST(ContactLawsOnLanes, do_not_care_which_sphere_is_first) {
-    using Law = ContactLaw<ContactModel{TangentialHistory::rescaled, RollingFriction::spring, Adhesion::jkr}>;
+    using Law = ContactLaw<model_of<JkrContact, RescaledHistory, RollingSpring, NoAdhesion>>;
     const ContactConstants<> pair = all_at_once();
     const SpherePoint<double> i{{{0.1, -0.3, 0.2}}, {{1e4, 2e4, -3e4}}, 1e-6, 4e-15};
     const SpherePoint<double> j{{{-0.2, 0.1, 0.3}}, {{-1e4, 5e4, 2e4}}, 2e-6, 3e-14};

@@ -103,7 +103,7 @@ using Variant = std::tuple<int, WallModel, bool>;  ///< the last: with what is o
 PairSettings settings_of(const ParticleSet& set, const Variant& variant) {
     PairSettings settings = crowd_settings(set, true, std::get<WallModel>(variant));
     if (!std::get<bool>(variant)) return settings;
-    settings.viscous_force = ViscousForce::morris_harmonic;
+    settings.unlike_viscosities = true;
     settings.hydrostatic = settings.gradient_correction = settings.transport_velocity = true;
     settings.shifting = 0;
     return settings;

@@ -8,16 +8,14 @@
 #include "models/sph/density_diffusion.hpp"
 #include "models/sph/gradient_correction.hpp"
 #include "models/sph/kernels.hpp"
-#include "models/sph/lattice_viscosity.hpp"
 #include "models/sph/liquid_state.hpp"
-#include "models/sph/monaghan_viscosity.hpp"
-#include "models/sph/morris_viscosity.hpp"
 #include "models/sph/no_viscosity.hpp"
 #include "models/sph/pressure_force.hpp"
 #include "models/sph/shifting.hpp"
 #include "models/sph/summation_density.hpp"
 #include "models/sph/tait.hpp"
 #include "models/sph/transport_velocity.hpp"
+#include "models/sph/viscous_laws.hpp"
 #include "models/sph/walls.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
@@ -161,11 +159,11 @@ TEST(GradientCorrection, makes_gradients_of_linear_fields_exact_among_disordered
 // Softening of the distance takes a little off what kernel_identities.cpp finds without it (0.88591 and 3.10368).
 TEST(LatticeViscosity, is_what_the_laws_make_of_parabolas) {
     const auto slope = [](double r) { return kernel.slope(r); };
-    const LatticeViscosity morris = lattice_viscosity_of_morris(2, 1, 3, slope);
-    EXPECT_NEAR(morris.shear, 0.99739926844389515, 1e-13);
-    EXPECT_DOUBLE_EQ(morris.longitudinal, morris.shear);
+    const LatticeViscosity of_morris = lattice_viscosity_of_morris(2, 1, 3, slope);
+    EXPECT_NEAR(of_morris.shear, 0.99739926844389515, 1e-13);
+    EXPECT_DOUBLE_EQ(of_morris.longitudinal, of_morris.shear);
     const LatticeViscosity found = lattice_viscosity_of_monaghan(2, 1, 3, slope);
-    const MonaghanViscosity<2> law(3.0, false, false);
+    const ViscousTerm<MonaghanViscosity, ArithmeticMean> law{MonaghanViscosity(scales)};
     V2 shear = V2::zero(), along = V2::zero();
     for (int a = -3; a <= 3; ++a)
         for (int b = -3; b <= 3; ++b) {
@@ -201,25 +199,25 @@ TEST(MorrisViscosity, one_pair_by_hand) {
     // F_i = V_i V_j (mu_i + mu_j) (1/r dW/dr) v_ij: against the relative velocity
     const double size = 1.1 * 0.9 * 4e-3 * kernel_derivative(distance) / distance;
     ASSERT_LT(size, 0);
-    expect_near(MorrisViscosity::law(pair_of(particle_i, particle_j, separation)), {{size * 0.6, size * -0.8}}, 1e-12);
+    expect_near(morris.law(pair_of(particle_i, particle_j, separation)), {{size * 0.6, size * -0.8}}, 1e-12);
 }
 
 TEST(HarmonicMorrisViscosity, one_pair_by_hand) {
     // 4 mu_i mu_j / (mu_i + mu_j) = 4 * 1e-3 * 3e-3 / 4e-3 = 3e-3, less than the sum, 4e-3.
     const double size = 1.1 * 0.9 * 3e-3 * kernel_derivative(distance) / distance;
-    const V2 force = HarmonicMorrisViscosity::law(pair_of(particle_i, particle_j, separation));
+    const V2 force = harmonic_morris.law(pair_of(particle_i, particle_j, separation));
     expect_near(force, {{size * 0.6, size * -0.8}}, 1e-12);
-    expect_near(HarmonicMorrisViscosity::law(pair_of(particle_j, particle_i, -1.0 * separation)), -1.0 * force, 0);
+    expect_near(harmonic_morris.law(pair_of(particle_j, particle_i, -1.0 * separation)), -1.0 * force, 0);
 }
 
 TEST(HarmonicMorrisViscosity, is_the_ordinary_law_in_one_fluid_and_nothing_where_one_has_no_viscosity) {
     Point same = particle_j, none = particle_j, neither = particle_i;
     same.viscosity = particle_i.viscosity;
     none.viscosity = neither.viscosity = 0;
-    const V2 usual = MorrisViscosity::law(pair_of(particle_i, same, separation));
-    expect_near(HarmonicMorrisViscosity::law(pair_of(particle_i, same, separation)), usual, 1e-18);
-    expect_near(HarmonicMorrisViscosity::law(pair_of(particle_i, none, separation)), {{0, 0}}, 0);
-    expect_near(HarmonicMorrisViscosity::law(pair_of(neither, none, separation)), {{0, 0}}, 0);
+    const V2 usual = morris.law(pair_of(particle_i, same, separation));
+    expect_near(harmonic_morris.law(pair_of(particle_i, same, separation)), usual, 1e-18);
+    expect_near(harmonic_morris.law(pair_of(particle_i, none, separation)), {{0, 0}}, 0);
+    expect_near(harmonic_morris.law(pair_of(neither, none, separation)), {{0, 0}}, 0);
 }
 
 TEST(NoViscosity, leaves_what_it_is_added_to) {
@@ -233,7 +231,10 @@ TEST(MonaghanViscosity, one_pair_by_hand) {
     // Of dv_i/dt = m_j alpha h c0 / rho (v_ij . x_ij) / (r^2 + 0.01 h^2) grad W with alpha h c0 = 8 nu, h = 1.5:
     // v_ij . x_ij = 0.6 * 0.75 + 0.8 * 1.0 = 1.25, the pair parts; twice the mean of the viscosities is 3e-3.
     const double size = 1.1 * 0.9 * 8 * 1.5e-3 * 1.25 / (1.5625 + 0.01 * 2.25) * kernel_derivative(distance);
-    const MonaghanViscosity<2> all(3.0, false, false), approaching(3.0, true, false), arithmetic(3.0, false, true);
+    const ViscousTerm<MonaghanViscosity, HarmonicMean> all{MonaghanViscosity(scales)};
+    const ViscousTerm<ApproachingMonaghanViscosity, HarmonicMean> approaching{ApproachingMonaghanViscosity(scales)};
+    const ViscousTerm<MonaghanViscosity, ArithmeticMean> arithmetic{MonaghanViscosity(scales)};
+    const ViscousTerm<MonaghanViscosity, HarmonicMean> in_space{MonaghanViscosity({.dimension = 3, .support = 3})};
     const auto normal_velocity = pair_of(particle_i, particle_j, separation);
     expect_near(all.law(normal_velocity), {{size * 0.6, size * -0.8}}, 1e-12);
     expect_near(arithmetic.law(normal_velocity), {{size * 0.6 * 4 / 3, size * -0.8 * 4 / 3}}, 1e-12);
@@ -243,24 +244,23 @@ TEST(MonaghanViscosity, one_pair_by_hand) {
     Point i = particle_i, j = particle_j;
     std::swap(i.velocity, j.velocity);
     expect_near(approaching.law(pair_of(i, j, separation)), {{-2 * size * 0.6, 2 * size * 0.8}}, 1e-12);
-    expect_near(MonaghanViscosity<3>(3.0, false, false).law(normal_velocity), {{1.25 * size * 0.6, 1.25 * size * -0.8}},
-                1e-12);
+    expect_near(in_space.law(normal_velocity), {{1.25 * size * 0.6, 1.25 * size * -0.8}}, 1e-12);
 }
 
 TEST(MonaghanViscosity, alpha_is_the_one_of_the_literature) {
     // nu = alpha h c0 / 8 in the plane and / 10 in space, when all pairs take part.
-    EXPECT_DOUBLE_EQ(MonaghanViscosity<2>(3.0, false, false).alpha(1e-6, 3.0, 20), 8 * 1e-6 / (1.5 * 20));
-    EXPECT_DOUBLE_EQ(MonaghanViscosity<2>(3.0, true, false).alpha(1e-6, 3.0, 20), 16 * 1e-6 / (1.5 * 20));
-    EXPECT_DOUBLE_EQ(MonaghanViscosity<3>(3.0, false, false).alpha(1e-6, 3.0, 20), 10 * 1e-6 / (1.5 * 20));
+    EXPECT_DOUBLE_EQ(MonaghanViscosity(scales).alpha(1e-6, 20), 8 * 1e-6 / (1.5 * 20));
+    EXPECT_DOUBLE_EQ(ApproachingMonaghanViscosity(scales).alpha(1e-6, 20), 16 * 1e-6 / (1.5 * 20));
+    EXPECT_DOUBLE_EQ(MonaghanViscosity({.dimension = 3, .support = 3}).alpha(1e-6, 20), 10 * 1e-6 / (1.5 * 20));
 }
 
 TEST(MorrisViscosity, is_antisymmetric_and_does_not_act_on_uniform_flow) {
-    const auto on_i = MorrisViscosity::law(pair_of(particle_i, particle_j, separation));
-    const auto on_j = MorrisViscosity::law(pair_of(particle_j, particle_i, -1.0 * separation));
+    const auto on_i = morris.law(pair_of(particle_i, particle_j, separation));
+    const auto on_j = morris.law(pair_of(particle_j, particle_i, -1.0 * separation));
     expect_near(on_i + on_j, {{0, 0}}, 1e-18);
     Point with_it = particle_j;
     with_it.velocity = particle_i.velocity;
-    expect_near(MorrisViscosity::law(pair_of(particle_i, with_it, separation)), {{0, 0}}, 0);
+    expect_near(morris.law(pair_of(particle_i, with_it, separation)), {{0, 0}}, 0);
 }
 
 TEST(ContinuityRate, one_pair_by_hand) {

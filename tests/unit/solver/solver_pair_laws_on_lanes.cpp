@@ -69,7 +69,7 @@ TEST_F(PairLawsOnLanes, give_what_they_give_on_numbers) {
         const auto q = single_pair(k);
         for (int a = 0; a < 2; ++a) {
             expect_same(PressureForce::law(p)[a][k], PressureForce::law(q)[a]);
-            expect_same(MorrisViscosity::law(p)[a][k], MorrisViscosity::law(q)[a]);
+            expect_same(morris.law(p)[a][k], morris.law(q)[a]);
             expect_same(shifting.law(p, kernel)[a][k], shifting.law(q, kernel)[a]);
         }
         EXPECT_NEAR(ContinuityRate::law(p)[k], ContinuityRate::law(q), 1e-12);

@@ -108,19 +108,12 @@ class AllPairs {
 
     template <class P>
     [[nodiscard]] V viscous(const P& p) const {
-        switch (settings_.viscous_force) {
-            case ViscousForce::morris:
-                return MorrisViscosity::law(p);
-            case ViscousForce::morris_harmonic:
-                return HarmonicMorrisViscosity::law(p);
-            case ViscousForce::monaghan:
-                return MonaghanViscosity<D>(settings_.support, settings_.approaching_pairs_only,
-                                            settings_.arithmetic_viscosity)
-                    .law(p);
-            case ViscousForce::none:
-                break;
-        }
-        return V::zero();
+        if (settings_.implicit_viscosity) return V::zero();
+        const ViscousScales scales =
+            viscous_scales(D, settings_.spacing, settings_.support, [this](double r) { return kernel_.slope(r); });
+        const bool arithmetic = settings_.viscosity_mean == ViscosityMean::arithmetic ||
+                                (settings_.viscous_law.is<MorrisViscosity>() && !settings_.unlike_viscosities);
+        return AnyViscousTerm(settings_.viscous_law, scales, arithmetic).law(p);
     }
 
     [[nodiscard]] V contact(Field range, std::size_t i, std::size_t j, const V& separation) const {
@@ -265,7 +258,8 @@ TEST_P(PairSweepsOf, kernels_are_those_asked_for) {
 
 std::string name_of(const testing::TestParamInfo<Variant>& variant) {
     const auto& [dimension, kernel, walls, extras] = variant.param;
-    return std::to_string(dimension) + "d_" + to_string(kernel) + "_" + to_string(walls) + (extras ? "_with_extras" : "");
+    return std::to_string(dimension) + "d_" + to_string(kernel) + "_" + to_string(walls) +
+           (extras ? "_with_extras" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, PairSweepsOf,
@@ -285,10 +279,10 @@ TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
     const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 5);
     PairSettings settings = crowd_settings(set, true, walls);
     std::vector<std::vector<Vec>> seen;
-    const auto expect_oracle = [&](ViscousForce law, bool approaching, bool arithmetic) {
-        settings.viscous_force = law;
-        settings.approaching_pairs_only = approaching;
-        settings.arithmetic_viscosity = arithmetic;
+    settings.unlike_viscosities = true;
+    const auto expect_oracle = [&](ViscousLaw law, ViscosityMean mean) {
+        settings.viscous_law = law;
+        settings.viscosity_mean = mean;
         std::vector<Vec> first;
         for (const VectorUnit unit : available_vector_units()) {
             ArrangedCrowd arranged(set, settings, {.vector_unit = unit, .threads = 2});
@@ -306,12 +300,11 @@ TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
         for (const auto& other : seen) EXPECT_NE(first, other) << "two laws are one";
         seen.push_back(first);
     };
-    expect_oracle(ViscousForce::morris, false, false);
-    expect_oracle(ViscousForce::morris_harmonic, false, false);
-    expect_oracle(ViscousForce::none, false, false);
-    expect_oracle(ViscousForce::monaghan, false, false);
-    expect_oracle(ViscousForce::monaghan, true, false);
-    expect_oracle(ViscousForce::monaghan, false, true);
+    for (std::size_t number = 0; number < ViscousLaws::size; ++number)
+        for (const ViscosityMean mean : {ViscosityMean::harmonic, ViscosityMean::arithmetic})
+            expect_oracle(ViscousLaw(number), mean);
+    settings.implicit_viscosity = true;  // forces without viscosity
+    expect_oracle({}, ViscosityMean::harmonic);
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweeps,

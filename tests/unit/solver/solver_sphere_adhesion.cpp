@@ -14,8 +14,8 @@ namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
-constexpr ContactModel bradley{TangentialHistory::rescaled, RollingFriction::none, Adhesion::bradley};
-constexpr ContactModel jkr{TangentialHistory::rescaled, RollingFriction::none, Adhesion::jkr};
+constexpr ContactModel bradley = model_of<HertzContact, RescaledHistory, NoRolling, BradleyAdhesion>;
+constexpr ContactModel jkr = model_of<JkrContact, RescaledHistory, NoRolling, NoAdhesion>;
 
 // A drug particle of 5 um on a carrier of 100 um: 2.58e-7 N hold it.
 constexpr double pull_off = 2.58e-7, radius = 2.5e-6 * 50 / 52.5, mass = 8.44e-14, z0 = 4e-10;

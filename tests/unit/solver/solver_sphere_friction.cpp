@@ -17,10 +17,10 @@ namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
-constexpr ContactModel standard{};
-constexpr ContactModel plain{TangentialHistory::plain, RollingFriction::none, Adhesion::none};
-constexpr ContactModel constant_rolling{TangentialHistory::rescaled, RollingFriction::constant, Adhesion::none};
-constexpr ContactModel rolling_spring{TangentialHistory::rescaled, RollingFriction::spring, Adhesion::none};
+constexpr ContactModel standard = model_of<>;
+constexpr ContactModel plain = model_of<HertzContact, PlainHistory, NoRolling, NoAdhesion>;
+constexpr ContactModel constant_rolling = model_of<HertzContact, RescaledHistory, ConstantRolling, NoAdhesion>;
+constexpr ContactModel rolling_spring = model_of<HertzContact, RescaledHistory, RollingSpring, NoAdhesion>;
 const ContactMaterial rigid{std::numeric_limits<double>::infinity(), 0.3};
 
 /// A steel-hard ball of 1 cm at rest on a floor that slopes upwards along -x.
@@ -217,7 +217,7 @@ TEST(SphereFriction, a_dashpot_of_any_strength_is_stable) {
 /// Kinetic and stored energy of a sphere on its floor.
 template <ContactModel model>
 double energy(FewSpheres<model>& few) {
-    using Shear = std::conditional_t<model.history == TangentialHistory::plain, PlainHistory, RescaledHistory>;
+    using Shear = std::conditional_t<model.tangential.is<PlainHistory>(), PlainHistory, RescaledHistory>;
     double sum = few.kinetic_energy();
     if (few.touching()) {
         const double overlap = few.met[0].overlap, radius = few.met[0].radius;

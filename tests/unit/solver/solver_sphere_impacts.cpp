@@ -16,8 +16,8 @@ namespace dmp::tests {
 namespace {
 
 using V3 = Vector<double, 3>;
-constexpr ContactModel standard{};
-constexpr ContactModel plain{TangentialHistory::plain, RollingFriction::none, Adhesion::none};
+constexpr ContactModel standard = model_of<>;
+constexpr ContactModel plain = model_of<HertzContact, PlainHistory, NoRolling, NoAdhesion>;
 const ContactMaterial rigid{std::numeric_limits<double>::infinity(), 0.3};
 
 double mass_of(double radius, double density) { return density * 4 / 3 * std::numbers::pi * std::pow(radius, 3); }

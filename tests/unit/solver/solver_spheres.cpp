@@ -30,7 +30,7 @@ class LammpsCrowd {
             made_.set.mass.back() = peer.mass[i];
         }
         made_.set.box = {Vec::Constant(-0.02), Vec::Constant(0.02)};
-        made_.contact(0.5, 0.4).law = ContactLawKind::hertz_history;
+        made_.contact(0.5, 0.4).tangential = TangentialLaw::of<PlainHistory>();
         setup_ = sphere_setup(made_.scene, made_.set);
         setup_.pairs.front().constants = peer.pair;
         Resources resources(threads);

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using V3 = Vector<double, 3>;
-constexpr ContactModel as_lammps{TangentialHistory::plain, RollingFriction::none, Adhesion::none};
+constexpr ContactModel as_lammps = model_of<HertzContact, PlainHistory, NoRolling, NoAdhesion>;
 
 FewSpheres<as_lammps> spheres_of(const LammpsSpheres& peer) {
     FewSpheres<as_lammps> few;

@@ -62,21 +62,27 @@ std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, 
 
 template <int D>
 std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, const PairSettings& settings) {
-    if (settings.viscous_force == ViscousForce::monaghan)
-        return by_all_pairs<D>(particles, set, settings, MonaghanViscosity<D>(settings.support, false, false));
-    if (settings.viscous_force == ViscousForce::morris_harmonic)
-        return by_all_pairs<D>(particles, set, settings, HarmonicMorrisViscosity{});
-    return by_all_pairs<D>(particles, set, settings, MorrisViscosity{});
+    const ViscousScales scales = viscous_scales(D, settings.spacing, settings.support,
+                                                [&](double r) { return WendlandC2<D>(settings.support).slope(r); });
+    const bool arithmetic = settings.viscosity_mean == ViscosityMean::arithmetic;
+    return by_all_pairs<D>(particles, set, settings, AnyViscousTerm(settings.viscous_law, scales, arithmetic));
 }
 
-using Variant = std::tuple<int, ViscousForce, WallModel>;
+struct LawWithMean {
+    ViscousLaw law;
+    ViscosityMean mean = ViscosityMean::harmonic;
+};
+
+using Variant = std::tuple<int, LawWithMean, WallModel>;
 
 class ViscousSweepOf : public testing::TestWithParam<Variant> {
   protected:
     ViscousSweepOf()
         : set(crowd(std::get<int>(GetParam()), {true, false, std::get<int>(GetParam()) == 3}, 3)),
           settings(crowd_settings(set, false, std::get<WallModel>(GetParam()))) {
-        settings.viscous_force = std::get<ViscousForce>(GetParam());
+        settings.viscous_law = std::get<LawWithMean>(GetParam()).law;
+        settings.viscosity_mean = std::get<LawWithMean>(GetParam()).mean;
+        settings.unlike_viscosities = true;
         settings.implicit_viscosity = true;
     }
 
@@ -192,17 +198,16 @@ TEST_P(ViscousSweepOf, bits_do_not_depend_on_the_arrangement) {
 }
 
 std::string name_of(const testing::TestParamInfo<Variant>& variant) {
-    const auto [dimension, force, walls] = variant.param;
-    const std::string law = force == ViscousForce::morris            ? "morris"
-                            : force == ViscousForce::morris_harmonic ? "harmonic"
-                                                                     : "monaghan";
+    const auto& [dimension, force, walls] = variant.param;
+    const std::string law = to_string(force.law) + "_" + to_string(force.mean);
     return std::to_string(dimension) + "d_" + law + (walls == WallModel::plain ? "_plain" : "_extrapolated");
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweepOf,
                          testing::Combine(testing::Values(2, 3),
-                                          testing::Values(ViscousForce::morris, ViscousForce::morris_harmonic,
-                                                          ViscousForce::monaghan),
+                                          testing::Values(LawWithMean{}, LawWithMean{{}, ViscosityMean::arithmetic},
+                                                          LawWithMean{ViscousLaw::of<MonaghanViscosity>()},
+                                                          LawWithMean{ViscousLaw::of<ClearyViscosity>()}),
                                           testing::Values(WallModel::extrapolated, WallModel::plain)),
                          name_of);
 
