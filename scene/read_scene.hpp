@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -22,9 +23,14 @@ std::string explain_key(const std::string& key);
 /// Where the value of a key that the scene does not give comes from: "default", or the scene's quality and its place.
 std::string default_origin(const Scene& scene, const std::string& key);
 
-/// Every scene key with its default, one line each, in the order of the reference page (docs/scene.md is made from
-/// this).
+/// Every scene key with its default as a Markdown table, one row each.
 std::string scene_reference();
+
+/// The pages of docs/scene/: an index and one page for each table of a scene, "top" for the keys before the first.
+std::vector<std::string> reference_tables();
+std::string reference_index();
+/// Throws std::out_of_range for a table that no scene has.
+std::string reference_page(const std::string& table);
 
 /// The scene with every default filled in, as TOML in SI units; written beside the results.
 std::string resolved_scene(const Scene& scene);

@@ -73,8 +73,13 @@ std::string explain_key(const std::string& key) {
 }
 
 std::string scene_reference() {
+    return scene_reference([](const KeyFacts& /*key*/) { return true; });
+}
+
+std::string scene_reference(const std::function<bool(const KeyFacts&)>& wanted) {
     std::string text = "| key | type | default | meaning |\n|---|---|---|---|\n";
     for (const auto& key : schema().facts()) {
+        if (!wanted(key)) continue;
         const std::string kinds = shown_kinds(key);
         text += "| `" + key.path + "` | " + cell(key.type) + " | " + cell(shown_default(key)) + " | " +
                 cell(key.meaning) + (kinds.empty() ? "" : " Only " + kinds + ".") + " |\n";

@@ -171,4 +171,7 @@ std::string shown_key(const std::string& pattern);
 /// "did you mean ...?", or what the section takes where nothing is near.
 std::string advice_for_unknown_key(const std::string& pattern);
 
+/// scene_reference() of the wanted keys.
+std::string scene_reference(const std::function<bool(const KeyFacts&)>& wanted);
+
 }  // namespace dmp::scene

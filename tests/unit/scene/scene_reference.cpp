@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -123,10 +125,24 @@ TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
             "and force are of each bond. |\n"));
 }
 
-TEST(SceneReference, is_the_page_in_the_docs) {
-    std::ifstream page(DMP_SOURCE_DIR "/docs/scene.md");
-    const std::string text{std::istreambuf_iterator<char>(page), std::istreambuf_iterator<char>()};
-    EXPECT_THAT(text, HasSubstr(scene_reference())) << "docs/scene.md is out of date: paste scene_reference() into it";
+/// The page in the docs; with DMP_UPDATE_DOCS set it is written first.
+void expect_in_docs(const std::string& page, const std::string& text) {
+    const std::string file = DMP_SOURCE_DIR "/docs/scene/" + page + ".md";
+    if (std::getenv("DMP_UPDATE_DOCS") != nullptr) std::ofstream(file) << text;
+    std::ifstream stream(file);
+    const std::string found{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    EXPECT_EQ(found, text) << file << " is out of date: DMP_UPDATE_DOCS=1 ./dmp test --filter SceneReference writes it";
+}
+
+TEST(SceneReference, pages_in_the_docs_are_those_of_the_keys) {
+    expect_in_docs("index", reference_index());
+    std::string all;
+    for (const std::string& table : reference_tables()) {
+        expect_in_docs(table, reference_page(table));
+        all += reference_page(table);
+    }
+    for (const KeyFacts& key : schema().facts()) EXPECT_THAT(all, HasSubstr("| `" + key.path + "` |"));
+    EXPECT_THROW((void)reference_page("accuracy"), std::out_of_range);
 }
 
 }  // namespace

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks what docs/architecture.md says of the source tree.
+
+Includes: a module includes only the modules that it may, the folders of solver/ and models/ include each other in one
+direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may. Words: names, keys, texts
+and docs do without the words that CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary
+lies at the root.
+"""
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MODULES = {  # module: what it may include besides base and itself
+    "base": [],
+    "models": [],
+    "scene": ["models"],
+    "geometry": [],
+    "particles": [],
+    "mesher": ["geometry", "models", "particles", "scene"],
+    "solver": ["models", "particles", "scene"],
+    "postproc": ["models", "particles", "scene", "solver"],
+    "cli": ["geometry", "mesher", "models", "particles", "postproc", "scene", "solver"],
+}
+LIBRARIES = {  # header pattern: the only folders that may include it
+    r"<gmsh": ["geometry"],
+    r"<CGAL/": ["geometry"],
+    r"<vtk": ["postproc"],
+    r"<mpi\.h": ["solver/parallel", "solver/domain"],
+    r"<zoltan": ["solver/domain"],
+    r"<hdf5": ["base"],
+}
+# Word boundaries are those of identifiers and of English.
+OLD_WORDS = [
+    r"\bWandering\b", r"\bPlacesThen\b", r"\bNearSweep\b", r"\blook_through\b", r"\bkeep_near\b", r"\bOrderFree\b",
+    r"\border_free\b", r"\btake_note\b", r"\blooks_at\b", r"\bMisdeeds?\b", r"\bmisdeeds?\b", r"\bStillness\b",
+    r"\buntil_still\b", r"\bparting\b", r"\bgripping\b", r"\bgrip\b", r"\bSpeciesAlong\b", r"\bspecies_along\b",
+    r"\bstratified\b", r"thesis_eq", r"\bEncounter\b", r"\bencounters?\b", r"\bDice\b", r"\bdice\b",
+    r"\bin the plane\b", r"\bin space\b", r"\b[Dd]rawings?\b", r"\brooms?\b", r"\bParticleKind\b", r"\bsprings parts?\b",
+    r"\bkind = .?[\"']springs", r"\baccuracy\.[a-z_]+\b(?<!accuracy\.md)",
+]
+WORDS_ALLOWED_IN = {  # files that must name old words: what is refused with its new name, and this list
+    "scene/renamed.cpp", "scene/renamed.hpp", "CHANGELOG.md", "tests/structure/check_structure.py",
+    "tests/unit/scene/scene_renamed.cpp", "LICENSE", "CONTRIBUTING.md",
+}
+
+
+def sources(*suffixes):
+    for folder in [*MODULES, "bench", "tests", "docs", "cases", "cmake", "."]:
+        paths = (ROOT / folder).glob("*") if folder == "." else (ROOT / folder).rglob("*")
+        for path in paths:
+            if path.is_file() and path.suffix in suffixes:
+                yield path, path.relative_to(ROOT).as_posix()
+
+
+def includes(path):
+    return re.findall(r'^\s*#\s*include\s+(["<][^">]+)', path.read_text(), flags=re.M)
+
+
+def cycle_in(graph):
+    """A list of nodes that form a cycle, or []."""
+    done, on_path = set(), []
+
+    def visit(node):
+        if node in on_path:
+            return on_path[on_path.index(node):] + [node]
+        if node in done:
+            return []
+        on_path.append(node)
+        for other in sorted(graph.get(node, ())):
+            found = visit(other)
+            if found:
+                return found
+        on_path.pop()
+        done.add(node)
+        return []
+
+    for node in sorted(graph):
+        found = visit(node)
+        if found:
+            return found
+    return []
+
+
+class Includes(unittest.TestCase):
+    def test_modules_include_only_those_before_them(self):
+        wrong = []
+        for path, name in sources(".hpp", ".cpp"):
+            module = name.split("/")[0]
+            if module not in MODULES:
+                continue
+            for included in includes(path):
+                other = included[1:].split("/")[0]
+                if included[0] == '"' and other in MODULES and other not in ["base", module, *MODULES[module]]:
+                    wrong.append(f"{name} includes {included[1:]}")
+        self.assertEqual(wrong, [])
+
+    def folder_graph(self, module):
+        graph = {}
+        for path, name in sources(".hpp", ".cpp"):
+            parts = name.split("/")
+            if parts[0] != module or len(parts) < 3:
+                continue
+            folder = parts[1]
+            for included in includes(path):
+                other = included[1:].split("/")
+                if included[0] == '"' and other[0] == module and len(other) > 2 and other[1] != folder:
+                    graph.setdefault(folder, set()).add(other[1])
+        return graph
+
+    def test_folders_of_a_module_have_no_cycle(self):
+        for module in ("solver", "models"):
+            self.assertEqual(cycle_in(self.folder_graph(module)), [], module)
+
+    def test_a_cycle_is_found(self):
+        self.assertEqual(cycle_in({"a": {"b"}, "b": {"c"}, "c": {"b"}}), ["b", "c", "b"])
+        self.assertEqual(cycle_in({"a": {"b", "c"}, "b": {"c"}}), [])
+
+    def test_foreign_libraries_stay_where_they_belong(self):
+        wrong = []
+        for path, name in sources(".hpp", ".cpp"):
+            if name.split("/")[0] not in MODULES:
+                continue
+            for included in includes(path):
+                for pattern, folders in LIBRARIES.items():
+                    if re.match(pattern, included) and not any(name.startswith(folder + "/") for folder in folders):
+                        wrong.append(f"{name} includes {included[1:]}")
+        self.assertEqual(wrong, [])
+
+
+class Texts(unittest.TestCase):
+    def test_replaced_words_are_gone(self):
+        wrong = []
+        for path, name in sources(".hpp", ".cpp", ".md", ".toml", ".geo", ".txt", ".cmake", ".py"):
+            if name in WORDS_ALLOWED_IN:
+                continue
+            for number, line in enumerate(path.read_text().split("\n"), 1):
+                for word in OLD_WORDS:
+                    found = re.search(word, line)
+                    if found:
+                        wrong.append(f"{name}:{number}: '{found[0]}'")
+        self.assertEqual(wrong, [], f"{len(wrong)} places")
+
+    def test_files_are_read_in_one_sitting(self):
+        long = [
+            f"{name}: {lines} lines"
+            for path, name in sources(".hpp", ".cpp")
+            if (lines := path.read_text().count("\n")) > 450
+        ]
+        self.assertEqual(long, [])
+
+    def test_headers_are_more_than_a_line(self):
+        pass_through = [
+            name
+            for path, name in sources(".hpp")
+            if re.sub(r'//[^\n]*|#pragma once|#include[^\n]*|\s', "", path.read_text()) == ""
+        ]
+        self.assertEqual(pass_through, [])
+
+    def test_nothing_binary_lies_at_the_root(self):
+        binary = [path.name for path in ROOT.iterdir() if path.is_file() and b"\0" in path.read_bytes()[:8192]]
+        self.assertEqual(binary, [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[1:]])
