@@ -124,8 +124,7 @@ void FluidRun::archive(Archive& file) {
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
     events_.archive(file);
-    for (ParticleGroup& group : particles_.groups())
-        file(std::string(to_string(group.kind())), group);
+    for (ParticleGroup& group : particles_.groups()) file(std::string(to_string(group.kind())), group);
     fluid_.archive(file);
     mean_displacement_.archive(file);
 }
@@ -181,7 +180,7 @@ Plan FluidRun::plan() const {
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
     plan.spring_substeps = fluid_.springs().substeps(plan.dt);
-    if (settings_.implicit_viscosity && scales_.kinematic_viscosity > 0) {
+    if (settings_.viscosity.implicit && scales_.kinematic_viscosity > 0) {
         plan.limits.push_back(viscous_step_limit(scales_));
         plan.limits.back().formula += "; not binding, stepped implicitly";
     }
@@ -213,8 +212,8 @@ void FluidRun::add_fields(Plan& plan) const {
         if (group.empty()) continue;
         for (const Field field : group.declared()) {
             const auto bytes = static_cast<std::size_t>(group.axes(field)) * sizeof(double);
-            plan.fields.push_back(to_string(group.kind()) + std::string(": ") +
-                                  std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
+            plan.fields.push_back(to_string(group.kind()) + std::string(": ") + std::string(info(field).name) + ", " +
+                                  std::to_string(bytes) + " bytes");
             const std::string_view owner = info(field).needed_by;
             const auto model = std::ranges::find_if(plan.models, [&](const ModelUse& use) {
                 return !owner.empty() && use.model.find(owner) != std::string::npos;

@@ -32,8 +32,8 @@ std::string on_the_lattice(const LatticeViscosity& viscosity) {
 /// Where the viscous law is from, and what it gives on the lattice.
 std::string viscous_source(const Scene& scene, const PairSettings& settings, const ViscousScales& scales) {
     const Part& fluid = *scene.parts_of(PartKind::fluid).front();
-    const bool harmonic = settings.unlike_viscosities && settings.viscosity_mean == ViscosityMean::harmonic;
-    return settings.viscous_law.visit([&]<class Law>() {
+    const bool harmonic = settings.viscosity.unlike && settings.viscosity.mean == ViscosityMean::harmonic;
+    return settings.viscosity.law.visit([&]<class Law>() {
         const Law law(scales);
         return std::string(Law::facts.citation) + law.detail(fluid.viscosity / fluid.density, settings.sound_speed) +
                (harmonic ? ", harmonic mean between fluids (Cleary & Monaghan 1999)" : "") + "; " +
@@ -129,22 +129,22 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
     if (*numerics.background_pressure != 0)
         add("background pressure", "added to the equation of state",
             because(numerics.background_pressure, "numerics.background_pressure"));
-    if (settings.density_by_summation) {
+    if (settings.density.by_summation) {
         add("summation density", "Monaghan 1992, eq. 2.9", because(numerics.density, "numerics.density"));
     } else {
         add("continuity", "Monaghan 1994, in volume form", fluid);
     }
     add("pressure force", "Bonet & Lok 1999", fluid);
     add("viscous force", viscous_source(scene_, settings, sweeps.viscous_scales()),
-        settings.viscous_law == ViscousLaw() ? because(fluids.front()->viscosity, "viscosity")
-                                             : because(numerics.viscous_law, "numerics.viscous_law"));
-    if (settings.implicit_viscosity)
+        settings.viscosity.law == ViscousLaw() ? because(fluids.front()->viscosity, "viscosity")
+                                               : because(numerics.viscous_law, "numerics.viscous_law"));
+    if (settings.viscosity.implicit)
         add("implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
             because(numerics.viscosity_stepping, "numerics.viscosity_stepping"));
     if (settings.gradient_correction)
         add("gradient correction", "Bonet & Lok 1999, in antisymmetric form",
             because(numerics.gradient_correction, "numerics.gradient_correction"));
-    if (settings.density_diffusion > 0)
+    if (settings.density.diffusion > 0)
         add("density diffusion",
             settings.hydrostatic ? "Molteni & Colagrossi 2009, less what is hydrostatic: Fourtakas et al. 2019"
                                  : "Molteni & Colagrossi 2009",

@@ -37,38 +37,39 @@ double sound_speed(const Scene& scene) {
 PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
     settings.kernel = scene.numerics.kernel;
-    settings.walls = scene.numerics.walls;
-    settings.viscous_law = scene.numerics.viscous_law;
-    settings.viscosity_mean = scene.numerics.viscosity_mean;
-    settings.unlike_viscosities = has_unlike_viscosities(scene);
+    settings.walls.model = scene.numerics.walls;
+    settings.viscosity.law = scene.numerics.viscous_law;
+    settings.viscosity.mean = scene.numerics.viscosity_mean;
+    settings.viscosity.unlike = has_unlike_viscosities(scene);
     settings.spacing = scene.particles.spacing;
     settings.support = scene.numerics.support * scene.particles.spacing;
     settings.sound_speed = sound_speed(scene);
     settings.background_pressure = scene.numerics.background_pressure;
-    settings.density_by_summation = *scene.numerics.density == DensityModel::summation;
+    settings.density.by_summation = *scene.numerics.density == DensityModel::summation;
     settings.gradient_correction = scene.numerics.gradient_correction;
     settings.transport_velocity = scene.numerics.transport_velocity;
-    settings.density_diffusion = settings.density_by_summation ? 0 : scene.numerics.density_diffusion.value;
+    settings.density.diffusion = settings.density.by_summation ? 0 : scene.numerics.density_diffusion.value;
     settings.shifting = settings.transport_velocity ? 0 : scene.numerics.shifting.value;
-    settings.density = largest_density(scene);
+    settings.density.largest = largest_density(scene);
     for (const Part* part : scene.parts_of(PartKind::fluid))
-        settings.viscosity = std::max(settings.viscosity, part->viscosity.value);
+        settings.viscosity.largest = std::max(settings.viscosity.largest, part->viscosity.value);
     if (scene.contact.range > 0) {
         const double range = scene.contact.range * scene.particles.spacing;
         // Automatic strength: a small part of the fluid's energy rho c0^2 r*^3, in the plane rho c0^2 r*^2 on 1 m of
         // depth. At 0.9 r* it then pushes like a pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not
         // exceed, and at touch it does not rule the step.
         const double depth = *scene.dimension == 3 ? range : 1;
-        settings.repulsion_strength = scene.contact.strength > 0 ? scene.contact.strength.value
-                                                                 : 0.002 * settings.density * settings.sound_speed *
-                                                                       settings.sound_speed * range * range * depth;
+        settings.repulsion_strength = scene.contact.strength > 0
+                                          ? scene.contact.strength.value
+                                          : 0.002 * settings.density.largest * settings.sound_speed *
+                                                settings.sound_speed * range * range * depth;
     }
-    settings.implicit_viscosity =
-        *scene.numerics.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity > 0;
+    settings.viscosity.implicit =
+        *scene.numerics.viscosity_stepping == ViscosityStepping::implicitly && settings.viscosity.largest > 0;
     for (std::size_t axis = 0; axis < 3; ++axis) settings.periodic[axis] = scene.flow.periodic[axis];
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
-        settings.slip_walls = settings.slip_walls || part->slip;
-        settings.moving_walls = settings.moving_walls || part->moves();
+        settings.walls.slip = settings.walls.slip || part->slip;
+        settings.walls.moving = settings.walls.moving || part->moves();
     }
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
@@ -141,7 +142,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.shifting;
-    scales.implicit_viscosity = settings.implicit_viscosity;
+    scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);
     scales.implicit_species = *scene.numerics.species_stepping == SpeciesStepping::implicitly;

@@ -47,14 +47,14 @@ class Sweeps final : public PairSweeps {
           scales_(models::viscous_scales(D, settings.spacing, settings.support,
                                          [this](double r) { return kernel_.slope(r); })),
           steepest_(steepest()),
-          diffusion_(settings.density_diffusion, settings.support, settings.sound_speed),
+          diffusion_(settings.density.diffusion, settings.support, settings.sound_speed),
           shifting_(settings.shifting, settings.support, settings.spacing, kernel_),
           repulsion_{settings.repulsion_strength},
           force_rounding_(largest_force()),
-          density_rounding_{ReproducibleSum(settings.density * volume() * steepest_ * settings.sound_speed),
+          density_rounding_{ReproducibleSum(settings.density.largest * volume() * steepest_ * settings.sound_speed),
                             ReproducibleSum(1.2 * volume() * steepest_),
                             ReproducibleSum(volume() * steepest_ * settings.support)},
-          summation_rounding_(settings.density * volume() * kernel_.value(0.0)),
+          summation_rounding_(settings.density.largest * volume() * kernel_.value(0.0)),
           correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate} {}
 
     void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
@@ -65,14 +65,14 @@ class Sweeps final : public PairSweeps {
                     particles, list, kernel_, solid, viscosity, repulsion_, force_rounding_, settings_.threads)
                     .run(choice);
             };
-            if (settings_.walls == WallModel::plain) {
+            if (settings_.walls.model == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                with_flag(settings_.slip_walls || settings_.moving_walls,
+                with_flag(settings_.walls.slip || settings_.walls.moving,
                           [&](auto motion) { run(extrapolated<decltype(motion)::value>(body_acceleration)); });
             }
         };
-        if (settings_.implicit_viscosity) {
+        if (settings_.viscosity.implicit) {
             sweep_with(NoViscosity{});
         } else {
             with_viscosity(sweep_with);
@@ -90,7 +90,7 @@ class Sweeps final : public PairSweeps {
     void density_rates(ParticleStore& particles, const ClusterList& list,
                        const std::array<double, 3>& body_acceleration, ClusterChoice choice,
                        const SpeciesSums* along) const override {
-        const HydrostaticDiffusion<D> hydrostatic_diffusion(settings_.density_diffusion, settings_.support,
+        const HydrostaticDiffusion<D> hydrostatic_diffusion(settings_.density.diffusion, settings_.support,
                                                             settings_.sound_speed, narrowed(body_acceleration));
         const auto run_with = [&]<class Solid, DensityTerms with>(const auto& species) {
             DensitySweep<L, D, Kernel, Solid, with, std::decay_t<decltype(species)>>(
@@ -109,7 +109,7 @@ class Sweeps final : public PairSweeps {
                                                 .hydrostatic = decltype(hydrostatic)::value,
                                                 .species = true};
                     const FusedDiffusion<L, D, with.shifting> species(particles, *along, volume(), steepest_);
-                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
+                    with_flag(settings_.walls.model == WallModel::plain, [&](auto plain) {
                         using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                         run_with.template operator()<Solid, with>(species);
                     });
@@ -118,7 +118,7 @@ class Sweeps final : public PairSweeps {
         } else {
             with_density_terms(run);
         }
-        if (settings_.gradient_correction && !settings_.density_by_summation) {
+        if (settings_.gradient_correction && !settings_.density.by_summation) {
             const auto solid = extrapolated(body_acceleration);
             corrected(particles, list, solid).rates(choice);
         }
@@ -126,8 +126,8 @@ class Sweeps final : public PairSweeps {
 
     [[nodiscard]] bool can_fuse(const SpeciesSums& sums) const override {
         return sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_elastic &&
-               (settings_.shifting > 0) == (sums.shift_per_sum != 0) && !settings_.slip_walls &&
-               !settings_.density_by_summation && !settings_.transport_velocity;
+               (settings_.shifting > 0) == (sums.shift_per_sum != 0) && !settings_.walls.slip &&
+               !settings_.density.by_summation && !settings_.transport_velocity;
     }
 
     void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,
@@ -149,7 +149,8 @@ class Sweeps final : public PairSweeps {
     }
 
     void viscous_diagonal(ParticleStore& particles, const ClusterList& list, ClusterChoice choice) const override {
-        const ReproducibleSum rounding(2 * settings_.viscosity * volume() * volume() * steepest_ / settings_.spacing);
+        const ReproducibleSum rounding(2 * settings_.viscosity.largest * volume() * volume() * steepest_ /
+                                       settings_.spacing);
         with_viscous_sweep(particles, list, rounding, Field::velocity, 0, [&](auto sweep) { sweep.diagonal(choice); });
     }
 
@@ -169,7 +170,7 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double sound_limit() const override { return Kernel::sound_limit; }
     [[nodiscard]] double viscous_limit() const override {
         const auto share = [&]<class Law>() { return Law(scales_).step_share(); };
-        return settings_.viscous_law.visit(share) * Kernel::viscous_limit;
+        return settings_.viscosity.law.visit(share) * Kernel::viscous_limit;
     }
     [[nodiscard]] ViscousScales viscous_scales() const override { return scales_; }
     [[nodiscard]] double diffusion_limit() const override { return Kernel::viscous_limit; }
@@ -186,10 +187,10 @@ class Sweeps final : public PairSweeps {
     /// like and of unlike viscosity, all others in one loop that chooses at run time.
     template <class Then>
     void with_viscosity(const Then& then) const {
-        const bool arithmetic = settings_.viscosity_mean == ViscosityMean::arithmetic;
-        if (!settings_.viscous_law.is<MorrisViscosity>()) {
-            then(AnyViscousTerm(settings_.viscous_law, scales_, arithmetic));
-        } else if (settings_.unlike_viscosities && !arithmetic) {
+        const bool arithmetic = settings_.viscosity.mean == ViscosityMean::arithmetic;
+        if (!settings_.viscosity.law.is<MorrisViscosity>()) {
+            then(AnyViscousTerm(settings_.viscosity.law, scales_, arithmetic));
+        } else if (settings_.viscosity.unlike && !arithmetic) {
             then(ViscousTerm<MorrisViscosity, HarmonicMean>{MorrisViscosity(scales_)});
         } else {
             then(ViscousTerm<MorrisViscosity, ArithmeticMean>{MorrisViscosity(scales_)});
@@ -199,12 +200,12 @@ class Sweeps final : public PairSweeps {
     /// Calls run<Solid, terms>() with what the density rates of these settings are summed of.
     template <class Run>
     void with_density_terms(const Run& run) const {
-        if (settings_.density_by_summation) {
+        if (settings_.density.by_summation) {
             constexpr DensityTerms shifts{.rate = false, .shifting = true, .hydrostatic = true};
             if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
             return;
         }
-        if (settings_.slip_walls) {  // rare: one variant with diffusion, of whatever strength
+        if (settings_.walls.slip) {  // rare: one variant with diffusion, of whatever strength
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
                     constexpr DensityTerms with{.diffusion = true,
@@ -215,10 +216,10 @@ class Sweeps final : public PairSweeps {
             });
             return;
         }
-        with_flag(settings_.density_diffusion > 0 || settings_.hydrostatic, [&](auto diffusion) {
+        with_flag(settings_.density.diffusion > 0 || settings_.hydrostatic, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
-                    with_flag(settings_.walls == WallModel::plain, [&](auto plain) {
+                    with_flag(settings_.walls.model == WallModel::plain, [&](auto plain) {
                         using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
                         constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
                                                     .shifting = decltype(shifting)::value,
@@ -239,10 +240,10 @@ class Sweeps final : public PairSweeps {
                 run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
                     particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion}, settings_.threads));
             };
-            if (settings_.walls == WallModel::plain) {
+            if (settings_.walls.model == WallModel::plain) {
                 run_with(PlainSolid<D>{});
             } else {
-                with_flag(settings_.slip_walls || settings_.moving_walls,
+                with_flag(settings_.walls.slip || settings_.walls.moving,
                           [&](auto motion) { run_with(extrapolated<decltype(motion)::value>({})); });
             }
         });
@@ -281,8 +282,9 @@ class Sweeps final : public PairSweeps {
     /// between neighbours, or in contact [N].
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
-        const double pressure = 0.1 * settings_.density * c0 * c0 + settings_.background_pressure;
-        const double viscous = settings_.implicit_viscosity ? 0 : settings_.viscosity * 0.1 * c0 / settings_.spacing;
+        const double pressure = 0.1 * settings_.density.largest * c0 * c0 + settings_.background_pressure;
+        const double viscous =
+            settings_.viscosity.implicit ? 0 : settings_.viscosity.largest * 0.1 * c0 / settings_.spacing;
         return std::max(2 * (pressure + viscous) * volume() * volume() * steepest_,
                         10 * settings_.repulsion_strength / settings_.spacing);
     }

@@ -8,11 +8,11 @@ namespace dmp::solver {
 namespace {
 
 void declare_fields(const PairSettings& settings, ParticleStore& particles) {
-    const bool plain = settings.walls == WallModel::plain, contact = settings.repulsion_strength > 0;
+    const bool plain = settings.walls.model == WallModel::plain, contact = settings.repulsion_strength > 0;
     for (ParticleGroup& group : particles.groups()) {
         const bool is_fluid = group.kind() == PartKind::fluid;
         if (is_fluid || plain) group.declare({Field::density, Field::pressure});
-        if ((is_fluid && !settings.density_by_summation) || plain) group.declare({Field::density_rate});
+        if ((is_fluid && !settings.density.by_summation) || plain) group.declare({Field::density_rate});
         if (is_fluid) group.declare({Field::viscosity});
         if (is_fluid && settings.shifting > 0) group.declare({Field::shift});
         if (is_fluid && settings.transport_velocity) group.declare({Field::shift, Field::transport_velocity});
@@ -20,14 +20,14 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
             group.declare({Field::correction, Field::correction_off_diagonal});
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
-        if (settings.implicit_viscosity) group.declare({Field::viscous_force});
-        if (settings.implicit_viscosity && group.kind() != PartKind::rigid)
+        if (settings.viscosity.implicit) group.declare({Field::viscous_force});
+        if (settings.viscosity.implicit && group.kind() != PartKind::rigid)
             group.declare(
                 {Field::viscous_velocity, Field::viscous_residual, Field::viscous_direction, Field::viscous_diagonal});
         if (group.kind() != PartKind::rigid) continue;
         group.declare({Field::wall_normal, Field::wall_distance});
-        if (settings.slip_walls) group.declare({Field::wall_slip});
-        if (settings.moving_walls && !plain) group.declare({Field::wall_acceleration});
+        if (settings.walls.slip) group.declare({Field::wall_slip});
+        if (settings.walls.moving && !plain) group.declare({Field::wall_acceleration});
     }
 }
 

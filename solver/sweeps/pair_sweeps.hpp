@@ -15,31 +15,46 @@
 
 namespace dmp::solver {
 
-/// What the pair terms of a scene need to know, in SI.
+/// What the pair terms of a scene need, in SI, by model.
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
-    WallModel walls = WallModel::extrapolated;
-    ViscousLaw viscous_law;
-    ViscosityMean viscosity_mean = ViscosityMean::harmonic;
-    bool unlike_viscosities = false;  ///< fluids differ in viscosity
-    /// A free surface, or a body force along an axis that is not periodic: diffusion and shifting mind it.
+    double spacing = 0;              ///< dx [m]
+    double support = 0;              ///< support radius R [m]
+    std::array<bool, 3> periodic{};  ///< by axis
+
+    double sound_speed = 0;            ///< c0 [m/s]
+    double background_pressure = 0;    ///< [Pa]
+    bool gradient_correction = false;  ///< of pressure forces and density rates
+
+    struct {
+        double largest = 0;         ///< largest rest density [kg/m^3]
+        bool by_summation = false;  ///< else by continuity
+        double diffusion = 0;       ///< delta [-]; 0: none
+    } density;
+
+    /// With a free surface, or a body force along an axis that is not periodic: density diffusion acts on what
+    /// pressures differ by beyond the hydrostatic difference, and shifting vanishes at the surface.
     bool hydrostatic = false;
-    bool density_by_summation = false;
-    bool gradient_correction = false;
-    bool transport_velocity = false;
-    bool slip_walls = false;          ///< some walls let the fluid slip
-    bool moving_walls = false;        ///< some walls move
-    std::array<bool, 3> periodic{};   ///< by axis
-    double spacing = 0;               ///< dx [m]
-    double support = 0;               ///< support radius R [m]
-    double sound_speed = 0;           ///< c0 [m/s]
-    double density = 0;               ///< largest rest density [kg/m^3]
-    double viscosity = 0;             ///< largest dynamic viscosity [Pa s]
-    double background_pressure = 0;   ///< [Pa]
-    double density_diffusion = 0;     ///< delta [-]; 0: not there
-    double shifting = 0;              ///< s [-]; 0: not there
-    double repulsion_strength = 0;    ///< K [J]; 0: not there
-    bool implicit_viscosity = false;  ///< the forces come without viscosity, which is solved for apart
+
+    struct {
+        ViscousLaw law;
+        ViscosityMean mean = ViscosityMean::harmonic;
+        bool unlike = false;    ///< fluids differ in viscosity
+        double largest = 0;     ///< largest dynamic viscosity [Pa s]
+        bool implicit = false;  ///< the forces come without viscosity, which is solved for separately
+    } viscosity;
+
+    double shifting = 0;              ///< s [-]; 0: none
+    bool transport_velocity = false;  ///< in place of shifting
+
+    struct {
+        WallModel model = WallModel::extrapolated;
+        bool slip = false;    ///< some walls let the fluid slip
+        bool moving = false;  ///< some walls move
+    } walls;
+
+    double repulsion_strength = 0;  ///< K [J]; 0: none
+
     int threads = 1;
     VectorUnit vector_unit = VectorUnit::widest;
 };

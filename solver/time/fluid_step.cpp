@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "particles/periodic_images.hpp"
 #include "solver/elastic/turn_solid.hpp"
 #include "solver/uses.hpp"
 
@@ -47,9 +46,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       walls_(scene, set, particles),
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
-      acceleration_(scene.flow.acceleration),
-      depends_on_position_(std::any_of(acceleration_.begin(), acceleration_.end(),
-                                       [](const Expression& axis) { return axis.depends_on_position(); })),
+      body_force_(scene, particles),
       solidifies_(!scene.solidify.empty()) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
@@ -58,7 +55,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
     for (std::size_t i = 0; i < particles.fluid().owned(); ++i) mass.add(particles.fluid().data(Field::mass)[i]);
     ranks.sum(mass);
     fluid_mass_ = mass.value();
-    if (settings.implicit_viscosity)
+    if (settings.viscosity.implicit)
         viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
     if (!scene.species.empty()) {
         species_.emplace(scene, set, particles, settings, rest_density_, ranks);
@@ -67,41 +64,61 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
 }
 
 FluidExtremes FluidStep::advance(double t, double dt) {
+    const double middle = t + dt / 2;
     walls_.start_step(t, dt);
+
     timer_.timed("drift", [&] { drift_to_middle(dt); });
     timer_.timed("neighbours", [&] { renew_list(); });
-    find_densities();
-    find_corrections();
-    FieldList at_forces = force_fields_;
-    for (const Field field : walls_.show_surfaces(particles_)) at_forces.push_back(field);
-    sweep("forces", at_forces, [this, g = body_acceleration(t + dt / 2)](ClusterChoice clusters) {
+    sum_densities();
+    sum_corrections();
+    sum_forces(middle);
+    timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
+    if (viscosity_) solve_viscous_forces(middle, dt);
+    timer_.timed("kick", [&] { kick(middle, dt); });
+    timer_.timed("springs", [&] { advance_elastic(dt); });
+    sum_density_rates(middle, dt);
+    FluidExtremes extremes;
+    timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
+
+    bodies_ahead_ = dt / 2;
+    return extremes;
+}
+
+void FluidStep::sum_forces(double t) {
+    FieldList fields = force_fields_;
+    for (const Field field : walls_.show_surfaces(particles_)) fields.push_back(field);
+    sweep("forces", fields, [this, g = body_force_.uniform(t)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
-    if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
-    if (solidifies_) drive_what_turned_solid(t + dt / 2, dt);
-    if (depends_on_position_) timer_.timed("kick", [&] { kick_by_position(t + dt / 2, dt); });
-    if (!driving_.empty()) timer_.timed("kick", [&] { drive(t + dt / 2, dt); });
-    if (viscosity_) add_viscous_forces(t + dt / 2, dt);
-    timer_.timed("kick", [&] { kick(t + dt / 2, dt); });
-    timer_.timed("elastic", [&] { advance_elastic(dt); });
+    if (!springs_.empty()) timer_.timed("springs", [&] { update_contact_rate(); });
+}
+
+/// Forces that depend on time and position alone: body forces that are not uniform, forces on parts, moving shapes.
+void FluidStep::add_outside_forces(double t, double dt) {
+    const auto count = [&](const std::array<double, 3>& force) {
+        for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces.at(axis) += dt * force.at(axis);
+    };
+    if (solidifies_) count(body_force_.add_to_solidified(particles_, ranks_, t));
+    if (body_force_.depends_on_position()) count(body_force_.kick_fluid(particles_, ranks_, t, dt));
+    if (!driving_.empty()) count(driving_.add_forces(particles_, ranks_, t, settings_.threads));
+}
+
+/// Density rates with the new velocities, and the diffusion of species: in the same sweep where that is possible.
+void FluidStep::sum_density_rates(double t, double dt) {
     walls_.show_velocities(particles_);
-    FieldList at_rates{Field::velocity};
-    std::optional<SpeciesSums> along;
+    FieldList fields{Field::velocity};
+    std::optional<SpeciesSums> fused;
     if (species_) {
-        timer_.timed("species", [&] { species_->show(particles_, t + dt / 2); });
-        at_rates.push_back(Field::concentration);
-        along = species_->along(*sweeps_, dt, shift_step(dt));
+        timer_.timed("species", [&] { species_->show(particles_, t); });
+        fields.push_back(Field::concentration);
+        fused = species_->along(*sweeps_, dt, shift_step(dt));
     }
-    sweep("density", at_rates, [&, g = hydrostatic_acceleration(t + dt / 2)](ClusterChoice clusters) {
-        sweeps_->density_rates(particles_, neighbours_.list(), g, clusters, along ? &*along : nullptr);
+    sweep("density", fields, [&, g = body_force_.hydrostatic(t)](ClusterChoice clusters) {
+        sweeps_->density_rates(particles_, neighbours_.list(), g, clusters, fused ? &*fused : nullptr);
     });
     if (species_)
         timer_.timed("species",
-                     [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt), along); });
-    FluidExtremes extremes;
-    timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
-    bodies_ahead_ = dt / 2;
-    return extremes;
+                     [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt), fused); });
 }
 
 /// A sweep over pairs that needs copies' present values of `fields`. What is near no copies is swept while they are on
@@ -115,27 +132,22 @@ void FluidStep::sweep(const char* stage, const FieldList& fields, const std::fun
     timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
 }
 
-void FluidStep::add_viscous_forces(double t, double dt) {
+void FluidStep::solve_viscous_forces(double t, double dt) {
     const auto swept = [this](const FieldList& fields, const auto& over) { sweep("viscosity", fields, over); };
     timer_.timed("viscosity", [&] {
-        viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_acceleration(t), swept);
+        viscosity_->add_forces(particles_, neighbours_.list(), springs_, dt, body_force_.uniform(t), swept);
     });
 }
 
-void FluidStep::drive(double t, double dt) {
-    const std::array<double, 3> total = driving_.add_forces(particles_, ranks_, t, settings_.threads);
-    for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces.at(axis) += dt * total.at(axis);
-}
-
-void FluidStep::find_densities() {
-    if (!settings_.density_by_summation) return;
+void FluidStep::sum_densities() {
+    if (!settings_.density.by_summation) return;
     sweep("density", {Field::position}, [this](ClusterChoice clusters) {
         sweeps_->densities(particles_, neighbours_.list(), rest_density_, clusters);
     });
     passes_.update_pressure(particles_);
 }
 
-void FluidStep::find_corrections() {
+void FluidStep::sum_corrections() {
     if (!settings_.gradient_correction) return;
     sweep("correction", {Field::position, Field::volume},
           [this](ClusterChoice clusters) { sweeps_->corrections(particles_, neighbours_.list(), clusters); });
@@ -192,82 +204,14 @@ void FluidStep::change_bodies(const BodyChange& change) {
     refresh_neighbours();
 }
 
-std::array<double, 3> FluidStep::body_acceleration(double t) const {
-    std::array<double, 3> g{};
-    for (int axis = 0; axis < 3; ++axis)
-        g[axis] = acceleration_[axis].depends_on_position() ? 0 : acceleration_[axis](t);
-    return g;
-}
-
-std::array<double, 3> FluidStep::hydrostatic_acceleration(double t) const {
-    std::array<double, 3> g = body_acceleration(t);
-    for (int axis = 0; axis < 3; ++axis)
-        if (particles_.space().periodic[axis]) g[axis] = 0;
-    return g;
-}
-
 void FluidStep::kick(double t, double dt) {
-    const auto g = body_acceleration(t);
+    const auto g = body_force_.uniform(t);
     const double expected_speed = settings_.shifting > 0 ? largest_speed_ : 0;
     SpeedSums speeds = passes_.kick(particles_.fluid(), dt, g, expected_speed);
     largest_speed_ = ranks_.largest(speeds.largest);
     if (settings_.shifting > 0 && !FluidPasses::sum_alike(expected_speed, largest_speed_))
         speeds.fourth_powers = passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_);
     add_up(dt, g, speeds.fourth_powers);
-}
-
-double FluidStep::position_in_box(double x, int axis) const {
-    const ParticleSpace& space = particles_.space();
-    return space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis]) : space.mirrored_back(x, axis);
-}
-
-void FluidStep::kick_by_position(double t, double dt) {
-    ParticleGroup& fluid = particles_.fluid();
-    const double* mass = fluid.data(Field::mass);
-    for (int axis = 0; axis < particles_.dimension(); ++axis) {
-        if (!acceleration_[axis].depends_on_position()) continue;
-        double* v = fluid.data(Field::velocity, axis);
-        ExactSum mass_times_g;
-        for (std::size_t i = 0; i < fluid.owned(); ++i) {
-            std::array<double, 3> p{};
-            // Beyond a plane of symmetry the image is driven.
-            const double x = fluid.data(Field::position, axis)[i];
-            // Wherever it was wrapped last, a formula has the place in the box.
-            for (int a = 0; a < particles_.dimension(); ++a)
-                p[a] = position_in_box(fluid.data(Field::position, a)[i], a);
-            const double sign = particles_.space().is_mirrored(axis) && p[axis] != x ? -1 : 1;
-            const double local = sign * acceleration_[axis](t, p[0], p[1], p[2]);
-            v[i] += dt * local;
-            mass_times_g.add(mass[i] * local);
-        }
-        ranks_.sum(mass_times_g);
-        impulses_.of_body_forces[axis] += dt * mass_times_g.value();
-    }
-}
-
-/// The body acceleration of the fluid goes on to act on what was fluid.
-void FluidStep::drive_what_turned_solid(double t, double dt) {
-    ParticleGroup& springs = particles_.of(PartKind::elastic);
-    const double* mass = springs.data(Field::mass);
-    const auto g = body_acceleration(t);
-    for (int axis = 0; axis < particles_.dimension(); ++axis) {
-        if (acceleration_[axis].is_zero()) continue;
-        const bool by_position = acceleration_[axis].depends_on_position();
-        double* force = springs.data(Field::force, axis);
-        ExactSum driven;
-        for (std::size_t i = 0; i < springs.owned(); ++i) {
-            if (particles_.space().parts[springs.tags()[i].part].kind != PartKind::fluid) continue;
-            std::array<double, 3> p{};
-            for (int a = 0; by_position && a < particles_.dimension(); ++a)
-                p[a] = position_in_box(springs.data(Field::position, a)[i], a);
-            const double weight = mass[i] * (by_position ? acceleration_[axis](t, p[0], p[1], p[2]) : g[axis]);
-            force[i] += weight;
-            if (by_position) driven.add(weight);
-        }
-        if (!by_position) continue;  // counted with the fluid's
-        ranks_.sum(driven);
-        impulses_.of_body_forces[axis] += dt * driven.value();
-    }
 }
 
 void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds) {

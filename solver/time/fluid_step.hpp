@@ -9,6 +9,7 @@
 #include "models/contact/contact_stiffness.hpp"
 #include "scene/scene.hpp"
 #include "solver/elastic/spring_bodies.hpp"
+#include "solver/forcing/body_force.hpp"
 #include "solver/forcing/driving.hpp"
 #include "solver/forcing/wall_motion.hpp"
 #include "solver/implicit/implicit_viscosity.hpp"
@@ -79,26 +80,22 @@ class FluidStep {
     [[nodiscard]] const Driving& driving() const { return driving_; }
     /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
     /// pressure in walls is then continued as it is).
-    [[nodiscard]] std::array<double, 3> body_acceleration(double t) const;
+    [[nodiscard]] std::array<double, 3> body_acceleration(double t) const { return body_force_.uniform(t); }
 
   private:
-    /// The same without axes that are periodic: along them nothing holds the fluid, and no pressure builds up.
-    [[nodiscard]] std::array<double, 3> hydrostatic_acceleration(double t) const;
     void renew_list();
     void prune_list();
     void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);
-    void find_densities();
-    void find_corrections();
+    void sum_densities();
+    void sum_corrections();
+    void sum_forces(double t);
+    void add_outside_forces(double t, double dt);
+    void solve_viscous_forces(double t, double dt);
+    void sum_density_rates(double t, double dt);
     void advance_elastic(double dt);
     [[nodiscard]] ShiftStep shift_step(double dt) const;
-    void drive_what_turned_solid(double t, double dt);
     void exchange(const FieldList& fields);
     void kick(double t, double dt);
-    void kick_by_position(double t, double dt);
-    /// A coordinate as formulas have it: wrapped, mirrored back.
-    [[nodiscard]] double position_in_box(double x, int axis) const;
-    void add_viscous_forces(double t, double dt);
-    void drive(double t, double dt);
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
     /// What all ranks' particles add up to after the kick, in one message: impulses, and the mean speed.
@@ -118,10 +115,9 @@ class FluidStep {
     std::optional<SpeciesTransport> species_;
     Driving driving_;
     Neighbours neighbours_;
-    std::array<Expression, 3> acceleration_;
-    bool depends_on_position_;  ///< the acceleration
-    bool solidifies_;           ///< liquid may turn solid
-    double fluid_mass_;         ///< of all ranks, what turned solid included [kg]
+    BodyForce body_force_;
+    bool solidifies_;    ///< liquid may turn solid
+    double fluid_mass_;  ///< of all ranks, what turned solid included [kg]
     double bodies_ahead_ = 0;
     double largest_speed_ = 0;
     /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].

@@ -291,6 +291,14 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:36:18: the contact of 'drug' and 'carrier': pull_off_force does not go with normal = "
               "\"hertz\" and adhesion = \"none\"\n"
               "  write adhesion = \"bradley\" or \"dmt\", or normal = \"jkr\", or leave it out"},
+        Fault{
+            "jkr_with_another_adhesion", "adhesion = \"bradley\"", "normal = \"jkr\"\nadhesion = \"bradley\"",
+            "scene.toml:37:12: the contact of 'drug' and 'carrier': normal = \"jkr\" and adhesion = \"bradley\" do not "
+            "go together: that normal law is adhesive itself\n"
+            "  leave one of them out"},
+        Fault{"jkr_under_its_old_key", "adhesion = \"bradley\"", "adhesion = \"jkr\"",
+              "scene.toml:36:12: contact_pair.1.adhesion: found \"jkr\", expected one of 'none', 'bradley' and 'dmt'\n"
+              "  JKR's law is a normal law now: write normal = \"jkr\" and leave adhesion out"},
         Fault{"cut_off_too_early", "equilibrium_distance = \"0.4 nm\"",
               "equilibrium_distance = \"0.4 nm\"\nadhesion_cutoff = \"0.4 nm\"",
               "scene.toml:39:19: the contact of 'drug' and 'carrier': adhesion_cutoff is not more than "

@@ -37,14 +37,14 @@ struct Arrangement {
 inline PairSettings crowd_settings(const ParticleSet& set, bool with_extras,
                                    WallModel walls = WallModel::extrapolated) {
     PairSettings settings;
-    settings.walls = walls;
+    settings.walls.model = walls;
     settings.spacing = set.spacing;
     settings.support = 3 * set.spacing;
     settings.sound_speed = 20;
-    settings.density = 1000;
-    settings.viscosity = 0.7;
+    settings.density.largest = 1000;
+    settings.viscosity.largest = 0.7;
     if (with_extras) {
-        settings.density_diffusion = 0.1;
+        settings.density.diffusion = 0.1;
         settings.shifting = 4;
         settings.repulsion_strength = 1e-4;
     }
@@ -57,7 +57,7 @@ class ArrangedCrowd {
     static constexpr std::array<double, 3> body_acceleration{0.7, -2.5, 0.4};
 
     ArrangedCrowd(const ParticleSet& set, PairSettings settings, const Arrangement& arrangement)
-        : particles_(set, std::vector<double>(set.parts.size(), settings.density)),
+        : particles_(set, std::vector<double>(set.parts.size(), settings.density.largest)),
           neighbours_(ranks_, particles_.space(), settings.support + arrangement.extra_reach, arrangement.threads),
           border_apart_(arrangement.border_apart),
           with_correction_(settings.gradient_correction) {

@@ -112,6 +112,7 @@ TEST(ContactLawsOnLanes, give_what_they_give_on_numbers) {
     expect_the_same<model_of<HertzContact, RescaledHistory, ConstantRolling, BradleyAdhesion>>();
     expect_the_same<model_of<HertzContact, RescaledHistory, RollingSpring, NoAdhesion>>();
     expect_the_same<model_of<JkrContact, RescaledHistory, RollingSpring, NoAdhesion>>();
+    expect_the_same<model_of<HertzContact, RescaledHistory, NoRolling, DmtAdhesion>>();
     expect_the_same<model_of<JkrContact, PlainHistory, NoRolling, NoAdhesion>>();
 }
 

@@ -66,7 +66,7 @@ TYPED_TEST(OptionSweeps, summed_densities_are_those_of_all_pairs) {
     const ParticleSet& all = this->set;
     const std::vector<double> rest{1000, 500, 700};  // the solids' are nobody's business
     PairSettings settings = this->base;
-    settings.density_by_summation = true;
+    settings.density.by_summation = true;
     for (const VectorUnit unit : available_vector_units()) {
         ArrangedCrowd arranged(all, settings, {.vector_unit = unit});
         EXPECT_FALSE(arranged.particles().fluid().has(Field::density_rate));
@@ -181,10 +181,10 @@ TYPED_TEST(OptionSweeps, stratified_fluid_is_shifted_and_diffused_less) {
     const double delta = 0.1;
     for (const VectorUnit unit : available_vector_units()) {
         settings.hydrostatic = false;
-        settings.density_diffusion = 0;
+        settings.density.diffusion = 0;
         const Sums plain = ArrangedCrowd(all, settings, {.vector_unit = unit}).sweep();
         settings.hydrostatic = true;
-        settings.density_diffusion = delta;
+        settings.density.diffusion = delta;
         ArrangedCrowd arranged(all, settings, {.vector_unit = unit});
         const Sums found = arranged.sweep();
         const ById by_id(arranged.particles());

@@ -103,7 +103,7 @@ using Variant = std::tuple<int, WallModel, bool>;  ///< the last: with what is o
 PairSettings settings_of(const ParticleSet& set, const Variant& variant) {
     PairSettings settings = crowd_settings(set, true, std::get<WallModel>(variant));
     if (!std::get<bool>(variant)) return settings;
-    settings.unlike_viscosities = true;
+    settings.viscosity.unlike = true;
     settings.hydrostatic = settings.gradient_correction = settings.transport_velocity = true;
     settings.shifting = 0;
     return settings;
@@ -197,8 +197,8 @@ TEST_P(SumsOver, of_fluid_and_bodies_without_walls_leave_no_force_in_all) {
 }
 
 TEST_P(SumsOver, neighbours_of_masses_are_densities_whatever_the_arrangement) {
-    settings.density_by_summation = true;
-    const std::vector<double> rest_density(set.parts.size(), settings.density);
+    settings.density.by_summation = true;
+    const std::vector<double> rest_density(set.parts.size(), settings.density.largest);
     const auto densities_in = [&](const Arrangement& arrangement) {
         return ArrangedCrowd(set, settings, arrangement).densities(rest_density);
     };

@@ -41,7 +41,7 @@ class AllPairs {
           settings_(settings),
           kernel_(settings.support),
           solid_(solid),
-          diffusion_(settings.density_diffusion, settings.support, settings.sound_speed),
+          diffusion_(settings.density.diffusion, settings.support, settings.sound_speed),
           shifting_(settings.shifting, settings.support, settings.spacing, kernel_),
           by_id_(particles) {}
 
@@ -81,7 +81,7 @@ class AllPairs {
         const auto p = pair(a, b, separation);
         add(PressureForce::law(p) + viscous(p), sums_.force[i]);
         sums_.density_rate[i] += ContinuityRate::law(p);
-        if (settings_.density_diffusion > 0) sums_.density_rate[i] += diffusion_.law(p);
+        if (settings_.density.diffusion > 0) sums_.density_rate[i] += diffusion_.law(p);
         if (settings_.shifting > 0) add(shifting_.law(p, kernel_), sums_.shift[i]);
     }
 
@@ -108,12 +108,12 @@ class AllPairs {
 
     template <class P>
     [[nodiscard]] V viscous(const P& p) const {
-        if (settings_.implicit_viscosity) return V::zero();
+        if (settings_.viscosity.implicit) return V::zero();
         const ViscousScales scales =
             viscous_scales(D, settings_.spacing, settings_.support, [this](double r) { return kernel_.slope(r); });
-        const bool arithmetic = settings_.viscosity_mean == ViscosityMean::arithmetic ||
-                                (settings_.viscous_law.is<MorrisViscosity>() && !settings_.unlike_viscosities);
-        return AnyViscousTerm(settings_.viscous_law, scales, arithmetic).law(p);
+        const bool arithmetic = settings_.viscosity.mean == ViscosityMean::arithmetic ||
+                                (settings_.viscosity.law.is<MorrisViscosity>() && !settings_.viscosity.unlike);
+        return AnyViscousTerm(settings_.viscosity.law, scales, arithmetic).law(p);
     }
 
     [[nodiscard]] V contact(Field range, std::size_t i, std::size_t j, const V& separation) const {
@@ -135,7 +135,7 @@ class AllPairs {
 
 template <int D, class Kernel>
 Sums sums_of_all_pairs(ParticleStore& particles, const ParticleSet& set, const PairSettings& settings) {
-    if (settings.walls == WallModel::plain)
+    if (settings.walls.model == WallModel::plain)
         return AllPairs<D, Kernel, PlainSolid<D>>(particles, set, settings, {}).sums();
     const auto& g = ArrangedCrowd::body_acceleration;
     const ExtrapolatedSolid<D> solid{narrowed<D>(Vec(g[0], g[1], g[2])), 0.5 * settings.spacing};
@@ -182,8 +182,8 @@ struct Tolerance {
             steepest = std::max(steepest, -sweeps.kernel_slope(r) * r);
         const double volume = std::pow(settings.spacing, dimension), c0 = settings.sound_speed;
         const double terms = std::ldexp(128, -46);
-        force = terms * 0.2 * settings.density * c0 * c0 * volume * volume * steepest;
-        density_rate = terms * settings.density * c0 * volume * steepest;
+        force = terms * 0.2 * settings.density.largest * c0 * c0 * volume * volume * steepest;
+        density_rate = terms * settings.density.largest * c0 * volume * steepest;
         shift = terms * 1.2 * volume * steepest;
     }
 };
@@ -279,10 +279,10 @@ TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
     const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 5);
     PairSettings settings = crowd_settings(set, true, walls);
     std::vector<std::vector<Vec>> seen;
-    settings.unlike_viscosities = true;
+    settings.viscosity.unlike = true;
     const auto expect_oracle = [&](ViscousLaw law, ViscosityMean mean) {
-        settings.viscous_law = law;
-        settings.viscosity_mean = mean;
+        settings.viscosity.law = law;
+        settings.viscosity.mean = mean;
         std::vector<Vec> first;
         for (const VectorUnit unit : available_vector_units()) {
             ArrangedCrowd arranged(set, settings, {.vector_unit = unit, .threads = 2});
@@ -303,7 +303,7 @@ TEST_P(ViscousSweeps, are_those_of_all_pairs_and_leave_no_force_in_all) {
     for (std::size_t number = 0; number < ViscousLaws::size; ++number)
         for (const ViscosityMean mean : {ViscosityMean::harmonic, ViscosityMean::arithmetic})
             expect_oracle(ViscousLaw(number), mean);
-    settings.implicit_viscosity = true;  // forces without viscosity
+    settings.viscosity.implicit = true;  // forces without viscosity
     expect_oracle({}, ViscosityMean::harmonic);
 }
 

@@ -65,7 +65,7 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
         settings.spacing = set.spacing;
         settings.support = 3 * set.spacing;
         settings.sound_speed = 20;
-        settings.density = 1000;
+        settings.density.largest = 1000;
     }
 
     /// A crowd with concentrations, ready for the sweep.
@@ -297,7 +297,7 @@ TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
                              (shifting > 0 ? ", shifted" : "") + (hydrostatic ? ", stratified" : ""));
                 settings.shifting = shifting;
                 settings.hydrostatic = hydrostatic;
-                settings.walls = walls;
+                settings.walls.model = walls;
                 Crowd made(set, settings, unit, 2, alike);
                 SpeciesSums wanted = sums(alike, 1e-6);
                 EXPECT_FALSE(made.sweeps->can_fuse(wanted)) << "solids take part";

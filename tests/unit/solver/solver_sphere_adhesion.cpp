@@ -7,6 +7,7 @@
 
 #include "models/dem/contact_material.hpp"
 #include "models/dem/contact_steps.hpp"
+#include "solver/spheres/wall_law.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 using V3 = Vector<double, 3>;
 constexpr ContactModel bradley = model_of<HertzContact, RescaledHistory, NoRolling, BradleyAdhesion>;
+constexpr ContactModel dmt = model_of<HertzContact, RescaledHistory, NoRolling, DmtAdhesion>;
 constexpr ContactModel jkr = model_of<JkrContact, RescaledHistory, NoRolling, NoAdhesion>;
 
 // A drug particle of 5 um on a carrier of 100 um: 2.58e-7 N hold it.
@@ -66,6 +68,41 @@ TEST(SphereAdhesion, bradley_pulls_as_much_as_dmt_in_contact_and_falls_off_with_
     EXPECT_LT(force<bradley>(-1.999e-8, cut), 0);
     EXPECT_EQ(force<bradley>(-2.001e-8, cut), 0);
     EXPECT_EQ(ContactLaw<bradley>::reach(radius, cut), 2e-8);
+}
+
+TEST(SphereAdhesion, dmt_pulls_with_a_constant_force_while_surfaces_touch) {
+    const auto pair = drug_on_carrier();
+    EXPECT_NEAR(DmtAdhesion::pull_off(radius, pair) / pull_off, 1, 1e-12);
+    EXPECT_EQ(DmtAdhesion::adhesion_energy(pull_off, radius), BradleyAdhesion::adhesion_energy(pull_off, radius));
+    const double rest = DmtAdhesion::rest_overlap(radius, pair.normal_stiffness, pair.adhesion_energy);
+    EXPECT_NEAR(force<dmt>(rest, pair), 0, 1e-9 * pull_off);
+    for (const double overlap : {0.0, 0.1 * rest, rest, 3 * rest})
+        EXPECT_NEAR(force<dmt>(overlap, pair) / pull_off, std::pow(overlap / rest, 1.5) - 1, 1e-12) << overlap;
+    EXPECT_EQ(force<dmt>(-1e-15, pair), 0);
+    EXPECT_EQ(ContactLaw<dmt>::reach(radius, pair), 0);
+    EXPECT_NEAR(work<dmt>(rest, 0, pair),
+                -(DmtAdhesion::energy(rest, radius, pair) + HertzContact::energy(rest, radius, pair)),
+                1e-6 * pull_off * rest);
+    EXPECT_GT(DmtAdhesion::energy(-1e-9, radius, pair), DmtAdhesion::energy(1e-9, radius, pair));
+}
+
+TEST(SphereAdhesion, of_dmt_and_bradley_are_one_in_contact) {
+    const auto pair = drug_on_carrier();
+    for (const double overlap : {0.0, 1e-10, 3e-9}) EXPECT_EQ(force<dmt>(overlap, pair), force<bradley>(overlap, pair));
+}
+
+TEST(ContactModels, are_all_there_and_consistent_ones_are_compiled) {
+    std::size_t consistent = 0;
+    for (std::size_t number = 0; number < contact_models; ++number) {
+        EXPECT_EQ(number_of(contact_model(number)), number);
+        if (!contact_model(number).is_consistent()) continue;
+        ++consistent;
+        EXPECT_NE(wall_law(contact_model(number)), nullptr);
+        for (const VectorUnit unit : available_vector_units())
+            EXPECT_NE(contact_sweep(contact_model(number), unit), nullptr) << number;
+    }
+    EXPECT_EQ(consistent, contact_models - 2 * TangentialLaws::size * RollingLaws::size);
+    EXPECT_FALSE((model_of<JkrContact, RescaledHistory, NoRolling, DmtAdhesion>.is_consistent()));
 }
 
 TEST(SphereAdhesion, bradley_takes_its_true_work) {

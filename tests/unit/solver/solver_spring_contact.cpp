@@ -113,7 +113,7 @@ double gap_of_pressed_leaflets(double repulsion) {
     settings.spacing = 1;
     settings.support = 3;
     settings.sound_speed = 1;
-    settings.density = 1;
+    settings.density.largest = 1;
     settings.repulsion_strength = repulsion;
     ParticleStore particles(set, {1});
     const auto sweeps = make_pair_sweeps(settings, particles);

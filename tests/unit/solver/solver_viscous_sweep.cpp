@@ -55,7 +55,8 @@ std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, 
 template <int D, class Law>
 std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, const PairSettings& settings,
                               const Law& law) {
-    if (settings.walls == WallModel::plain) return by_all_pairs<D>(particles, set, settings, PlainSolid<D>{}, law);
+    if (settings.walls.model == WallModel::plain)
+        return by_all_pairs<D>(particles, set, settings, PlainSolid<D>{}, law);
     const ExtrapolatedSolid<D> solid{Vector<double, D>::zero(), 0.5 * settings.spacing};
     return by_all_pairs<D>(particles, set, settings, solid, law);
 }
@@ -64,8 +65,8 @@ template <int D>
 std::vector<Vec> by_all_pairs(ParticleStore& particles, const ParticleSet& set, const PairSettings& settings) {
     const ViscousScales scales = viscous_scales(D, settings.spacing, settings.support,
                                                 [&](double r) { return WendlandC2<D>(settings.support).slope(r); });
-    const bool arithmetic = settings.viscosity_mean == ViscosityMean::arithmetic;
-    return by_all_pairs<D>(particles, set, settings, AnyViscousTerm(settings.viscous_law, scales, arithmetic));
+    const bool arithmetic = settings.viscosity.mean == ViscosityMean::arithmetic;
+    return by_all_pairs<D>(particles, set, settings, AnyViscousTerm(settings.viscosity.law, scales, arithmetic));
 }
 
 struct LawWithMean {
@@ -80,16 +81,16 @@ class ViscousSweepOf : public testing::TestWithParam<Variant> {
     ViscousSweepOf()
         : set(crowd(std::get<int>(GetParam()), {true, false, std::get<int>(GetParam()) == 3}, 3)),
           settings(crowd_settings(set, false, std::get<WallModel>(GetParam()))) {
-        settings.viscous_law = std::get<LawWithMean>(GetParam()).law;
-        settings.viscosity_mean = std::get<LawWithMean>(GetParam()).mean;
-        settings.unlike_viscosities = true;
-        settings.implicit_viscosity = true;
+        settings.viscosity.law = std::get<LawWithMean>(GetParam()).law;
+        settings.viscosity.mean = std::get<LawWithMean>(GetParam()).mean;
+        settings.viscosity.unlike = true;
+        settings.viscosity.implicit = true;
     }
 
     /// Largest term of a pair, about.
     [[nodiscard]] double largest_term(const PairSweeps& sweeps) const {
         const double volume = std::pow(set.spacing, set.dimension);
-        return -4 * settings.viscosity * volume * volume * sweeps.kernel_slope(0.5 * set.spacing);
+        return -4 * settings.viscosity.largest * volume * volume * sweeps.kernel_slope(0.5 * set.spacing);
     }
     /// Puts a random vector of every fluid particle and node, the same for a seed, into a field.
     void shake(ArrangedCrowd& arranged, Field field, unsigned seed) const {
