@@ -7,16 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "bench/uses.hpp"
 #include "geometry/triangle_surface.hpp"
 
-namespace dmp {
+namespace dmp::bench {
 
 /// An icosahedron with each triangle cut in four, `times` times, its corners on a sphere about the origin:
 /// 20 * 4^times triangles that face outward.
-inline TriangleSurface icosphere(int times, double radius) {
+inline geometry::TriangleSurface icosphere(int times, double radius) {
     const double g = std::numbers::phi;
-    TriangleSurface ball;
+    geometry::TriangleSurface ball;
     for (const Vec& corner :
          {Vec(-1, g, 0), Vec(1, g, 0), Vec(-1, -g, 0), Vec(1, -g, 0), Vec(0, -1, g), Vec(0, 1, g), Vec(0, -1, -g),
           Vec(0, 1, -g), Vec(g, 0, -1), Vec(g, 0, 1), Vec(-g, 0, -1), Vec(-g, 0, 1)})
@@ -45,4 +44,4 @@ inline TriangleSurface icosphere(int times, double radius) {
     return ball;
 }
 
-}  // namespace dmp
+}  // namespace dmp::bench

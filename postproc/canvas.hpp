@@ -4,17 +4,19 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include <cairo/cairo.h>
 
 #include "postproc/colour_map.hpp"
 
 namespace dmp::postproc {
 
-/// 8-bit RGB, top row first.
 struct Image {
-    int width = 0, height = 0;  ///< [pixels]
-    std::vector<std::uint8_t> rgb;
+    int width = 0, height = 0;          ///< [pixels]
+    std::vector<std::uint32_t> pixels;  ///< 0xRRGGBB, top row first
 
     [[nodiscard]] Colour at(int x, int y) const;
 };
@@ -24,28 +26,30 @@ std::size_t distinct_colours(const Image& image, std::size_t at_most = 4096);
 
 enum class Align { left, centre, right };
 
-/// A white sheet to draw on: x to the right, y down, in pixels from the top left corner. Needs no display.
+/// A white sheet to draw on with Cairo: x to the right, y down, in pixels from the top left corner. Needs no display.
 class Canvas {
   public:
+    static constexpr int largest = 32'000;  ///< width and height [pixels]; Cairo's limit is 32767
+
+    /// Throws ResourceError when Cairo cannot draw on a sheet of this size.
     Canvas(int width, int height);
 
     struct TextStyle {
         double size = 20;  ///< [pixels]
         Align align = Align::left;
         bool bold = false;
-        bool upward = false;  ///< read from bottom to top
         Colour colour = colours::ink;
     };
 
     void fill(double x, double y, double width, double height, Colour colour);
-    /// A smooth line through the points.
+    /// A line through the points, with round ends; a dot where there is one point only.
     void line(const std::vector<std::array<double, 2>>& points, Colour colour, double thickness);
     void triangle(const std::array<std::array<double, 2>, 3>& corners, Colour colour);
-    /// One line of text, its middle height at y, its left end, centre or right end at x (upward: x and y swapped).
+    /// One line of text, the middle of its capitals at y, its left end, centre or right end at x.
     void text(double x, double y, const std::string& words, const TextStyle& style);
     /// The same, smaller where it would be wider than `room` pixels.
     void text_within(double room, double x, double y, const std::string& words, TextStyle style);
-    void paste(const Image& image, int x, int y);
+    void paste(Image image, int x, int y);
 
     /// Width of the text [pixels].
     [[nodiscard]] static double text_width(const std::string& words, const TextStyle& style);
@@ -55,9 +59,12 @@ class Canvas {
     void save(const std::filesystem::path& file) const;
 
   private:
-    void blend(int x, int y, Colour colour, double cover);
+    struct Release {
+        void operator()(cairo_t* context) const { cairo_destroy(context); }
+    };
 
     Image image_;
+    std::unique_ptr<cairo_t, Release> context_;  ///< draws on the pixels of image_
 };
 
 }  // namespace dmp::postproc

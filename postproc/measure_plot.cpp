@@ -100,11 +100,12 @@ class Panel {
 }  // namespace
 
 Canvas draw_measures(const MeasureSeries& measures, const std::string& title, int width) {
-    const double unit = width / 1600.0;
+    const auto count = static_cast<double>(measures.names.size());
+    const double unit = std::min(width / 1600.0, Canvas::largest / (174 + 300 * count));
+    width = static_cast<int>(std::lround(1600 * unit));
     const double head = title.empty() ? 24 * unit : 84 * unit;
     const double pitch = 300 * unit;
     const double foot = 90 * unit;
-    const auto count = static_cast<double>(measures.names.size());
     Canvas canvas(width, static_cast<int>(std::lround(head + pitch * count + foot)));
     canvas.text_within(width - 80 * unit, 40 * unit, 48 * unit, title, {30 * unit, Align::left, true});
 

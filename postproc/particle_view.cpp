@@ -211,17 +211,17 @@ std::pair<double, double> depth_of(const std::vector<ParticleLayer>& layers) {
 /// Averages squares of pixels; VTK counts rows from below.
 Image shrink(const unsigned char* pixels, int width, int height) {
     Image image{width, height,
-                std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+                std::vector<std::uint32_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
     const std::size_t stride = 3 * static_cast<std::size_t>(width) * oversampling;
     std::size_t out = 0;
     for (int row = height - 1; row >= 0; --row)
-        for (int column = 0; column < width; ++column)
+        for (int column = 0; column < width; ++column, ++out)
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 unsigned sum = 0;
                 for (int k = 0; k < oversampling * oversampling; ++k)
                     sum += pixels[static_cast<std::size_t>(row * oversampling + k / oversampling) * stride +
                                   3 * static_cast<std::size_t>(column * oversampling + k % oversampling) + channel];
-                image.rgb[out++] = static_cast<std::uint8_t>((sum + 2) / (oversampling * oversampling));
+                image.pixels[out] = image.pixels[out] << 8 | (sum + 2) / (oversampling * oversampling);
             }
     return image;
 }

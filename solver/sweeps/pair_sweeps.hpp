@@ -30,7 +30,7 @@ struct PairSettings {
         double largest = 0;         ///< largest rest density [kg/m^3]
         bool by_summation = false;  ///< else by continuity
         double diffusion = 0;       ///< delta [-]; 0: none
-    } density;
+    } density{};
 
     /// With a free surface, or a body force along an axis that is not periodic: density diffusion acts on what
     /// pressures differ by beyond the hydrostatic difference, and shifting vanishes at the surface.
@@ -42,7 +42,7 @@ struct PairSettings {
         bool unlike = false;    ///< fluids differ in viscosity
         double largest = 0;     ///< largest dynamic viscosity [Pa s]
         bool implicit = false;  ///< the forces come without viscosity, which is solved for separately
-    } viscosity;
+    } viscosity{};
 
     double shifting = 0;              ///< s [-]; 0: none
     bool transport_velocity = false;  ///< in place of shifting
@@ -51,7 +51,7 @@ struct PairSettings {
         WallModel model = WallModel::extrapolated;
         bool slip = false;    ///< some walls let the fluid slip
         bool moving = false;  ///< some walls move
-    } walls;
+    } walls{};
 
     double repulsion_strength = 0;  ///< K [J]; 0: none
 

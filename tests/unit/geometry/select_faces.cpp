@@ -58,7 +58,7 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     const auto fault = [&](const FaceSelection& selection) {
         return text_thrown<InputError>([&] { select_faces(pipe_, {selection}); });
     };
-    FaceSelection selection{.name = "lid", .of = "blod", .position = {"scene.toml", 9, 1}};
+    FaceSelection selection{.name = "lid", .of = "blod", .location = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(selection),
                 HasSubstr("scene.toml:9:1: selection 'lid': the drawing has no volume or surface 'blod'"));
     EXPECT_THAT(fault(selection), HasSubstr("did you mean 'blood'?"));
@@ -98,7 +98,7 @@ TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
     const auto fault = [&](const FaceSelection& selection) {
         return text_thrown<InputError>([&] { select_faces(square, {selection}); });
     };
-    FaceSelection wrong{.name = "rim", .of = "wter", .position = {"scene.toml", 9, 1}};
+    FaceSelection wrong{.name = "rim", .of = "wter", .location = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(wrong), HasSubstr("scene.toml:9:1: selection 'rim': the drawing has no area or curve 'wter'"));
     EXPECT_THAT(fault(wrong), HasSubstr("did you mean 'water'?"));
     wrong.of = "water";

@@ -46,7 +46,7 @@ Inspected inspect_ball(const std::string& particles) {
     const Scene scene = read_scene("scene.toml", {});
     Geometry geometry;
     geometry.dimension = 3;
-    geometry.solids.push_back({"water", icosphere(5, radius_of_ball)});
+    geometry.solids.push_back({"water", bench::icosphere(5, radius_of_ball)});
     geometry.surfaces.push_back({"wall", geometry.solids.front().surface});
     geometry.box = {Vec::Constant(-radius_of_ball), Vec::Constant(radius_of_ball)};
     Inspected inspected{mesh(geometry, scene), {}};
@@ -204,7 +204,7 @@ TEST(LeakTest, WhatIsEmptyInABodyCountsAsOutside) {
     const Scene scene = read_scene("scene.toml", {});
     Geometry geometry;
     geometry.dimension = 3;
-    geometry.solids = {{"water", box_surface(Vec(2, 1, 1))}, {"wall", icosphere(5, 0.4)}};
+    geometry.solids = {{"water", box_surface(Vec(2, 1, 1))}, {"wall", bench::icosphere(5, 0.4)}};
     for (Vec& corner : geometry.solids[1].surface.corners) corner += Vec(1, 0.5, 0.5);
     geometry.box = {Vec::Zero(), Vec(2, 1, 1)};
     Inspected mesh{mesh(geometry, scene), {}};

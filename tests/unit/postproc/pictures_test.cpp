@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "postproc/pictures.hpp"
 
+#include <array>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 
 #include <gmock/gmock.h>
@@ -13,6 +15,7 @@
 #include "base/errors.hpp"
 #include "postproc/canvas.hpp"
 #include "postproc/frame_scene.hpp"
+#include "postproc/measure_plot.hpp"
 #include "postproc/tables.hpp"
 #include "postproc/virtual_display.hpp"
 #include "postproc/vtk_sink.hpp"
@@ -71,10 +74,13 @@ Image read_png(const fs::path& file) {
     reader->GetOutput()->GetDimensions(size);
     Image image{size[0], size[1], {}};
     for (int y = size[1] - 1; y >= 0; --y)
-        for (int x = 0; x < size[0]; ++x)
+        for (int x = 0; x < size[0]; ++x) {
+            std::uint32_t pixel = 0;
             for (int c = 0; c < 3; ++c)
-                image.rgb.push_back(
-                    static_cast<std::uint8_t>(reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, c)));
+                pixel = pixel << 8 |
+                        static_cast<std::uint32_t>(reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, c));
+            image.pixels.push_back(pixel);
+        }
     return image;
 }
 
@@ -239,6 +245,70 @@ TEST(Canvas, DrawsWhereItIsTold) {
     EXPECT_EQ(canvas.image().at(65, 5), (Colour{0, 255, 0}));
     EXPECT_EQ(canvas.image().at(88, 28), colours::white);
     canvas.line({{{-50, -50}}, {{200, 200}}}, {0, 0, 0}, 3);  // what falls off the sheet is harmless
+}
+
+TEST(Canvas, LinesOfManyPointsAreWholeAndOnePointIsADot) {
+    Canvas canvas(400, 40);
+    std::vector<std::array<double, 2>> points;
+    for (int k = 0; k <= 380; ++k) points.push_back({10.0 + k, 20.5});
+    canvas.line(points, {0, 0, 255}, 3);
+    for (int x = 10; x < 390; ++x) EXPECT_EQ(canvas.image().at(x, 20), (Colour{0, 0, 255})) << x;
+    canvas.line({{{200.5, 8.5}}}, {255, 0, 0}, 7);
+    EXPECT_EQ(canvas.image().at(200, 8), (Colour{255, 0, 0}));
+    EXPECT_EQ(canvas.image().at(201, 9), (Colour{255, 0, 0}));
+    EXPECT_EQ(canvas.image().at(204, 12), colours::white);
+}
+
+TEST(Canvas, PastesWholePixels) {
+    Canvas tile(3, 2);
+    tile.fill(0, 0, 2, 2, {10, 20, 30});
+    Canvas canvas(10, 10);
+    canvas.paste(tile.image(), 8, 4);
+    EXPECT_EQ(canvas.image().at(8, 4), (Colour{10, 20, 30}));
+    EXPECT_EQ(canvas.image().at(9, 5), (Colour{10, 20, 30}));
+    EXPECT_EQ(canvas.image().at(7, 4), colours::white);
+    EXPECT_EQ(canvas.image().at(8, 6), colours::white);
+    canvas.paste({}, 0, 0);  // nothing
+    canvas.fill(0, 0, 1, 1, {1, 2, 3});
+    EXPECT_EQ(canvas.image().at(0, 0), (Colour{1, 2, 3}));
+}
+
+TEST(Canvas, ThatIsTooLargeIsAnError) { EXPECT_THROW(Canvas(40'000, 1), ResourceError); }
+
+/// The rows in which a column of the picture shows the curve's colour.
+std::vector<int> rows_of_curve(const Image& image, int x) {
+    std::vector<int> rows;
+    for (int y = 0; y < image.height; ++y)
+        if (const Colour c = image.at(x, y); c.blue > 140 && c.red < 90) rows.push_back(y);
+    return rows;
+}
+
+TEST(MeasurePlot, CurvesRiseWithTheirValuesAndStopWhereTheyAreMissing) {
+    MeasureSeries measures{{"flux"}, {"m^2/s"}, {}, {}};
+    for (int k = 0; k <= 100; ++k) {
+        measures.time.push_back(0.01 * k);
+        measures.rows.push_back({k < 45 || k > 55 ? 101325 + 1e-3 * k : std::numeric_limits<double>::quiet_NaN()});
+    }
+    const Image image = draw_measures(measures, "A title", 1600).image();
+    EXPECT_EQ(image.width, 1600);
+    EXPECT_EQ(image.height, 84 + 300 + 90);
+    // the panel: from 140 to 1550 and from 124 to 348; 8 % of the values' range stay free above and below
+    const auto expected = [](double share) { return 348 - 224 * (share + 0.08) / 1.16; };
+    for (const double share : {0.1, 0.3, 0.7, 0.9}) {
+        const std::vector<int> rows = rows_of_curve(image, 140 + static_cast<int>(1410 * share));
+        ASSERT_FALSE(rows.empty()) << share;
+        EXPECT_NEAR((rows.front() + rows.back()) / 2.0, expected(share), 1.5) << share;
+    }
+    EXPECT_TRUE(rows_of_curve(image, 140 + 1410 / 2).empty());
+}
+
+TEST(MeasurePlot, OfAHundredAndTwentyMeasuresFitsOnACanvas) {
+    MeasureSeries measures{std::vector<std::string>(120, "flux"), std::vector<std::string>(120, "m^2/s"), {0, 1}, {}};
+    measures.rows.assign(2, std::vector<double>(120, 1));
+    const Canvas canvas = draw_measures(measures, "A title", 1600);
+    EXPECT_LE(canvas.image().height, Canvas::largest);
+    EXPECT_GT(canvas.image().height, Canvas::largest - 2);
+    EXPECT_NEAR(canvas.image().width, 1600.0 * Canvas::largest / (174 + 300 * 120), 1);
 }
 
 TEST(Canvas, TextHasInkWhereItsEndsSay) {

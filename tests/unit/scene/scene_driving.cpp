@@ -47,7 +47,7 @@ TEST(DrivenScene, reads_forces_and_shapes) {
     const MovingShape& shape = scene.moving_shapes[0];
     EXPECT_EQ(*shape.kind, ShapeKind::parabola);
     EXPECT_EQ(*shape.parts, std::vector<std::string>{"leaflets"});
-    EXPECT_EQ((*shape.location)[0](2), 0.002);
+    EXPECT_EQ((*shape.position)[0](2), 0.002);
     EXPECT_EQ(*shape.strength, 2e-6);
     EXPECT_EQ(*shape.side, PushedSide::outside);
     EXPECT_EQ(*shape.until, 0) << "not given: never";

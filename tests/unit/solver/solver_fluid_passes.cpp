@@ -306,7 +306,7 @@ TEST(FluidPasses, of_no_fluid_have_no_speed) {
     ParticleSet set;
     set.spacing = 0.1;
     ParticleStore particles(set, {});
-    make_pair_sweeps({.spacing = 0.1, .support = 0.3, .sound_speed = 20, .density = 1000}, particles);
+    make_pair_sweeps({.spacing = 0.1, .support = 0.3, .sound_speed = 20, .density = {.largest = 1000}}, particles);
     const FluidPasses passes({}, 2);
     EXPECT_EQ(passes.kick(particles.fluid(), 0.1, {}, 1).largest, 0);
     EXPECT_EQ(passes.extremes(particles.fluid()).largest_speed, 0);
