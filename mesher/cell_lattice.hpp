@@ -20,7 +20,7 @@ struct SpringLattice {
 
 /// Spring constants of a cubic lattice of spacing a, or of a square one in the plane, 1 m deep: bonds along the edges
 /// of its cells (k_1) and along both diagonals of their faces (k_2), hinges at the four corners of those faces (k_a).
-/// Energies without 1/2. From the energy of a uniform strain, exact for any (docs/springs.md), with d dimensions and b
+/// Energies without 1/2. From the energy of a uniform strain, exact for any (docs/elastic.md), with d dimensions and b
 /// = a in space, 1 m in the plane:
 ///   c_11 = 2 (k_1 + (d - 1) k_2) / b,   c_12 = 2 k_2 / b,   c_44 = 2 k_2 / b + 8 k_a / (a^2 b)
 /// which is isotropic where c_11 - c_12 = 2 c_44. In the plane that is a material held in its depth (plane strain).

@@ -11,7 +11,7 @@ namespace dmp::mesher {
 /// Spring constants of a shell: two layers of the same triangles, t apart, with bonds along the edges of each layer
 /// (k_b), a rung from each node to its partner (k_r), both diagonals between the layers at each edge (k_c), and a
 /// dihedral at each edge inside a layer (k_d). Energies without 1/2. Of equilateral triangles of edge a, with l^2 = a^2
-/// + t^2 and A = sqrt(3)/2 a^2 the area of a node (docs/springs.md):
+/// + t^2 and A = sqrt(3)/2 a^2 the area of a node (docs/elastic.md):
 ///   p = 2 k_b a^2 + 2 k_c a^4 / l^2,   q = 4 k_c a^2 t^2 / l^2,   r = 6 k_c t^4 / l^2 + k_r t^2,
 ///   mu = 3 p / (4 A),   lambda = mu - 9 q^2 / (8 r A)   (membrane, thickness free) [N/m]
 ///   D = 3 sqrt(3)/4 k_b t^2 + 2 sqrt(3) k_d,   nu_b D = sqrt(3)/4 k_b t^2 - 2/sqrt(3) k_d   (bending) [N m]

@@ -10,7 +10,7 @@ namespace dmp::mesher {
 /// Spring constants of a ladder: two rows of nodes `across` apart (b), columns `along` apart (a), a bond along each row
 /// cell and across each column (a rung), and in each cell hinges at its four corners, bonds along its two diagonals, or
 /// both. Energies without 1/2 (k_b (r - r0)^2, k_a (theta - theta0)^2). Exact for long waves, by equating the energy of
-/// a uniform stretch, curvature and shear (docs/springs.md), k_r that of rungs:
+/// a uniform stretch, curvature and shear (docs/elastic.md), k_r that of rungs:
 ///   EA = 4 k_b a + 4 k_c k_r a^3 / (2 k_c b^2 + k_r (a^2 + b^2)),   EI = k_b b^2 a + 2 k_a a,
 ///   GA_s = 8 k_a / a + 4 k_c a b^2 / (a^2 + b^2)
 /// With k_c = k_r = k_b and a = b that is EA = 5 k_b a, EI = k_b a^3, GA_s = 2 k_b a (and hinges' share).

@@ -135,7 +135,7 @@ struct Breaking {
     Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
 };
 
-/// [[join]]: bonds between the particles of two parts, or between pieces of one, as they are drawn (docs/springs.md).
+/// [[join]]: bonds between the particles of two parts, or between pieces of one, as they are drawn (docs/elastic.md).
 struct Join {
     Value<std::string> name;
     Value<std::array<std::string, 2>> parts;  ///< two springs parts, the same twice, or a springs and a rigid part

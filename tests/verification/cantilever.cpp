@@ -61,7 +61,7 @@ class Swing : public FrameSink {
 };
 
 /// A strip of cells as long as high, a, with k_b = 1000 N/m, k_a = `hinge` k_b a^2, or diagonals of k_b, and what such
-/// a lattice is as a beam (docs/springs.md).
+/// a lattice is as a beam (docs/elastic.md).
 struct Lattice {
     int cells;
     double hinge;  ///< 0: diagonals

@@ -24,8 +24,8 @@ BodyParts::Node node(int id, double x, double y, int origin = 0) {
     node.id = id;
     node.origin = origin;
     node.mass = 1 + 0.1 * id;
-    node.location = node.position_before = Vec(x, y, 0);
-    node.rest_position = node.location - Vec(0, 0.25, 0);
+    node.position = node.position_before = Vec(x, y, 0);
+    node.rest_position = node.position - Vec(0, 0.25, 0);
     node.velocity = Vec(0.3 * id, -0.2, 0);
     return node;
 }
@@ -70,7 +70,7 @@ TEST(BodyChange, a_new_node_joins_the_body_it_is_bonded_to_at_the_distance_it_ha
     const BodyParts::Node given = node(2, 2.25, 1, 1);
     EXPECT_EQ(body.nodes[0].mass, given.mass);
     EXPECT_EQ(body.nodes[0].velocity, given.velocity);
-    EXPECT_EQ(body.nodes[0].position, given.location);
+    EXPECT_EQ(body.nodes[0].position, given.position);
 }
 
 TEST(BodyChange, bodies_that_are_bonded_become_one_and_keep_all_they_had) {

@@ -33,7 +33,7 @@ BodyParts chain(double stretch, bool from_right = false) {
         node.drag = 0.5;
         const int column = from_right ? bonds - n : n;
         node.fixed = n == 0 || n == bonds;
-        node.location = node.position_before = node.rest_position = Vec(column * (r0 + stretch), 0, 0);
+        node.position = node.position_before = node.rest_position = Vec(column * (r0 + stretch), 0, 0);
         parts.nodes.push_back(node);
     }
     for (int n = 0; n < bonds; ++n) parts.bonds.push_back({{n, n + 1}, r0, k, 0, 0});

@@ -43,12 +43,12 @@ ParticleStore particles_of(const Variant& variant) {
     std::vector<double> densities;
     for (const LiquidState& state : states_of(variant)) densities.push_back(state.rest_density);
     ParticleStore particles(set, densities);
-    make_pair_sweeps({.walls = variant.walls,
-                      .spacing = set.spacing,
+    make_pair_sweeps({.spacing = set.spacing,
                       .support = 3 * set.spacing,
                       .sound_speed = 20,
-                      .density = 1000,
-                      .shifting = 4},
+                      .density = {.largest = 1000},
+                      .shifting = 4,
+                      .walls = {.model = variant.walls}},
                      particles);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);

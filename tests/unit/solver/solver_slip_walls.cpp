@@ -7,6 +7,7 @@
 #include "models/sph/walls.hpp"
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
+#include "tests/unit/solver/one_pair.hpp"
 #include "walled_water.hpp"
 
 namespace dmp::tests {
@@ -149,8 +150,8 @@ void expect_the_law() {
     for (int a = 0; a < D - 1; ++a) EXPECT_DOUBLE_EQ(slips.velocity[a], m.fluid.velocity[a]);
     EXPECT_DOUBLE_EQ(slips.velocity[D - 1], sticks.velocity[D - 1]);
     const Pair pair{m.fluid, slips, apart, 1.0, 1.0};
-    for (int a = 0; a < D - 1; ++a) EXPECT_NEAR(morris.law(pair)[a], 0, 1e-14);
-    EXPECT_NE(morris.law(pair)[D - 1], 0);
+    for (int a = 0; a < D - 1; ++a) EXPECT_NEAR(one_pair::morris.law(pair)[a], 0, 1e-14);
+    EXPECT_NE(one_pair::morris.law(pair)[D - 1], 0);
     // In the density rate the wall goes along with what slips past it, and does not with what sticks.
     const auto passed = ExtrapolatedSolid<D, true>::approached(m.fluid, m.wall);
     for (int a = 0; a < D - 1; ++a) EXPECT_DOUBLE_EQ(passed.velocity[a], m.fluid.velocity[a]);

@@ -213,7 +213,7 @@ TEST(SolidifyRules, find_all_pairs_within_reach_across_periodic_borders_and_no_o
     };
     for (int n = 0; n < 60; ++n) seeds.push_back({n, somewhere()});
     for (int n = 0; n < 300; ++n) liquid.push_back({1000 + n, somewhere()});
-    liquid[5].location[0] += 5;  // wherever it was wrapped
+    liquid[5].position[0] += 5;  // wherever it was wrapped
     seeds[7].position[2] -= 10;
     auto found = find_bond_candidates(seeds, liquid, 0.9, space);
     find_nearest(found, 0.9);
@@ -221,7 +221,7 @@ TEST(SolidifyRules, find_all_pairs_within_reach_across_periodic_borders_and_no_o
     for (const auto& particle : liquid) {
         const BondCandidate* nearest = nullptr;
         for (const auto& seed : seeds) {
-            const double distance = nearest_image(particle.position - seed.location, space).norm();
+            const double distance = nearest_image(particle.position - seed.position, space).norm();
             if (distance > 0.9) continue;
             const auto pair = std::ranges::find_if(
                 found, [&](const BondCandidate& e) { return e.seed == seed.id && e.liquid == particle.id; });
