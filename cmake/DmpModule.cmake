@@ -20,6 +20,11 @@ if(DMP_SANITIZE)
   target_link_options(dmp_rules INTERFACE -fsanitize=${DMP_SANITIZE})
 endif()
 
+# Precompiled headers save a third of a module's compile time: nearly every file includes these. A compiler cache does
+# better without.
+set(dmp_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <sstream>
+                       <string> <string_view> <vector> <Eigen/Core>)
+
 # dmp_module(NAME SOURCES a.cpp ... [LINKS public ...] [PRIVATE_LINKS ...])
 # One static library dmp_NAME, known to others as dmp::NAME; headers are included as "NAME/header.hpp".
 function(dmp_module name)
@@ -31,6 +36,25 @@ function(dmp_module name)
   target_include_directories(dmp_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                 $<INSTALL_INTERFACE:include/dmp>)
   target_link_libraries(dmp_${name} PUBLIC ${MODULE_LINKS} PRIVATE $<BUILD_INTERFACE:dmp_rules> ${MODULE_PRIVATE_LINKS})
+  list(LENGTH MODULE_SOURCES files)
+  if(files GREATER 8)
+    dmp_precompile(dmp_${name} dmp::${name} ${MODULE_LINKS})
+  endif()
+endfunction()
+
+# dmp_precompile(TARGET [links]): precompiles the common headers for a target, and those of the scene where it links it.
+function(dmp_precompile target)
+  if(CMAKE_CXX_COMPILER_LAUNCHER OR DMP_SANITIZE)
+    return()
+  endif()
+  set(headers ${dmp_common_headers})
+  if("dmp::scene" IN_LIST ARGN)
+    list(APPEND headers ${PROJECT_SOURCE_DIR}/scene/scene.hpp)
+  endif()
+  if("dmp::particles" IN_LIST ARGN)
+    list(APPEND headers ${PROJECT_SOURCE_DIR}/particles/particle_set.hpp)
+  endif()
+  target_precompile_headers(${target} PRIVATE ${headers})
 endfunction()
 
 # What tests add to a library's optimised code are short loops: compiling them lightly saves a sixth of a whole build.

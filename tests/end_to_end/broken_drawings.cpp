@@ -216,7 +216,7 @@ class BrokenGeometryFile : public testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenGeometryFile, EndsWithTwoAndSaysWhatWhereAndWhatToDo) {
     const Broken& broken = GetParam();
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.write(broken.file, broken.contents);
     if (!broken.scene.empty()) folder.write("scene.toml", broken.scene);
     const Outcome outcome =
@@ -234,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(Input, BrokenGeometryFile, testing::ValuesIn(broken_fil
                          [](const auto& broken) { return broken.param.name; });
 
 TEST(BrokenGeometryFiles, OfWhichNothingIsThere) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     std::filesystem::create_directory(folder.path() / "folder.stl");
     EXPECT_EQ(run_dmp(folder.path(), {"inspect", "folder.stl"}).errors,
               "error: the drawing 'folder.stl' is a folder\n  Name a file in it.\n");
@@ -244,7 +244,7 @@ TEST(BrokenGeometryFiles, OfWhichNothingIsThere) {
 }
 
 TEST(BrokenGeometryFiles, ThatNeverEndAreGivenUp) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.write("endless.geo", "For i In {1 : 1000000000000}\n  a = i;\nEndFor\n");
     GeometryOptions options;
     options.file = (folder.path() / "endless.geo").string();
@@ -261,7 +261,7 @@ TEST(BrokenGeometryFiles, ThatNeverEndAreGivenUp) {
 }
 
 TEST(BrokenGeometryFiles, MakeNoFirstScene) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
     const Outcome outcome = run_dmp(folder.path(), {"new", "mine", "--from", "body.stl", "--unit", "mm"});
     EXPECT_EQ(outcome.code, 2);
@@ -274,7 +274,7 @@ TEST(BrokenGeometryFiles, MakeNoFirstScene) {
 }
 
 TEST(BrokenGeometryFiles, LeaveTheTrianglesThatAreToBlame) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
     folder.write("scene.toml", scene_of("body.stl", "0.125 mm"));
     const Outcome outcome = run_dmp(folder.path(), {"mesh", "scene.toml"});
@@ -290,7 +290,7 @@ TEST(BrokenGeometryFiles, LeaveTheTrianglesThatAreToBlame) {
 }
 
 TEST(BrokenGeometryFiles, AreRepairedAsFarAsTheSceneSays) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));
     folder.write("scene.toml", scene_of("body.stl", "0.125 mm"));
     const auto meshed = [&](std::vector<std::string> settings) {

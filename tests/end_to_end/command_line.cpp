@@ -11,7 +11,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 Outcome run_here(const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     return run_dmp(folder.path(), arguments, surroundings);
 }
 
@@ -48,7 +48,7 @@ TEST(CommandLine, NoColoursInAFile) {
 }
 
 TEST(CommandLine, EscapeWritesItsTable) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     const auto printed =
         run_dmp(folder.path(), {"escape", "--printed", "--friction", "0.3", "--speed", "5 m/s", "--angle", "90 deg"});
     EXPECT_EQ(printed.code, 0) << printed.errors;

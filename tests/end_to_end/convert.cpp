@@ -45,7 +45,7 @@ class Convert : public testing::Test {
         return files;
     }
 
-    TemporaryFolder folder_;
+    CaseFolder folder_;
 };
 
 TEST_F(Convert, LeavesWhatARunWouldHaveWritten) {

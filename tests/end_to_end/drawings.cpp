@@ -42,7 +42,7 @@ class Geometries : public testing::Test {
                       "Physical Volume(\"pipe\") = {1};\nSave \"pipe.step\";\n");
         EXPECT_EQ(dmp({"inspect", "export.geo"}).code, 0);
     }
-    TemporaryFolder folder_;
+    CaseFolder folder_;
 };
 
 TEST_F(Geometries, InspectTellsPartsSizesAndThatTheUnitIsUnknown) {

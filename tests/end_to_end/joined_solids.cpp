@@ -118,7 +118,7 @@ class JoinedSolids : public ::testing::Test {
     [[nodiscard]] std::string hash(const std::string& out) const {
         return nlohmann::json::parse(folder_.read(out + "/summary.json")).at("state_hash").get<std::string>();
     }
-    TemporaryFolder folder_;
+    CaseFolder folder_;
 };
 
 TEST_F(JoinedSolids, AreOneBodyAndAreSaidToBe) {

@@ -36,7 +36,7 @@ class RepairedGeometries : public testing::Test {
         for (const std::string& note : notes_) EXPECT_THAT(outcome.output, HasSubstr("note: " + note));
         return outcome.output;
     }
-    TemporaryFolder folder_;
+    CaseFolder folder_;
     std::vector<std::string> notes_;
     double initial_ = 0, filled_ = 0;  ///< volume of "body" [mm^3]
 };

@@ -42,7 +42,7 @@ class RockingLid : public testing::Test {
             EXPECT_EQ(folder_.read(out + "/" + name), folder_.read(expected + "/" + name)) << name;
     }
 
-    TemporaryFolder folder_;
+    CaseFolder folder_;
 };
 
 TEST_F(RockingLid, IsInEveryFrameThroughHdf5Too) {

@@ -74,29 +74,29 @@ std::string text_of(const fs::path& file) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
+CaseFolder::CaseFolder() {
     std::string name = (fs::temp_directory_path() / "dmp_test_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
     path_ = name;
 }
 
-TemporaryFolder::~TemporaryFolder() {
+CaseFolder::~CaseFolder() {
     std::error_code ignored;  // a leftover in /tmp must not end the tests
     fs::remove_all(path_, ignored);
 }
 
-void TemporaryFolder::copy_case(const std::string& name) const {
+void CaseFolder::copy_case(const std::string& name) const {
     fs::copy(fs::path(DMP_SOURCE_DIR) / "cases" / name, path_, fs::copy_options::recursive);
 }
 
-std::string TemporaryFolder::read(const std::string& file) const { return text_of(path_ / file); }
+std::string CaseFolder::read(const std::string& file) const { return text_of(path_ / file); }
 
-void TemporaryFolder::write(const std::string& file, const std::string& text) const {
+void CaseFolder::write(const std::string& file, const std::string& text) const {
     fs::create_directories((path_ / file).parent_path());
     std::ofstream(path_ / file, std::ios::binary) << text;
 }
 
-void TemporaryFolder::replace(const std::string& file, const std::string& from, const std::string& to) const {
+void CaseFolder::replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string text = read(file);
     const auto at = text.find(from);
     if (at == std::string::npos) throw std::logic_error(file + " has no '" + from + "'");
@@ -104,7 +104,7 @@ void TemporaryFolder::replace(const std::string& file, const std::string& from, 
 }
 
 Outcome run_dmp(const fs::path& folder, const std::vector<std::string>& arguments, const Surroundings& surroundings) {
-    const TemporaryFolder streams;
+    const CaseFolder streams;
     const fs::path output = streams.path() / "output";
     const fs::path errors = streams.path() / "errors";
     const pid_t child = fork();

@@ -18,12 +18,12 @@ struct Outcome {
 };
 
 /// A folder of its own for a test, gone with this object.
-class TemporaryFolder {
+class CaseFolder {
   public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    CaseFolder();
+    ~CaseFolder();
+    CaseFolder(const CaseFolder&) = delete;
+    CaseFolder& operator=(const CaseFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// Copies the files of cases/NAME here.

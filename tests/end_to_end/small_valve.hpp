@@ -83,7 +83,7 @@ to = ["20 mm", "15 mm"]
         std::filesystem::copy(folder_.path() / from, folder_.path() / to, std::filesystem::copy_options::recursive);
     }
 
-    TemporaryFolder folder_;
+    CaseFolder folder_;
 
   private:
     static Words on_scene(const std::string& command, const std::string& out) {

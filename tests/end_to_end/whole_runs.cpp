@@ -26,7 +26,7 @@ class Poiseuille : public testing::Test {
         return nlohmann::json::parse(folder_.read(folder + "/summary.json"));
     }
 
-    TemporaryFolder folder_;
+    CaseFolder folder_;
 };
 
 TEST_F(Poiseuille, RunLeavesFramesMeasuresSummaryAndPictures) {
@@ -202,7 +202,7 @@ TEST_F(Poiseuille, ExplainSaysWhatTheQualityHasChosen) {
 }
 
 TEST(BentChannel, ADifferentDrawingNeedsNoNewCode) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.copy_case("bent_channel");
     const auto outcome = run_dmp(folder.path(), {"mesh", ".", "--out", "particles"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
@@ -210,7 +210,7 @@ TEST(BentChannel, ADifferentDrawingNeedsNoNewCode) {
 }
 
 TEST(Carrier, ShedsItsDrugOnAWallAndLeavesSpheresToLookAt) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.copy_case("carrier");
     const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "out", "--until", "2 us"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
@@ -229,7 +229,7 @@ TEST(Carrier, ShedsItsDrugOnAWallAndLeavesSpheresToLookAt) {
 }
 
 TEST(Clotting, OfAllLiquidLeavesNoDensityToTell) {
-    TemporaryFolder folder;
+    CaseFolder folder;
     folder.copy_case("verification/chain");
     const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "out", "--until", "0.1 s", "--set",
                                                  "output.pictures=false", "--set", "solidify.chain.reach=\"20 mm\""});

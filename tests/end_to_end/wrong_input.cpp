@@ -231,7 +231,7 @@ class Wrong : public testing::TestWithParam<WrongInput> {};
 
 TEST_P(Wrong, EndsWithTwoAndSaysWhatWhereAndWhatToDo) {
     const auto& wrong = GetParam();
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.copy_case(wrong.base);
     for (const auto& edit : wrong.edits) folder.replace(edit.file, edit.from, edit.to);
     std::vector<std::string> arguments{"run", ".", "--dry-run"};
@@ -249,13 +249,13 @@ INSTANTIATE_TEST_SUITE_P(Input, Wrong, testing::ValuesIn(wrong_inputs()),
                          [](const auto& wrong) { return wrong.param.name; });
 
 TEST(WrongPlace, NoSceneThere) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     EXPECT_EQ(run_dmp(folder.path(), {"run", "nowhere.toml"}).code, 2);
     EXPECT_THAT(run_dmp(folder.path(), {"run", "."}).errors, testing::HasSubstr("no scene.toml"));
 }
 
 TEST(WrongPlace, OutputFolderBelowAFile) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.copy_case(poiseuille);
     const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "scene.toml/below"});
     EXPECT_EQ(outcome.code, 2);
@@ -263,7 +263,7 @@ TEST(WrongPlace, OutputFolderBelowAFile) {
 }
 
 TEST(WrongPlace, OutputFolderWithFilesOfOthersIsLeftAlone) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.copy_case(poiseuille);
     folder.write("letters/to_mother.txt", "Dear mother");
     const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "letters"});
@@ -274,14 +274,14 @@ TEST(WrongPlace, OutputFolderWithFilesOfOthersIsLeftAlone) {
 }
 
 TEST(WrongPlace, UnknownKeyToExplain) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     const auto outcome = run_dmp(folder.path(), {"explain", "run.duraton"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.errors, testing::HasSubstr("did you mean 'run.duration'"));
 }
 
 TEST(FullDisk, EndsWithFourAndNamesTheFile) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     folder.copy_case(poiseuille);
     const auto outcome = run_dmp(folder.path(), {"run", ".", "--threads", "1", "--out", "out"}, {.largest_file = 4096});
     EXPECT_EQ(outcome.code, 4);

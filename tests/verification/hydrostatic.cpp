@@ -53,7 +53,7 @@ TEST(Hydrostatic, PressureIsTheWeightOfTheWater) {
         largest_error = std::max(largest_error, std::abs(error));
         square += error * error;
     }
-    const double speed = std::sqrt(2 * column(run.measures, "energy").back() / run.end.mass);
+    const double speed = std::sqrt(2 * tests::column(run.measures, "energy").back() / run.end.mass);
     Record record("hydrostatic", "50 high", run);
     record.percent("pressure after 4 s, root mean square error over rho g H",
                    std::sqrt(square / static_cast<double>(fluid.size())), 0.005);

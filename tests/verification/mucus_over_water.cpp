@@ -57,7 +57,7 @@ TEST(MucusOverWater, needs_the_harmonic_mean) {
 }
 
 TEST(MucusOverWater, is_the_same_bits_on_one_rank_and_on_four) {
-    const TemporaryFolder folder;
+    const CaseFolder folder;
     const auto summary_on = [&](int ranks) {
         const std::string out = "out" + std::to_string(ranks);
         const std::string scene = DMP_SOURCE_DIR "/cases/verification/mucus_over_water";

@@ -207,7 +207,7 @@ TEST(LeakTest, WhatIsEmptyInABodyCountsAsOutside) {
     geometry.solids = {{"water", box_surface(Vec(2, 1, 1))}, {"wall", bench::icosphere(5, 0.4)}};
     for (Vec& corner : geometry.solids[1].surface.corners) corner += Vec(1, 0.5, 0.5);
     geometry.box = {Vec::Zero(), Vec(2, 1, 1)};
-    Inspected mesh{mesh(geometry, scene), {}};
+    Inspected mesh{mesher::mesh(geometry, scene), {}};
     mesh.detail = inspect(mesh.result, geometry, scene);
     const ParticleSet& set = mesh.result.particles;
     EXPECT_GT(find_leaks(set).cells, 100U);

@@ -34,8 +34,8 @@ class FailuresOnly : public testing::EmptyTestEventListener {
 /// Any rank's failure is the whole run's.
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    const dmp::MpiSession session;
-    const dmp::Ranks ranks = session.ranks();
+    const dmp::solver::MpiSession session;
+    const dmp::solver::Ranks ranks = session.ranks();
     if (!ranks.is_first()) {
         testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
         delete listeners.Release(listeners.default_result_printer());

@@ -326,11 +326,11 @@ TEST_F(SpacePictures, HaveTheFluidOfTheSlab) {
     frame.fluid->fields.push_back(mark);
     FieldRange range;
     range.include(frame, "mark");
-    ParticleView view;
+    ParticleView renderer;
     const auto draw = [&](const View& view) {
         const int height = static_cast<int>(std::lround(300 * view.area.extent().y() / view.area.extent().x()));
-        return view.draw(layers_of(view, seen(view, frame, run.walls()), "mark", range.scale()), view.area, 300,
-                         height);
+        return renderer.draw(layers_of(view, seen(view, frame, run.walls()), "mark", range.scale()), view.area, 300,
+                             height);
     };
     const Image along_the_pipe = draw(views[0]);
     const Shares cut = shares_of(along_the_pipe);

@@ -47,8 +47,8 @@ class HangingBar {
         BodyParts parts = initial_body(meshed.particles, InitialSprings(meshed.particles, meshed.scene), 0, 0);
         std::vector<double> mass;
         for (auto& node : parts.nodes) {
-            node.fixed = node.fixed && node.location.y() < 1;  // the channel has a wall at the other end too
-            position_.push_back(node.location);
+            node.fixed = node.fixed && node.position.y() < 1;  // the channel has a wall at the other end too
+            position_.push_back(node.position);
             mass.push_back(node.mass);
         }
         // Statics wants a set of the body's nodes alone.
