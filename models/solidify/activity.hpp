@@ -25,9 +25,10 @@ struct Activity {
                 return age == 0;
             case SeedActivity::one_in:
                 return age % one_in == 0;
-            default:
-                return true;
+            case SeedActivity::always:
+                break;
         }
+        return true;
     }
 };
 

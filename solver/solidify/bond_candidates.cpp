@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 #include "models/solidify/mutually_closest.hpp"
@@ -90,9 +91,10 @@ Binds binding_rule(SolidifyRule rule, double probability) {
             return with(PerCandidate{probability});
         case SolidifyRule::mutually_closest:
             return with(MutuallyClosest{probability});
-        default:
+        case SolidifyRule::per_pair:
             return with(PerPair{probability});
     }
+    throw std::logic_error("a rule of solidifying without a law");
 }
 
 std::vector<BondCandidate> binding_ones(std::span<const BondCandidate> candidates, const Binds& binds,

@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/sweeps/pair_sweeps.hpp"
 
+#include <stdexcept>
+
 #include "solver/sweeps/compiled_sweeps.hpp"
 
 namespace dmp::solver {
@@ -42,9 +44,10 @@ std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimensi
             return compiled_sweeps<unit, KernelKind::cubic_spline>(settings, dimension);
         case KernelKind::quintic_spline:
             return compiled_sweeps<unit, KernelKind::quintic_spline>(settings, dimension);
-        default:
+        case KernelKind::wendland_c2:
             return compiled_sweeps<unit, KernelKind::wendland_c2>(settings, dimension);
     }
+    throw std::logic_error("a kernel without sweeps");
 }
 
 }  // namespace
