@@ -33,7 +33,7 @@ class Error : public std::runtime_error {
     std::string what_to_do_;
 };
 
-/// The user's input is wrong: scene, drawing, command line (exit code 2).
+/// The user's input is wrong: scene, geometry, command line (exit code 2).
 class InputError : public Error {
   public:
     using Error::Error;

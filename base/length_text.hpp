@@ -21,7 +21,7 @@ std::string length_text(double length);
 /// A length [m] among others of about this size [m], in their unit; below a millionth of it: 0.
 std::string length_text(double length, double size);
 
-/// A place [m] for a person, five digits: "(0.5, 0, -3.25) mm"; of a drawing in the plane "(0.5, 0) mm".
+/// A place [m] for a person, five digits: "(0.5, 0, -3.25) mm"; of a geometry in 2-D "(0.5, 0) mm".
 std::string position_text(const Vec& position, int dimension = 3);
 
 /// How large a box is: "40 x 8 x 8 mm", "40 x 8 mm".

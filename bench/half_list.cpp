@@ -78,7 +78,7 @@ class HalfListLoop final : public HalfList {
     [[nodiscard]] double density_rate(std::size_t i) const override { return sums_[sorted_position_[i]].rate; }
 
   private:
-    /// What a pair needs of a particle; in the plane one line of the cache.
+    /// What a pair needs of a particle; in 2-D one line of the cache.
     struct Point {
         double position[D], velocity[D];
         double mass, viscosity;

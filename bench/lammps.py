@@ -37,7 +37,7 @@ def read_particles(path):
 
 
 def box_of(head):
-    """Low and high of the box by axis; room beside the walls, and one spacing deep in the plane."""
+    """Low and high of the box by axis; room beside the walls, and one spacing deep in 2-D."""
     dx = head["spacing"]
     bounds = []
     for axis, (low, high) in enumerate(zip(head["low"], head["high"])):
@@ -68,7 +68,7 @@ def input_text(head, data, steps):
     """The input script; the last of its runs is the one to time."""
     support = head["support"]
     step = COURANT_NUMBER * support / head["sound_speed"]
-    # A box that is not periodic in the plane's z is refused.
+    # A box that is not periodic in the z of 2-D is refused.
     periodic = [flag or (axis == 2 and head["dimension"] == 2) for axis, flag in enumerate(head["periodic"])]
     return f"""units si
 dimension {head['dimension']}

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// How fast lattices fill a body in space: a ball of 81 920 triangles behind three layers of wall.
+// How fast lattices fill a body in 3-D: a ball of 81 920 triangles behind three layers of wall.
 //   dmp_bench_mesh [FLUID PARTICLES] [--inspect]
 #include <cstdlib>
 #include <filesystem>

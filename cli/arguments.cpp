@@ -26,7 +26,7 @@ std::string shown_name(const std::string& called_as) {
 std::string version_text() {
     const BuildFacts facts = build_facts();
     return "dmp " + facts.version +
-           "\nDiscrete Multi-Physics, from a drawing to a simulated valve.\n"
+           "\nDiscrete Multi-Physics, from a geometry to a simulated valve.\n"
            "Copyright the dmp developers. Licence: GPL-3.0-or-later. There is no warranty.\n";
 }
 
@@ -42,7 +42,7 @@ class Parser {
   public:
     explicit Parser(const std::string& program) : program_(program), app_("", program) {
         app_.description(
-            "dmp turns a drawing and one scene file into particles, runs Discrete Multi-Physics on them\n"
+            "dmp turns a geometry and one scene file into particles, runs Discrete Multi-Physics on them\n"
             "(SPH fluid, mass-spring solids) and leaves ParaView files, tables and pictures.");
         app_.footer(
             examples(program, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
@@ -139,7 +139,7 @@ class Parser {
     }
 
     void add_inspect() {
-        inspect_app_ = app_.add_subcommand("inspect", "What a drawing holds: parts, sizes, unit, closed or not");
+        inspect_app_ = app_.add_subcommand("inspect", "What a geometry holds: parts, sizes, unit, closed or not");
         inspect_app_->add_option("FILE", inspect_.file, "A CAD file, a mesh or a gmsh script (docs/cad.md)")
             ->required()
             ->type_name("");
@@ -150,11 +150,11 @@ class Parser {
     }
 
     void add_new() {
-        new_app_ = app_.add_subcommand("new", "Make a first scene for a drawing, which runs");
-        new_app_->add_option("NAME", new_.folder, "The folder to make, for the scene and the drawing")
+        new_app_ = app_.add_subcommand("new", "Make a first scene for a geometry, which runs");
+        new_app_->add_option("NAME", new_.folder, "The folder to make, for the scene and the geometry")
             ->required()
             ->type_name("");
-        new_app_->add_option("--from", new_.drawing, "The drawing: any file that 'inspect' reads")
+        new_app_->add_option("--from", new_.cad_geometry, "The geometry: any file that 'inspect' reads")
             ->required()
             ->type_name("FILE");
         add_unit(*new_app_, new_.unit);
@@ -162,7 +162,7 @@ class Parser {
     }
 
     static void add_unit(CLI::App& app, std::string& unit) {
-        app.add_option("--unit", unit, "Length of one unit of the drawing, e.g. mm, where the file does not say it")
+        app.add_option("--unit", unit, "Length of one unit of the geometry, e.g. mm, where the file does not say it")
             ->type_name("LENGTH");
     }
 
@@ -260,7 +260,7 @@ class Parser {
 
     static void add_particles(CLI::App& app, SceneChoice& scene) {
         app.add_option("--particles", scene.particles,
-                       "File of 'mesh --particles' to take them from, instead of making them of the drawing")
+                       "File of 'mesh --particles' to take them from, instead of making them of the geometry")
             ->type_name("FILE");
     }
 
@@ -318,7 +318,7 @@ class Parser {
         std::string text = error.what();
         if (text.starts_with("SCENE is required")) return "a scene is missing";
         if (text.starts_with("DIR is required")) return "a folder is missing";
-        if (text.starts_with("FILE is required")) return "a drawing is missing";
+        if (text.starts_with("FILE is required")) return "a geometry is missing";
         if (text.starts_with("NAME is required")) return "a name for the new folder is missing";
         if (text.starts_with("SCENE|KEY is required")) return "a scene or a key is missing";
         return text;

@@ -19,7 +19,7 @@ constexpr const char* only_here = "this dmp was built for clusters, without gmsh
 std::string workstation_libraries() { return ""; }
 
 ParticlesWithOrigin particles_from_geometry(const Scene& /*scene*/) {
-    refuse("cannot make particles of the scene's drawing",
+    refuse("cannot make particles of the scene's geometry",
            "On a workstation: dmp mesh SCENE --particles FILE.h5\n"
            "Copy the file here and add --particles FILE.h5 to this command.");
 }
@@ -34,19 +34,19 @@ Pictures draw_pictures(const std::filesystem::path& /*folder*/, const PictureOpt
 
 int execute(const MeshCommand& /*command*/) {
     refuse(
-        "cannot make particles of drawings",
+        "cannot make particles of geometries",
         "Make them on a workstation, with --particles FILE.h5, and run them here: dmp run SCENE --particles FILE.h5");
 }
 
 int execute(const InspectCommand& /*command*/) {
-    refuse("cannot read drawings", "Look at them on a workstation: dmp inspect FILE");
+    refuse("cannot read geometries", "Look at them on a workstation: dmp inspect FILE");
 }
 
 int execute(const NewCommand& /*command*/) {
-    refuse("cannot read drawings", "Make the scene on a workstation: dmp new NAME --from FILE");
+    refuse("cannot read geometries", "Make the scene on a workstation: dmp new NAME --from FILE");
 }
 
-int execute(const ReadGeometryCommand& /*command*/) { refuse("cannot read drawings", "Do so on a workstation."); }
+int execute(const ReadGeometryCommand& /*command*/) { refuse("cannot read geometries", "Do so on a workstation."); }
 
 int execute(const ConvertCommand& /*command*/) {
     refuse("cannot write ParaView's files", "Copy the run's folder to a workstation and convert it there.");

@@ -15,7 +15,7 @@ namespace dmp::cli {
 struct SceneChoice {
     std::string path;                    ///< a scene file, or a folder with a scene.toml
     std::vector<std::string> overrides;  ///< "key=value", as given
-    std::string particles;               ///< file to take them from; empty: they are made of the scene's drawing
+    std::string particles;               ///< file to take them from; empty: they are made of the scene's geometry
 };
 
 /// What a run's frames are written as.
@@ -68,24 +68,24 @@ struct EscapeCommand {
     double carrier_poisson_ratio = 0.24, particle_poisson_ratio = 0.3;
 };
 
-/// `dmp inspect`: what a drawing holds (docs/cad.md).
+/// `dmp inspect`: what a geometry holds (docs/cad.md).
 struct InspectCommand {
     std::string file;
-    std::string unit;   ///< length of one unit of the drawing, "mm" or "1 mm"; empty: what the file says
+    std::string unit;   ///< length of one unit of the geometry, "mm" or "1 mm"; empty: what the file says
     bool json = false;  ///< for programs
 };
 
-/// `dmp new`: a first scene for a drawing, which runs (docs/cad.md).
+/// `dmp new`: a first scene for a geometry, which runs (docs/cad.md).
 struct NewCommand {
-    std::string folder;   ///< to make
-    std::string drawing;  ///< goes there, too
-    std::string unit;     ///< as for `dmp inspect`
+    std::string folder;        ///< to make
+    std::string cad_geometry;  ///< goes there, too
+    std::string unit;          ///< as for `dmp inspect`
 };
 
-/// What dmp starts itself with to read a drawing in another process (geometry/geometry_process.hpp); no help tells of
+/// What dmp starts itself with to read a geometry in another process (geometry/geometry_process.hpp); no help tells of
 /// it.
 struct ReadGeometryCommand {};
-inline constexpr const char* read_geometry_command = "read-drawing";
+inline constexpr const char* read_geometry_command = "read-geometry";
 
 /// `dmp doctor`: is this machine all right?
 struct DoctorCommand {};

@@ -82,7 +82,7 @@ int exit_code_of(const std::function<int()>& action) {
         return report(error);
     } catch (const std::exception& error) {
         return report(exit_bug, "", std::string("dmp failed in a way it should not: ") + error.what(),
-                      "This is a bug in dmp, not in your input. Please report it with the scene, the drawing,\n"
+                      "This is a bug in dmp, not in your input. Please report it with the scene, the geometry,\n"
                       "the command line and what 'dmp doctor' prints.");
     }
 }

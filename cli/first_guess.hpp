@@ -9,7 +9,7 @@
 
 namespace dmp::cli {
 
-// What first scenes take for granted, in space and in the plane (docs/cad.md).
+// What first scenes take for granted, in 3-D and in 2-D (docs/cad.md).
 inline constexpr double reynolds_number = 10, particles_across = 20, most_particles = 2e5;
 /// What the fluid speeds up to, over the speed that it is driven to in the empty section.
 inline constexpr double faster = 1.5, faster_past_bodies = 2;
@@ -43,7 +43,7 @@ struct Liquid {
 /// All that a first scene is made of.
 struct SceneDraft {
     const Geometry& geometry;
-    bool unit_given = false;  ///< the scene states the drawing's unit
+    bool unit_given = false;  ///< the scene states the geometry's unit
     std::string fluid;
     std::vector<std::string> assumptions;
     double spacing = 0;   ///< [m]
@@ -54,7 +54,7 @@ struct SceneDraft {
     [[nodiscard]] std::string text() const;
 };
 
-/// Parts of the drawing that the scene knows and leaves out.
+/// Parts of the geometry that the scene knows and leaves out.
 [[nodiscard]] std::string written_left_out(const std::string& name, const std::string& why);
 
 }  // namespace dmp::cli

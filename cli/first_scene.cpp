@@ -23,7 +23,7 @@ namespace dmp::cli {
 
 namespace {
 
-/// What lies in the plane at one end of the fluid.
+/// What lies in 2-D at one end of the fluid.
 struct Cap {
     double area = 0;
     Vec centre = Vec::Zero();
@@ -82,8 +82,8 @@ class Author {
 
     const Solid& choose_fluid() {
         if (geometry_.solids.empty())
-            throw InputError({geometry_.file, 0, 0}, "the drawing has no closed body that could hold the fluid",
-                             "'dmp inspect' says what is open; close it in the program that made the drawing.");
+            throw InputError({geometry_.file, 0, 0}, "the geometry has no closed body that could hold the fluid",
+                             "'dmp inspect' says what is open; close it in the program that made the geometry.");
         for (const Solid& solid : geometry_.solids)
             if (sounds_like_a_fluid(solid.name)) {
                 assume("'" + solid.name + "' is the fluid, by its name");
@@ -166,8 +166,8 @@ class Author {
 
     /// The walls on which most corners of a sheet lie; empty: none touches it.
     [[nodiscard]] std::string held_by(const SurfaceSet& sheet, const std::vector<FaceSelection>& asked) const {
-        Geometry drawing = geometry_;
-        if (has_faces(asked)) select_faces(drawing, asked);
+        Geometry cad_geometry = geometry_;
+        if (has_faces(asked)) select_faces(cad_geometry, asked);
         std::string best;
         std::ptrdiff_t most = 0;
         const auto consider = [&](const std::string& name, const TriangleSurface& surface) {
@@ -178,9 +178,9 @@ class Author {
             best = name;
             most = held;
         };
-        for (const SurfaceSet& set : drawing.surfaces)
+        for (const SurfaceSet& set : cad_geometry.surfaces)
             if (set.name != sheet.name && !is_cap(set)) consider(set.name, set.surface);
-        for (const Solid& solid : drawing.solids)
+        for (const Solid& solid : cad_geometry.solids)
             if (solid.name != fluid_.name) consider(solid.name, solid.surface);
         return best;
     }

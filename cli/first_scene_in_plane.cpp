@@ -192,7 +192,7 @@ class AuthorInPlane {
 
 FirstScene first_scene_in_plane(const Geometry& geometry, bool unit_given) {
     if (geometry.regions.empty())
-        throw InputError({geometry.file, 0, 0}, "the drawing has no area that could hold the fluid",
+        throw InputError({geometry.file, 0, 0}, "the geometry has no area that could hold the fluid",
                          "Name one, as in Physical Surface(\"water\") = {1};, whose edges meet in the same points.");
     return AuthorInPlane(geometry, unit_given).write();
 }

@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Lengths in the unit that suits the drawing's size.
+/// Lengths in the unit that suits the geometry's size.
 struct Scale {
     double metres = 1;
     std::string unit = "m";
@@ -69,7 +69,7 @@ std::string unit_word(UnitSource source) {
     return source == UnitSource::file ? "file" : source == UnitSource::scene ? "given" : "assumed";
 }
 
-/// How far triangles may be from curved surfaces of a drawing so large.
+/// How far triangles may be from curved surfaces of a geometry so large.
 double inspection_chord_error(double size) { return std::max(1e-3 * size, std::numeric_limits<double>::min()); }
 
 std::string triangles_text(const TriangleSurface& surface) { return count_text(surface.triangles.size(), "triangle"); }
@@ -101,7 +101,7 @@ std::vector<SolidMeeting> meetings_in(const Geometry& geometry) {
 std::string geometry_text(const Geometry& geometry, bool unit_known) {
     const Scale scale = scale_for(geometry.box, unit_known);
     Listing facts;
-    facts.add("kind", geometry.dimension == 3 ? "in space" : "in the plane");
+    facts.add("kind", geometry.dimension == 3 ? "in 3-D" : "in 2-D");
     facts.add("unit", unit_text(geometry, unit_known));
     facts.add("box", fmt::format("{}, from {} to {}", scale.size(geometry.box), scale.location(geometry.box.low),
                                  scale.location(geometry.box.high)));

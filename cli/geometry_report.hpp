@@ -8,7 +8,7 @@
 
 namespace dmp::cli {
 
-/// What a drawing holds, for a person. Where `unit_known` is false, lengths are the file's own numbers, and the box is
+/// What a geometry holds, for a person. Where `unit_known` is false, lengths are the file's own numbers, and the box is
 /// shown as what it may be.
 [[nodiscard]] std::string geometry_text(const Geometry& geometry, bool unit_known);
 
@@ -17,10 +17,10 @@ namespace dmp::cli {
 /// "watertight", "box", "why_open") and "warnings".
 [[nodiscard]] std::string geometry_json(const Geometry& geometry, bool unit_known);
 
-/// The options for a drawing named on the command line, its unit as "mm", "1 mm" or "". Throws InputError.
+/// The options for a geometry named on the command line, its unit as "mm", "1 mm" or "". Throws InputError.
 [[nodiscard]] GeometryOptions geometry_options(const std::string& file, const std::string& unit);
 
-/// Reads it, in the file's own units where it has none; surfaces follow the drawing to a thousandth of its size.
+/// Reads it, in the file's own units where it has none; surfaces follow the geometry to a thousandth of its size.
 [[nodiscard]] Geometry read_for_inspection(GeometryOptions options);
 
 }  // namespace dmp::cli

@@ -17,9 +17,9 @@ namespace dmp::cli {
 
 namespace {
 
-/// Of the lattice around a drawing; on both its sides together [spacings].
+/// Of the lattice around a geometry; on both its sides together [spacings].
 constexpr double most_points = 1e11, margin = 12;
-/// Of a lattice in space before it has particles; in the plane nearly all points are particles.
+/// Of a lattice in 3-D before it has particles; in 2-D nearly all points are particles.
 constexpr double bytes_in_space = 2, bytes_in_plane = 100;
 
 Box box_of(const std::vector<Vec>& points) {
@@ -31,7 +31,7 @@ Box box_of(const std::vector<Vec>& points) {
     return box;
 }
 
-/// Of what the drawing has under this name besides points; none: nothing.
+/// Of what the geometry has under this name besides points; none: nothing.
 std::optional<Box> box_of(const Geometry& geometry, const std::string& name) {
     std::vector<Vec> points;
     const auto add = [&](const std::vector<Polyline>& lines) {
@@ -48,8 +48,8 @@ std::optional<Box> box_of(const Geometry& geometry, const std::string& name) {
 
 std::string unit_advice(const Geometry& geometry) {
     return geometry.unit_source == UnitSource::file
-               ? "check the unit that the drawing states, and particles.spacing"
-               : fmt::format("check geometry.unit (one unit of the drawing is {} now) and particles.spacing",
+               ? "check the unit that the geometry states, and particles.spacing"
+               : fmt::format("check geometry.unit (one unit of the geometry is {} now) and particles.spacing",
                              length_text(geometry.unit));
 }
 
@@ -70,7 +70,7 @@ void check_lattice(const Geometry& geometry, const Scene& scene, const Box& box)
     double points = 1;
     for (int axis = 0; axis < geometry.dimension; ++axis) points *= box.extent()[axis] / spacing + margin;
     const std::string problem = fmt::format(
-        "the drawing is {} large and particles are {} apart: that is a lattice of "
+        "the geometry is {} large and particles are {} apart: that is a lattice of "
         "{:.2g} points ({})",
         extent_text(box, geometry.dimension), length_text(spacing), points, geometry.file);
     if (points > most_points) throw InputError(scene.particles.spacing.location, problem, unit_advice(geometry));

@@ -31,8 +31,8 @@ using Json = nlohmann::json;
 /// Words of gmsh's scripts that bring in other files, of which the cache knows nothing.
 constexpr std::array including{"Merge", "Include", "ShapeFromFile"};
 
-bool brings_in_others(const fs::path& drawing, const std::string& text) {
-    const std::string ending = drawing.extension().string();
+bool brings_in_others(const fs::path& cad_geometry, const std::string& text) {
+    const std::string ending = cad_geometry.extension().string();
     if (ending != ".geo" && ending != ".geo_unrolled") return false;
     return std::ranges::any_of(including, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
@@ -49,13 +49,13 @@ std::string program_text() {
 /// All that the particles depend on, a line each; empty where that is not known.
 std::vector<std::string> lines_behind(const Scene& scene) {
     if (is_of_spheres(scene) || scene.geometry.file->empty()) return {};
-    const fs::path drawing = geometry_options_of(scene).file;
+    const fs::path cad_geometry = geometry_options_of(scene).file;
     std::error_code none;
-    if (!fs::is_regular_file(drawing, none)) return {};  // who reads it says what is wrong with it
-    const std::string text = read_file(drawing);
-    if (brings_in_others(drawing, text)) return {};
+    if (!fs::is_regular_file(cad_geometry, none)) return {};  // who reads it says what is wrong with it
+    const std::string text = read_file(cad_geometry);
+    if (brings_in_others(cad_geometry, text)) return {};
     std::vector<std::string> lines = values_behind_particles(scene);
-    lines.push_back(fmt::format("drawing {:016x} {}", text_hash(text), drawing.extension().string()));
+    lines.push_back(fmt::format("geometry {:016x} {}", text_hash(text), cad_geometry.extension().string()));
     lines.push_back(program_text());
     return lines;
 }
@@ -90,7 +90,7 @@ std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
         StoredParticles stored = read_particle_file(with_ending(*name, ".h5"));
         if (stored.made_from != lines) return std::nullopt;  // another scene of the same hash
         const Json json = Json::parse(read_file(with_ending(*name, ".json")));
-        ParticlesWithOrigin found{std::move(stored.particles), {"drawing", scene.geometry.file, {}, {}}};
+        ParticlesWithOrigin found{std::move(stored.particles), {"geometry", scene.geometry.file, {}, {}}};
         for (const auto& line : json.at("elastic"))
             found.origin.springs.emplace_back(line.at(0).get<std::string>(), line.at(1).get<std::string>());
         found.origin.notes = json.at("notes").get<std::vector<std::string>>();

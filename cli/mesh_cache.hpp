@@ -13,8 +13,8 @@ namespace dmp::cli {
 
 /// Particles that took long to make, kept for the next run of the same scene: in $XDG_CACHE_HOME/dmp/particles, or
 /// ~/.cache/dmp/particles, as files of particles with what is worth knowing of them beside it. They are found by a hash
-/// of the drawing's file, of the scene's values that particles depend on, and of the program. Scenes of spheres are not
-/// kept, nor drawings that include other files.
+/// of the geometry's file, of the scene's values that particles depend on, and of the program. Scenes of spheres are
+/// not kept, nor geometries that include other files.
 class MeshCache {
   public:
     /// In this folder, or where the user's caches are; nowhere when there is no such place.

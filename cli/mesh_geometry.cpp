@@ -58,7 +58,7 @@ std::string springs_text(const MeshReport::SpringLine& line) {
     return text + fmt::format(", GA {}", quantity_text(line.shear_stiffness, "N"));
 }
 
-/// A drawing and what was changed in it.
+/// A geometry and what was changed in it.
 struct Repaired {
     Geometry geometry;
     std::vector<std::string> changes;
@@ -80,16 +80,16 @@ RepairRung rung_of(RepairKind repair) {
     return RepairRung::wrap;
 }
 
-/// Closes fluids of which the drawing has an open surface, as far as that can be done.
-void repair_fluids(Repaired& drawing, const Scene& scene) {
+/// Closes fluids of which the geometry has an open surface, as far as that can be done.
+void repair_fluids(Repaired& cad_geometry, const Scene& scene) {
     const auto fluids = scene.names_of_parts(PartKind::fluid);
     try {
         RepairLimits limits;
         limits.spacing = scene.particles.spacing;
         limits.highest = rung_of(scene.geometry.repair);
         limits.largest_hole = scene.geometry.largest_hole;
-        const auto lines = repair_solids(drawing.geometry, fluids, limits);
-        drawing.changes.insert(drawing.changes.end(), lines.begin(), lines.end());
+        const auto lines = repair_solids(cad_geometry.geometry, fluids, limits);
+        cad_geometry.changes.insert(cad_geometry.changes.end(), lines.begin(), lines.end());
     } catch (const UnusableSurface& error) {
         const std::string file = scene_name(scene) + "_bad_triangles.vtp";
         write_triangles(file, error.bad_triangles().corners, error.bad_triangles().triangles);
@@ -97,30 +97,32 @@ void repair_fluids(Repaired& drawing, const Scene& scene) {
     }
 }
 
-/// The drawing with its fluids closed, and with the faces that the scene selects of what they are then.
+/// The geometry with its fluids closed, and with the faces that the scene selects of what they are then.
 Repaired repaired_geometry(const Scene& scene) {
     GeometryOptions options = geometry_options_of(scene);
     const auto selections = std::exchange(options.selections, {});
-    Repaired drawing{answer_geometry_request_command(options), {}};
-    if (is_triangle_file(drawing.geometry.file)) drawing.changes = drawing.geometry.warnings;
-    check_geometry_size(drawing.geometry, scene);
-    if (drawing.geometry.dimension == 3) {
+    Repaired cad_geometry{answer_geometry_request_command(options), {}};
+    if (is_triangle_file(cad_geometry.geometry.file)) cad_geometry.changes = cad_geometry.geometry.warnings;
+    check_geometry_size(cad_geometry.geometry, scene);
+    if (cad_geometry.geometry.dimension == 3) {
         auto names = scene.names_of_parts(PartKind::rigid);
         for (std::string& name : scene.names_of_parts(PartKind::fluid)) names.push_back(std::move(name));
-        for (const SolidMeeting& meeting : solids_that_meet_themselves(drawing.geometry, names))
-            drawing.changes.push_back(meeting.text(1e-3, "mm") + ": what lies inside any part of it counts as inside");
-        repair_fluids(drawing, scene);
+        for (const SolidMeeting& meeting : solids_that_meet_themselves(cad_geometry.geometry, names))
+            cad_geometry.changes.push_back(meeting.text(1e-3, "mm") +
+                                           ": what lies inside any part of it counts as inside");
+        repair_fluids(cad_geometry, scene);
         // Of curved surfaces that touch, triangles are off by 0.005 spacings or so.
-        for (const SolidMeeting& meeting : solids_that_overlap(drawing.geometry, names, 0.05 * scene.particles.spacing))
-            drawing.changes.push_back(meeting.text(1e-3, "mm") +
-                                      ": rigid bodies take the room first, then fluids in the scene's order");
+        for (const SolidMeeting& meeting :
+             solids_that_overlap(cad_geometry.geometry, names, 0.05 * scene.particles.spacing))
+            cad_geometry.changes.push_back(meeting.text(1e-3, "mm") +
+                                           ": rigid bodies take the room first, then fluids in the scene's order");
     }
-    select_faces(drawing.geometry, selections);
-    return drawing;
+    select_faces(cad_geometry.geometry, selections);
+    return cad_geometry;
 }
 
-MeshResult with_notes(MeshResult result, const Repaired& drawing) {
-    result.report.notes.insert(result.report.notes.end(), drawing.changes.begin(), drawing.changes.end());
+MeshResult with_notes(MeshResult result, const Repaired& cad_geometry) {
+    result.report.notes.insert(result.report.notes.end(), cad_geometry.changes.begin(), cad_geometry.changes.end());
     return result;
 }
 
@@ -134,20 +136,20 @@ int execute(const ReadGeometryCommand& /*command*/) { return answer_geometry_req
 
 MeshResult mesh_geometry(const Scene& scene) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Repaired drawing = repaired_geometry(scene);
-    return with_notes(mesh(drawing.geometry, scene), drawing);
+    const Repaired cad_geometry = repaired_geometry(scene);
+    return with_notes(mesh(cad_geometry.geometry, scene), cad_geometry);
 }
 
 MeshResult mesh_geometry(const Scene& scene, MeshDetail& detail) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Repaired drawing = repaired_geometry(scene);
-    MeshResult result = with_notes(mesh(drawing.geometry, scene), drawing);
-    detail = inspect(result, drawing.geometry, scene);
+    const Repaired cad_geometry = repaired_geometry(scene);
+    MeshResult result = with_notes(mesh(cad_geometry.geometry, scene), cad_geometry);
+    detail = inspect(result, cad_geometry.geometry, scene);
     return result;
 }
 
 Origin origin_of(const Scene& scene, const MeshReport& report) {
-    Origin origin{is_of_spheres(scene) ? "spheres" : "drawing", scene.geometry.file, {}, report.notes};
+    Origin origin{is_of_spheres(scene) ? "spheres" : "geometry", scene.geometry.file, {}, report.notes};
     for (const auto& line : report.springs) origin.springs.emplace_back("springs " + line.part, springs_text(line));
     for (const auto& line : report.joins)
         origin.springs.emplace_back("join " + line.name,

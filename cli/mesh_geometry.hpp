@@ -9,10 +9,10 @@
 
 namespace dmp::cli {
 
-/// Reads a drawing; what others' programs parse in a process of its own, which is this program once more.
+/// Reads a geometry; what others' programs parse in a process of its own, which is this program once more.
 [[nodiscard]] Geometry answer_geometry_request_command(const GeometryOptions& options);
 
-/// From a scene's drawing, or its spheres, to particles and the report on them. Throws InputError.
+/// From a scene's geometry, or its spheres, to particles and the report on them. Throws InputError.
 [[nodiscard]] MeshResult mesh_geometry(const Scene& scene);
 
 /// The same with a closer look at the particles, which takes longer.

@@ -34,7 +34,7 @@ int execute(const NewCommand& command) {
     refuse_several_ranks();
     const fs::path folder = command.folder;
     refuse_what_is_there(folder);
-    const GeometryOptions options = geometry_options(command.drawing, command.unit);
+    const GeometryOptions options = geometry_options(command.cad_geometry, command.unit);
     const Geometry geometry = read_for_inspection(options);
     if (needs_a_unit(options.file) && !options.unit) throw missing_unit(options, geometry.box);
     const FirstScene first = first_scene(geometry, options.unit.has_value());
@@ -42,8 +42,8 @@ int execute(const NewCommand& command) {
     make_folder(folder);
     const fs::path scene = folder / "scene.toml";
     std::error_code error;
-    fs::copy_file(command.drawing, folder / fs::path(command.drawing).filename(), error);
-    if (error) throw_write_error(folder / fs::path(command.drawing).filename(), error.message());
+    fs::copy_file(command.cad_geometry, folder / fs::path(command.cad_geometry).filename(), error);
+    if (error) throw_write_error(folder / fs::path(command.cad_geometry).filename(), error.message());
     write_file(scene, first.text);
     (void)read_scene(scene.string(), {});
     std::string text = Style(Stream::output).strong(scene.string()) + " assumes:\n";

@@ -9,8 +9,8 @@
 
 namespace dmp::cli {
 
-/// The values of a scene that its particles depend on, "part.leaflets.bending_stiffness = ..." each. The drawing itself
-/// is not among them, nor is where it lies.
+/// The values of a scene that its particles depend on, "part.leaflets.bending_stiffness = ..." each. The geometry
+/// itself is not among them, nor is where it lies.
 [[nodiscard]] std::vector<std::string> values_behind_particles(const Scene& scene);
 
 /// The particles in a file that 'dmp mesh --particles' wrote. Throws InputError: no such file, damaged, or made for

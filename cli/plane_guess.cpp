@@ -19,7 +19,7 @@ namespace dmp::cli {
 
 namespace {
 
-/// Relative to the drawing's size: how far beside a curve is looked for fluid, how far a point may be from a side of
+/// Relative to the geometry's size: how far beside a curve is looked for fluid, how far a point may be from a side of
 /// the box that it lies on, and from a curve that was drawn as chords.
 constexpr double beside = 1e-5, on_side = 1e-5, on_curve = 2e-3;
 

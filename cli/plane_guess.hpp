@@ -11,7 +11,7 @@
 
 namespace dmp::cli {
 
-/// What a named curve of a drawing in the plane looks like.
+/// What a named curve of a geometry in 2-D looks like.
 enum class CurveRole {
     wall,      ///< fluid on one side
     flexible,  ///< open, with fluid on both sides
@@ -29,7 +29,7 @@ struct CurveGuess {
     std::size_t anchored = 0;      ///< how many of them
 };
 
-/// What a drawing in the plane of which nothing is known but its shapes looks like.
+/// What a geometry in the plane of which nothing is known but its shapes looks like.
 struct PlaneGuess {
     Box box;          ///< around all areas
     double area = 0;  ///< of them together [m^2]

@@ -17,7 +17,7 @@ namespace dmp::cli {
 
 /// Where particles come from, and what is worth knowing of how they were made.
 struct Origin {
-    std::string what;  ///< "drawing", "spheres" (file empty) or "from"
+    std::string what;  ///< "geometry", "spheres" (file empty) or "from"
     std::string file;
     std::vector<std::pair<std::string, std::string>> springs;  ///< constants, by "springs PART" or "join NAME"
     std::vector<std::string> notes;                            ///< what was adapted
@@ -35,7 +35,7 @@ struct Prepared {
     Origin origin;
 };
 
-/// Scene to particles, of its drawing or of the file named. Throws InputError.
+/// Scene to particles, of its geometry or of the file named. Throws InputError.
 [[nodiscard]] Prepared prepare(const SceneChoice& choice);
 /// The same under mpirun: the first rank makes the particles, all have them; their origin is known to the first rank
 /// only.

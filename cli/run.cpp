@@ -68,7 +68,7 @@ PictureOptions picture_options(const Scene& scene) {
 /// Pictures are drawn of ParaView's files.
 Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, ProgressLine& line) {
     if (!*scene.output.pictures || format != FrameFormat::vtk) return {};
-    line.show("drawing pictures");
+    line.show("geometry pictures");
     Pictures result = draw_pictures(folder, picture_options(scene));
     line.clear();
     return result;

@@ -19,7 +19,7 @@ namespace dmp::cli {
 /// What this dmp was built with: "VTK 9.1.0, gmsh 4.8.4"; empty: without them.
 [[nodiscard]] std::string workstation_libraries();
 
-/// The particles that a scene's drawing asks for. Throws InputError.
+/// The particles that a scene's geometry asks for. Throws InputError.
 [[nodiscard]] ParticlesWithOrigin particles_from_geometry(const Scene& scene);
 
 /// Frames as ParaView opens them. Throws InputError when the folder cannot be made or written to.

@@ -1,5 +1,5 @@
 # Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-# `cmake --install build --prefix DIR`: the dmp command, the rooms as libraries with their headers, and what
+# `cmake --install build --prefix DIR`: the dmp command, the modules as libraries with their headers, and what
 # find_package(dmp) needs. A project that uses them is to enable C and C++ (VTK's own packages ask for C).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -10,12 +10,12 @@ if(DMP_CLUSTER)
 else()
   install(TARGETS dmp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-foreach(room base models scene geometry particles mesher solver tables postproc)
-  if(TARGET dmp_${room})
-    install(TARGETS dmp_${room} EXPORT dmpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(module base models scene geometry particles mesher solver tables postproc)
+  if(TARGET dmp_${module})
+    install(TARGETS dmp_${module} EXPORT dmpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   endif()
-  if(EXISTS ${PROJECT_SOURCE_DIR}/${room})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dmp
+  if(EXISTS ${PROJECT_SOURCE_DIR}/${module})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dmp
             FILES_MATCHING PATTERN *.hpp)
   endif()
 endforeach()

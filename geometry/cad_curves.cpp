@@ -147,7 +147,7 @@ std::vector<CurvePiece> CadCurves::boundary(const std::vector<int>& surfaces) {
     return pieces;
 }
 
-/// Points along a curve, close enough together; the first and the last are the drawing's own points.
+/// Points along a curve, close enough together; the first and the last are the geometry's own points.
 CurvePiece CadCurves::sampled(int tag, bool straight) const {
     constexpr int parts = 8;  // to begin with, so that an S is not taken for its chord
     std::vector<double> from;

@@ -10,7 +10,7 @@
 
 namespace dmp::geometry {
 
-/// The points and curves of the drawing that gmsh has open, as pieces in metres. Each curve is made once, so that all
+/// The points and curves of the geometry that gmsh has open, as pieces in metres. Each curve is made once, so that all
 /// who share it share its bits.
 class CadCurves {
   public:

@@ -14,7 +14,7 @@ namespace dmp::geometry {
 
 namespace {
 
-/// Edges around a full circle of the drawing's own size that keep a chord within `error` of the arc; within reason.
+/// Edges around a full circle of the geometry's own size that keep a chord within `error` of the arc; within reason.
 double edges_around(double size, double error) {
     const double radius = 0.5 * size;
     const double most = 720, fewest = 24;
@@ -68,7 +68,7 @@ void CadSurfaces::make_mesh() const {
     const double size = Vec(extents[0], extents[1], extents[2]).norm();
     const double widest = 1.1 * extents[1];                               // a circle lies across two axes
     const double error = 0.5 * options_.chord_error / options_.metres();  // gmsh's edges come out longer than asked for
-    gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);                // the drawing's sizes are for other purposes
+    gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);                // the geometry's sizes are for other purposes
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", edges_around(widest, error));
     gmsh::option::setNumber("Mesh.MeshSizeMax", size);
     gmsh::option::setNumber("Mesh.Algorithm", 6);

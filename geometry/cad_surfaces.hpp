@@ -9,8 +9,8 @@
 
 namespace dmp::geometry {
 
-/// The surfaces of the 3-D drawing that gmsh has open, as triangles in metres that share their corners. A drawing with
-/// formulas is meshed first, finely enough to follow its curves to within the chord error.
+/// The surfaces of the 3-D geometry that gmsh has open, as triangles in metres that share their corners. A geometry
+/// with formulas is meshed first, finely enough to follow its curves to within the chord error.
 class CadSurfaces {
   public:
     explicit CadSurfaces(const GeometryOptions& options);

@@ -34,7 +34,7 @@ struct Projection {
     double distance = 0;
 };
 
-/// A named area of a 2-D drawing, bounded by closed polylines (the first need not be the outer one; even-odd rule).
+/// A named area of a 2-D geometry, bounded by closed polylines (the first need not be the outer one; even-odd rule).
 /// Every loop counts as closed. read_geometry turns all loops so that the region lies on their left.
 /// For many points ask an InsideTest (geometry/inside_test.hpp).
 struct Region {
@@ -47,7 +47,7 @@ struct Region {
 };
 
 /// A named set of curves: walls, inlets, leaflets. Each piece is a maximal chain of connected curves: it ends at loose
-/// ends and where more than two curves meet. Pieces follow the order of the curves' numbers in the drawing, and each
+/// ends and where more than two curves meet. Pieces follow the order of the curves' numbers in the geometry, and each
 /// has the direction of its first curve. For many points ask a NearestCurve (geometry/nearest_curve.hpp).
 struct CurveSet {
     std::string name;
@@ -58,7 +58,7 @@ struct CurveSet {
     [[nodiscard]] Projection nearest(const Vec& point) const;
 };
 
-/// A named volume of a 3-D drawing. Its surface is closed, and its triangles face outward.
+/// A named volume of a 3-D geometry. Its surface is closed, and its triangles face outward.
 struct Solid {
     std::string name;
     TriangleSurface surface;
@@ -66,7 +66,7 @@ struct Solid {
     [[nodiscard]] double volume() const;  ///< [m^3]
 };
 
-/// A named set of surfaces in space: walls, inlets, thin bodies.
+/// A named set of surfaces in 3-D: walls, inlets, thin bodies.
 struct SurfaceSet {
     std::string name;
     TriangleSurface surface;
@@ -76,8 +76,8 @@ struct SurfaceSet {
 /// Where a length that the file gives no unit comes from.
 enum class UnitSource { scene, file, assumed };
 
-/// A drawing in SI units: named areas, curves and points (gmsh's physical groups) of the plane, or named volumes and
-/// surfaces in space (gmsh's physical groups, bodies of CAD files, groups of files of triangles).
+/// A geometry in SI units: named areas, curves and points (gmsh's physical groups) of the plane, or named volumes and
+/// surfaces in 3-D (gmsh's physical groups, bodies of CAD files, groups of files of triangles).
 struct Geometry {
     std::string file;
     int dimension = 2;
@@ -87,9 +87,9 @@ struct Geometry {
     std::vector<Solid> solids;         ///< 3-D only
     std::vector<SurfaceSet> surfaces;  ///< 3-D only
     std::map<std::string, std::vector<Vec>> points;
-    double unit = 1;  ///< one unit of the drawing, or of its file as it was read [m]
+    double unit = 1;  ///< one unit of the geometry, or of its file as it was read [m]
     UnitSource unit_source = UnitSource::assumed;
-    std::vector<std::string> warnings;  ///< of gmsh while it read the drawing, and what was changed in it
+    std::vector<std::string> warnings;  ///< of gmsh while it read the geometry, and what was changed in it
 
     [[nodiscard]] const Region* region(const std::string& name) const;
     [[nodiscard]] const CurveSet* curve_set(const std::string& name) const;
@@ -99,8 +99,8 @@ struct Geometry {
     [[nodiscard]] std::vector<std::string> names() const;
 };
 
-/// Triangles of a body or surface in space by where they lie; all that is given must hold at once. They get a name and
-/// become a surface set. In the plane: straight pieces of an area's boundary or of a curve, which become a curve set.
+/// Triangles of a body or surface in 3-D by where they lie; all that is given must hold at once. They get a name and
+/// become a surface set. In 2-D: straight pieces of an area's boundary or of a curve, which become a curve set.
 struct FaceSelection {
     std::string name{};
     std::string of{};                                 ///< the solid or surface set; region or curve set
@@ -113,29 +113,29 @@ struct FaceSelection {
 };
 
 struct GeometryOptions {
-    std::string file{};  ///< path of the drawing
+    std::string file{};  ///< path of the geometry
     std::optional<double>
-        unit{};  ///< one unit of the drawing [m]; none: what the file says, or 1 m for gmsh's drawings
-    std::map<std::string, double> parameters{};  ///< DefineConstant name -> value in the drawing's units
+        unit{};  ///< one unit of the geometry [m]; none: what the file says, or 1 m for gmsh's geometries
+    std::map<std::string, double> parameters{};  ///< DefineConstant name -> value in the geometry's units
     std::map<std::string, SourceLocation> parameter_locations{};  ///< where the scene sets them, for errors
     double chord_error = 1e-6;  ///< largest distance between a curve and its polyline [m]
     std::vector<FaceSelection> selections{};
     SourceLocation location{};  ///< where the scene names the file, for errors
 
-    [[nodiscard]] double metres() const { return unit.value_or(1.0); }  ///< one unit of the drawing [m]
+    [[nodiscard]] double metres() const { return unit.value_or(1.0); }  ///< one unit of the geometry [m]
 };
 
-/// Reads a drawing, by its ending (docs/cad.md):
+/// Reads a geometry, by its ending (docs/cad.md):
 ///
-/// - a gmsh drawing: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then taken as they are;
+/// - a gmsh geometry: a .geo or .geo_unrolled script, or a .msh mesh, whose edges are then taken as they are;
 /// - a CAD file: .step, .stp, .iges, .igs or .brep. Its bodies become solids; faces alone in z = 0 regions;
 /// - a file of triangles: .stl, .obj, .ply or .off. Each closed group of triangles becomes a solid, others surface
 /// sets.
 ///
-/// A gmsh drawing without volumes lies in the plane z = 0: named physical surfaces become regions, named physical
+/// A gmsh geometry without volumes lies in the plane z = 0: named physical surfaces become regions, named physical
 /// curves curve sets, named physical points points. In one with volumes, named physical volumes become solids and named
 /// physical surfaces surface sets, of triangles that follow the drawn surfaces to within the chord error about.
-/// Coordinates are scaled to metres. The ends of curves are the drawing's points, bit for bit; straight lines stay two
+/// Coordinates are scaled to metres. The ends of curves are the geometry's points, bit for bit; straight lines stay two
 /// points.
 ///
 /// Parameters set the constants that the script offers with a Name:
@@ -145,12 +145,12 @@ struct GeometryOptions {
 /// It is the text after Name that counts. gmsh offers no way to set the plain form DefineConstant[ a = 1 ] from
 /// outside.
 ///
-/// Safe to call from several threads (one drawing is read at a time). gmsh's global state does not outlive the call;
+/// Safe to call from several threads (one geometry is read at a time). gmsh's global state does not outlive the call;
 /// the caller's locale and number of threads stay as they were.
 ///
 /// Throws InputError: a file that cannot be read or has a format we do not read; a unit that is missing or that the
-/// file has itself; gmsh's own errors with their line; a parameter that the drawing does not offer (with the nearest
-/// name) or fixes itself; a drawing without named groups, or without volumes and outside z = 0; groups without a name;
+/// file has itself; gmsh's own errors with their line; a parameter that the geometry does not offer (with the nearest
+/// name) or fixes itself; a geometry without named groups, or without volumes and outside z = 0; groups without a name;
 /// curves without length; regions that are empty, open or cross themselves; solids that are not closed or enclose
 /// nothing; selections without a face.
 Geometry read_geometry(const GeometryOptions& options);

@@ -19,7 +19,7 @@ namespace dmp::geometry {
 namespace {
 
 constexpr std::string_view formats_read =
-    "dmp reads .geo, .geo_unrolled, .msh, .step, .stp, .iges, .igs, .brep, .stl, .obj, .ply and .off drawings.";
+    "dmp reads .geo, .geo_unrolled, .msh, .step, .stp, .iges, .igs, .brep, .stl, .obj, .ply and .off geometries.";
 
 std::string extension_of(const std::string& file) {
     std::string extension = std::filesystem::path(file).extension().string();
@@ -73,44 +73,44 @@ bool has_straight_edges_only(const std::string& file) { return is_triangle_file(
 std::string file_text(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream) throw InputError({.file = file}, "the drawing cannot be read", "Check its permissions.");
+    if (!stream) throw InputError({.file = file}, "the geometry cannot be read", "Check its permissions.");
     return text;
 }
 
 void check_geometry_file(const GeometryOptions& options) {
     const std::string& file = options.file;
-    const std::string drawing = "the drawing '" + file + "'";
+    const std::string cad_geometry = "the geometry '" + file + "'";
     const auto refuse = [&](const std::string& what, const std::string& what_to_do) {
         throw InputError(options.location, what, what_to_do);
     };
     if (!(options.metres() > 0) || !std::isfinite(options.metres())) {
-        refuse("the drawing's unit must be a positive length", "Give it as a length, like \"1 mm\".");
+        refuse("the geometry's unit must be a positive length", "Give it as a length, like \"1 mm\".");
     }
     if (!(options.chord_error > 0)) {
         refuse("the chord error must be a positive length", "Give it as a length, like \"1 um\".");
     }
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    if (std::filesystem::is_directory(status)) refuse(drawing + " is a folder", "Name a file in it.");
-    if (!std::filesystem::exists(status)) refuse(drawing + " does not exist", "Check the path.");
+    if (std::filesystem::is_directory(status)) refuse(cad_geometry + " is a folder", "Name a file in it.");
+    if (!std::filesystem::exists(status)) refuse(cad_geometry + " does not exist", "Check the path.");
     const std::string extension = extension_of(file);
     if (!is_script(file) && extension != ".msh" && !is_cad_file(file) && !is_triangle_file(file)) {
-        refuse(drawing + (extension.empty() ? " has no extension" : ": unknown extension " + extension),
+        refuse(cad_geometry + (extension.empty() ? " has no extension" : ": unknown extension " + extension),
                std::string(formats_read));
     }
     if (!std::filesystem::is_regular_file(status) || !std::ifstream(file)) {
-        refuse(drawing + " cannot be read", "Check its permissions.");
+        refuse(cad_geometry + " cannot be read", "Check its permissions.");
     }
-    if (std::filesystem::file_size(file, error) == 0) refuse(drawing + " is empty", "Save or export it again.");
+    if (std::filesystem::file_size(file, error) == 0) refuse(cad_geometry + " is empty", "Save or export it again.");
     if (states_its_unit(file) && options.metres() != 1) {
-        refuse(drawing + " states its unit itself, and the scene gives another",
-               "Leave geometry.unit out, or correct the unit in the program that made the drawing.");
+        refuse(cad_geometry + " states its unit itself, and the scene gives another",
+               "Leave geometry.unit out, or correct the unit in the program that made the geometry.");
     }
     if (!is_script(file) && !options.parameters.empty()) {
         const auto& [name, value] = *options.parameters.begin();
         const auto location = options.parameter_locations.find(name);
         throw InputError(location == options.parameter_locations.end() ? options.location : location->second,
-                         "the drawing '" + file + "' offers no constant '" + name + "' for setting",
+                         "the geometry '" + file + "' offers no constant '" + name + "' for setting",
                          extension == ".msh" ? "A mesh has no parameters; give its .geo script."
                                              : "Only .geo scripts have parameters.");
     }
@@ -120,13 +120,13 @@ void check_geometry_file(const GeometryOptions& options) {
 void check_coordinates(const Vec& position, const std::string& file) {
     constexpr double furthest = 1e12;
     if (!position.allFinite())
-        throw InputError({.file = file}, "the drawing has a point without finite coordinates",
-                         "Check the drawing, or the parameters it was given.");
+        throw InputError({.file = file}, "the geometry has a point without finite coordinates",
+                         "Check the geometry, or the parameters it was given.");
     if (position.cwiseAbs().maxCoeff() > furthest)
         throw InputError(
             {.file = file},
-            "the drawing has a point at " + position_text(position) + ", further out than any drawing can mean",
-            "Check the drawing and its unit (geometry.unit; on the command line --unit).");
+            "the geometry has a point at " + position_text(position) + ", further out than any geometry can mean",
+            "Check the geometry and its unit (geometry.unit; on the command line --unit).");
 }
 
 }  // namespace dmp::geometry

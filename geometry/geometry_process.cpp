@@ -34,7 +34,7 @@ constexpr int answer_descriptor = 3;
 constexpr char is_geometry = 'G', is_input_error = 'I', is_resource_error = 'R';
 
 [[noreturn]] void cannot_start(const std::string& step) {
-    throw ResourceError("the process that reads drawings cannot be started: " + step + ": " + std::strerror(errno),
+    throw ResourceError("the process that reads geometries cannot be started: " + step + ": " + std::strerror(errno),
                         "Free memory or processes, and try again.");
 }
 
@@ -144,7 +144,7 @@ std::optional<std::string> answer_within(int descriptor, double seconds, std::si
 }
 
 InputError gone_wrong(const GeometryOptions& options, const std::string& what) {
-    return {SourceLocation{.file = options.file}, "the drawing cannot be read: " + what,
+    return {SourceLocation{.file = options.file}, "the geometry cannot be read: " + what,
             "Open it in the program that made it, check it there, and save it again; 'gmsh " + options.file +
                 "' may tell more."};
 }
@@ -205,7 +205,7 @@ std::string answer_to(const GeometryOptions& options) {
     } catch (const std::bad_alloc&) {
         ErrorText error;
         error.location.file = options.file;
-        error.problem = "the drawing takes more memory than the machine has";
+        error.problem = "the geometry takes more memory than the machine has";
         error.what_to_do = "Check that it is whole, or raise particles.spacing.";
         return is_input_error + bytes_of(error);
     }

@@ -9,7 +9,7 @@
 
 namespace dmp::geometry {
 
-/// The program that reads drawings beside this one, and what it may take.
+/// The program that reads geometries beside this one, and what it may take.
 struct GeometryProcess {
     /// The program and its arguments; it calls answer_geometry_request.
     std::vector<std::string> command;

@@ -29,7 +29,7 @@ GmshSession::GmshSession()
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
     throw_on_error(false);
-    gmsh::onelab::clear();  // finalize leaves the constants of the last drawing
+    gmsh::onelab::clear();  // finalize leaves the constants of the last geometry
     gmsh::logger::start();
 }
 
@@ -57,7 +57,7 @@ std::vector<std::string> GmshSession::logged(const std::string& level) {
 
 namespace {
 
-/// One error of gmsh; the place is unknown for those that do not start with "'drawing.geo', line 5: ".
+/// One error of gmsh; the place is unknown for those that do not start with "'valve.geo', line 5: ".
 struct GmshError {
     SourceLocation location;
     std::string text;
@@ -104,15 +104,15 @@ void throw_logged_errors(const std::string& file) {
         problem += text;
     }
     if (errors.size() > most_shown) problem += "; and " + std::to_string(errors.size() - most_shown) + " more";
-    throw InputError(location, "gmsh cannot read the drawing: " + problem,
+    throw InputError(location, "gmsh cannot read the geometry: " + problem,
                      syntax            ? "Look for a missing ';' or bracket on this line or the one before."
-                     : is_script(file) ? "Correct the drawing; 'gmsh " + file + "' shows it."
+                     : is_script(file) ? "Correct the geometry; 'gmsh " + file + "' shows it."
                                        : "Save or export it again: it may be cut off, or of a version that gmsh does "
                                          "not read; 'gmsh " +
                                              file + "' may tell more.");
 }
 
-/// The numbers that the drawing offers for setting. (gmsh lists facts of its own and texts beside them.)
+/// The numbers that the geometry offers for setting. (gmsh lists facts of its own and texts beside them.)
 std::vector<std::string> offered_constants() {
     std::vector<std::string> names;
     gmsh::onelab::getNames(names);
@@ -127,12 +127,12 @@ std::vector<std::string> offered_constants() {
 
 [[noreturn]] void throw_unknown_parameter(const std::string& name, const std::vector<std::string>& offered,
                                           const GeometryOptions& options, const SourceLocation& location) {
-    const std::string problem = "the drawing '" + options.file + "' offers no constant '" + name + "' for setting";
+    const std::string problem = "the geometry '" + options.file + "' offers no constant '" + name + "' for setting";
     const std::string form = "DefineConstant[ " + name + " = {value, Name \"" + name + "\"} ];";
     if (const int line = GeoText(file_text(options.file)).line_of_assignment(name); line > 0) {
         throw InputError(location, problem,
                          "Line " + std::to_string(line) +
-                             " of the drawing sets it, but not in the one form that can be " +
+                             " of the geometry sets it, but not in the one form that can be " +
                              "set from outside: " + form);
     }
     std::string advice = "It offers " + quoted_list(offered) + ".";
@@ -150,8 +150,8 @@ void check_parameters(const GeometryOptions& options, const std::map<std::string
         std::vector<double> now;
         gmsh::onelab::getNumber(name, now);
         if (now.empty() || now.front() != value) {
-            throw InputError(location, "the drawing '" + options.file + "' sets '" + name + "' itself",
-                             "Remove ReadOnly or SetNumber for it from the drawing, or the parameter from the scene.");
+            throw InputError(location, "the geometry '" + options.file + "' sets '" + name + "' itself",
+                             "Remove ReadOnly or SetNumber for it from the geometry, or the parameter from the scene.");
         }
     }
 }
@@ -171,7 +171,7 @@ void prepare_for_cad(const std::string& file) {
 }  // namespace
 
 // It takes as many goes as parameters bring others to light: setting one creates its name, so only a reading without it
-// shows whether the drawing knows it, and a parameter may make the drawing offer others.
+// shows whether the geometry knows it, and a parameter may make the geometry offer others.
 std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options) {
     std::map<std::string, double> known;
     std::vector<std::string> offered;

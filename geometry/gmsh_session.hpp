@@ -19,7 +19,7 @@ class GmshSession {
     GmshSession(const GmshSession&) = delete;
     GmshSession& operator=(const GmshSession&) = delete;
 
-    /// Off while a drawing is read: an exception would leave gmsh's parser in the middle of it, and the first error is
+    /// Off while a geometry is read: an exception would leave gmsh's parser in the middle of it, and the first error is
     /// often not the one that names the line. On for all questions afterwards; gmsh then throws a std::string.
     static void throw_on_error(bool yes);
 
@@ -32,8 +32,8 @@ class GmshSession {
     std::string locale_;
 };
 
-/// Opens a drawing with its parameters set; gmsh holds it as long as the session lives, and throws on errors from now
-/// on. Throws InputError: what gmsh says of the drawing, and parameters that it does not offer.
+/// Opens a geometry with its parameters set; gmsh holds it as long as the session lives, and throws on errors from now
+/// on. Throws InputError: what gmsh says of the geometry, and parameters that it does not offer.
 std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options);
 
 }  // namespace dmp::geometry

@@ -77,7 +77,7 @@ std::vector<char> face_inward(const TriangleSurface& surface, const std::vector<
     std::vector<LineRow> rows;
     for (const int triangle : triangles) {
         const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
-        // Weights without a common measure: not through the corners or edges of others where drawings are regular.
+        // Weights without a common measure: not through the corners or edges of others where geometries are regular.
         const Vec through = 0.41421356 * surface.corners[static_cast<std::size_t>(a)] +
                             0.31783725 * surface.corners[static_cast<std::size_t>(b)] +
                             0.26794919 * surface.corners[static_cast<std::size_t>(c)];

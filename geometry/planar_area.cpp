@@ -40,12 +40,12 @@ Region planar_area(const std::string& name, const std::vector<int>& surfaces, Ca
     if (region.loops.empty()) throw wrong("is empty", "Give its Physical Surface a surface with a boundary.");
     if (const auto crossing = self_crossing(region)) {
         throw wrong("crosses itself near " + position_text(*crossing, 2),
-                    "Check the drawing, or the parameters it was given.");
+                    "Check the geometry, or the parameters it was given.");
     }
     double around = 0;
     for (const auto& loop : region.loops) around += loop.length();
     if (region.area() <= 1e-12 * around * around) {
-        throw wrong("has no area", "Check the drawing, or the parameters it was given.");
+        throw wrong("has no area", "Check the geometry, or the parameters it was given.");
     }
     return region;
 }
@@ -58,14 +58,14 @@ void lay_flat(Geometry& geometry) {
         box.high = box.high.cwiseMax(point);
     });
     if (!box.low.allFinite() || !box.high.allFinite()) {
-        throw InputError({.file = geometry.file}, "the drawing has a point without finite coordinates",
-                         "Check the drawing, or the parameters it was given.");
+        throw InputError({.file = geometry.file}, "the geometry has a point without finite coordinates",
+                         "Check the geometry, or the parameters it was given.");
     }
     const double height = std::max(-box.low.z(), box.high.z());
     const double width = std::max(box.extent().x(), box.extent().y());
     if (height > 1e-9 * width) {
         throw InputError({.file = geometry.file},
-                         "the drawing leaves the plane z = 0: it reaches z = " +
+                         "the geometry leaves the plane z = 0: it reaches z = " +
                              length_text(box.high.z() == height ? height : -height),
                          "Draw it in the x-y plane, or give it volumes.");
     }

@@ -8,12 +8,12 @@
 
 namespace dmp::geometry {
 
-/// The area that some surfaces of the drawing that gmsh has open make up. Throws InputError: it is empty, open, crosses
-/// itself or has no area.
+/// The area that some surfaces of the geometry that gmsh has open make up. Throws InputError: it is empty, open,
+/// crosses itself or has no area.
 Region planar_area(const std::string& name, const std::vector<int>& surfaces, CadCurves& curves,
                    const std::string& file);
 
-/// Sets the box of a drawing in the plane, and puts it on z = 0 where rounding left it beside. Throws InputError: it
+/// Sets the box of a geometry in 2-D, and puts it on z = 0 where rounding left it beside. Throws InputError: it
 /// leaves the plane, or has a point that is not finite.
 void lay_flat(Geometry& geometry);
 

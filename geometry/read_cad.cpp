@@ -116,7 +116,7 @@ Geometry read_open_cad(const GeometryOptions& asked) {
     GeometryOptions options = asked;
     const bool stated = states_its_unit(asked.file);
     if (tags_of(2).empty())
-        throw InputError({.file = asked.file}, "the drawing has no bodies and no faces",
+        throw InputError({.file = asked.file}, "the geometry has no bodies and no faces",
                          "Check that it is whole, and export the bodies themselves, as solids.");
     if (!stated && !asked.unit) throw missing_unit(asked, box_in_the_file());
     if (stated) options.unit = millimetre;

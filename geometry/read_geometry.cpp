@@ -55,7 +55,7 @@ Solid solid_of(const Group& group, const CadSurfaces& drawn, const std::string& 
     const std::string problem = why_open(solid.name, solid.surface, file);
     if (!problem.empty())
         throw InputError({.file = file}, "solid '" + group.name + "' is not closed: " + problem,
-                         "Check the drawing, or the parameters it was given.");
+                         "Check the geometry, or the parameters it was given.");
     return solid;
 }
 
@@ -67,7 +67,7 @@ Geometry read_in_space(const GeometryOptions& options) {
     const auto points = groups_of(0, options.file);
     if (volumes.empty())
         throw InputError(
-            {.file = options.file}, "the drawing has volumes, but none with a name",
+            {.file = options.file}, "the geometry has volumes, but none with a name",
             "Name its parts, as in Physical Volume(\"blood\") = {1}; and Physical Surface(\"wall\") = {2};.");
     const CadSurfaces drawn(options);
     for (const auto& group : volumes) geometry.solids.push_back(solid_of(group, drawn, options.file));
@@ -98,7 +98,7 @@ Geometry read_open_geometry(const GeometryOptions& options) {
     }
     if (geometry.names().empty()) {
         throw InputError(
-            {.file = options.file}, "the drawing has no named groups",
+            {.file = options.file}, "the geometry has no named groups",
             "Name its parts, as in Physical Surface(\"blood\") = {1}; or Physical Curve(\"wall\") = {2, 3};");
     }
     lay_flat(geometry);
@@ -115,8 +115,8 @@ Geometry read_with_gmsh(const GeometryOptions& options) {
         geometry.unit_source = options.unit ? UnitSource::scene : UnitSource::assumed;
         return geometry;
     } catch (const std::string& message) {  // gmsh throws its messages as they are
-        throw InputError({.file = options.file}, "gmsh cannot follow the drawing: " + message,
-                         "Correct the drawing; 'gmsh " + options.file + "' shows it.");
+        throw InputError({.file = options.file}, "gmsh cannot follow the geometry: " + message,
+                         "Correct the geometry; 'gmsh " + options.file + "' shows it.");
     }
 }
 

@@ -29,7 +29,7 @@ class ObjReader {
             else if (first == "g" || first == "o")
                 builder_.begin_group(lines_.words().size() > 1 ? std::string(lines_.words()[1]) : "");
             else if (std::ranges::find(passed_over, first) == passed_over.end())
-                throw fault(quoted(first, '\'') + " is not read: dmp takes corners (v) and faces (f)",
+                throw fault(in_quotes(first, '\'') + " is not read: dmp takes corners (v) and faces (f)",
                             "export the surface as triangles");
         }
         return builder_.finish();
@@ -46,7 +46,7 @@ class ObjReader {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto number = axis + 1 < words.size() ? number_in(words[axis + 1]) : std::nullopt;
             if (!number)
-                throw fault("expected three numbers after 'v', found " + quoted(lines_.line()),
+                throw fault("expected three numbers after 'v', found " + in_quotes(lines_.line()),
                             "export the surface again");
             position[static_cast<Eigen::Index>(axis)] = *number;
         }
@@ -65,7 +65,8 @@ class ObjReader {
         for (std::size_t k = 1; k < words.size(); ++k) {
             const auto number = whole_number_in(words[k].substr(0, words[k].find('/')));
             if (!number)
-                throw fault("expected the number of a corner, found " + quoted(words[k]), "export the surface again");
+                throw fault("expected the number of a corner, found " + in_quotes(words[k]),
+                            "export the surface again");
             const long long at = *number > 0 ? *number - 1 : count + *number;
             if (*number == 0 || at < 0 || at >= count)
                 throw fault("a face has corner " + std::to_string(*number) + ", and there are " +

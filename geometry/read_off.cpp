@@ -41,7 +41,7 @@ class OffReader {
             const std::string_view word = words[0];
             if (!word.ends_with("OFF") || word.find_first_of("4n") != std::string_view::npos ||
                 (words.size() > 1 && words[1] == "BINARY"))
-                throw fault("'" + file_ + "' is no OFF file of points in space in text");
+                throw fault("'" + file_ + "' is no OFF file of points in 3-D in text");
             words.erase(words.begin());
             if (words.empty()) {
                 next_line("its counts", -1, 0);
@@ -53,7 +53,7 @@ class OffReader {
         };
         const auto corners = count_at(0), faces = count_at(1);
         if (!corners || !faces || *corners < 0 || *faces < 0)
-            throw fault("expected the numbers of corners, faces and edges, found " + quoted(lines_.line()));
+            throw fault("expected the numbers of corners, faces and edges, found " + in_quotes(lines_.line()));
         // A corner takes "0 0 0" and a line's end, a face "3 0 1 2", at least.
         constexpr std::size_t shortest_corner = 6, shortest_face = 8;
         if (static_cast<std::size_t>(*corners) > size_ / shortest_corner + 1 ||
@@ -69,7 +69,7 @@ class OffReader {
         Vec position = Vec::Zero();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto number = axis < lines_.words().size() ? number_in(lines_.words()[axis]) : std::nullopt;
-            if (!number) throw fault("expected a corner's three numbers, found " + quoted(lines_.line()));
+            if (!number) throw fault("expected a corner's three numbers, found " + in_quotes(lines_.line()));
             position[static_cast<Eigen::Index>(axis)] = *number;
         }
         if (!position.allFinite()) throw fault("corner " + std::to_string(k) + " is not finite");
@@ -82,12 +82,12 @@ class OffReader {
         const auto sides = whole_number_in(words[0]);
         if (!sides || *sides < 3 || static_cast<std::size_t>(*sides) >= words.size())
             throw fault("expected a face, the number of its corners and which they are, found " +
-                        quoted(lines_.line()));
+                        in_quotes(lines_.line()));
         face_.clear();
         for (std::size_t c = 1; c <= static_cast<std::size_t>(*sides); ++c) {
             const auto number = whole_number_in(words[c]);
             if (!number || *number < 0 || *number >= corner_count_)
-                throw fault("a face has corner " + quoted(words[c]) + ", and corners count from 0 to " +
+                throw fault("a face has corner " + in_quotes(words[c]) + ", and corners count from 0 to " +
                             std::to_string(corner_count_ - 1));
             face_.push_back(corners_[static_cast<std::size_t>(*number)]);
         }

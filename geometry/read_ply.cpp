@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <iomanip>
 #include <limits>
 #include <optional>
 
@@ -45,7 +44,7 @@ struct Element {
     long long count;
     std::vector<Property> properties;
 
-    [[nodiscard]] std::string shown() const { return quoted(name, '\''); }
+    [[nodiscard]] std::string shown() const { return in_quotes(name, '\''); }
     [[nodiscard]] int index_of(std::string_view name_asked) const {
         const auto found = std::ranges::find(properties, name_asked, &Property::name);
         return found == properties.end() ? -1 : static_cast<int>(found - properties.begin());
@@ -123,7 +122,7 @@ class PlyReader {
         bool has_format = false;
         while (lines.next_with_tokens()) {
             const auto& words = lines.words();
-            const auto wrong = [&] { return fault(lines.number(), "cannot read " + quoted(lines.line())); };
+            const auto wrong = [&] { return fault(lines.number(), "cannot read " + in_quotes(lines.line())); };
             if (words[0] == "format") {
                 if (words.size() != 3) throw wrong();
                 encoding_ = encoding_called(words[1], lines.number());
@@ -140,7 +139,7 @@ class PlyReader {
                     throw wrong();
                 elements_.back().properties.push_back({std::string(words.back()), *type, length});
             } else if (words[0] != "comment" && words[0] != "obj_info" && words[0] != "end_header") {
-                throw fault(lines.number(), quoted(words[0], '\'') + " is no word of a PLY header");
+                throw fault(lines.number(), in_quotes(words[0], '\'') + " is no word of a PLY header");
             }
         }
         body_line_ = lines.number() + 1;
@@ -163,7 +162,7 @@ class PlyReader {
         if (word == "ascii") return Encoding::text;
         if (word == "binary_little_endian") return Encoding::little_endian;
         if (word == "binary_big_endian") return Encoding::big_endian;
-        throw fault(line, quoted(word, '\'') + " is no format of PLY files");
+        throw fault(line, in_quotes(word, '\'') + " is no format of PLY files");
     }
 
     void check_elements() const {

@@ -88,7 +88,7 @@ TriangleSoup read_text(std::string_view contents, const std::string& file) {
             for (std::size_t axis = 0; axis < 3 && axis + 1 < words.size(); ++axis)
                 position[static_cast<Eigen::Index>(axis)] = number_in(words[axis + 1]).value_or(NAN);
             if (!position.allFinite())
-                throw fault("expected three numbers after 'vertex', found " + quoted(lines.line()));
+                throw fault("expected three numbers after 'vertex', found " + in_quotes(lines.line()));
             if (corner == 3) throw fault("a triangle has more than three corners, or no 'endfacet'");
             corners.at(corner++) = builder.corner(position);
             ended = false;
@@ -101,7 +101,7 @@ TriangleSoup read_text(std::string_view contents, const std::string& file) {
             if (first == "solid") builder.begin_group(rest_of(lines));
             ended = first == "endsolid";
         } else if (first != "outer" && first != "endloop") {
-            throw fault(quoted(words[0], '\'') + " is no word of an STL file");
+            throw fault(in_quotes(words[0], '\'') + " is no word of an STL file");
         }
     }
     if (!ended) throw fault("the file ends before 'endsolid'");

@@ -20,7 +20,7 @@ namespace dmp::geometry {
 
 namespace {
 
-/// Of a triangle in space, or the two ends of a segment in the plane.
+/// Of a triangle in 3-D, or the two ends of a segment in 2-D.
 template <std::size_t N>
 using Corners = std::array<Vec, N>;
 /// The corners' coordinates, the smallest first: the same triangle or segment is found again elsewhere.
@@ -74,14 +74,14 @@ bool fits(const FaceSelection& asked, const Corners<N>& corners, double toleranc
     const std::string near = nearest_name(asked.of, names);
     throw InputError(
         asked.location,
-        "selection '" + asked.name + "': the drawing has no " + what + " '" + asked.of + "' (" + geometry.file + ")",
+        "selection '" + asked.name + "': the geometry has no " + what + " '" + asked.of + "' (" + geometry.file + ")",
         "it names " + quoted_list(names) + (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
 [[noreturn]] void refuse_exception(const FaceSelection& asked, const std::string& name, const std::string& what) {
     throw InputError(asked.location,
                      "selection '" + asked.name + "': there is no " + what + " '" + name + "' to except",
-                     "select '" + name + "' before it, or name it in the drawing");
+                     "select '" + name + "' before it, or name it in the geometry");
 }
 
 [[noreturn]] void refuse_empty(const Geometry& geometry, const FaceSelection& asked, const Box& box) {
@@ -176,7 +176,7 @@ void select_faces(Geometry& geometry, const std::vector<FaceSelection>& selectio
     for (const FaceSelection& asked : selections) {
         const auto names = geometry.names();
         if (std::ranges::find(names, asked.name) != names.end())
-            throw InputError(asked.location, "the drawing has a '" + asked.name + "' already (" + geometry.file + ")",
+            throw InputError(asked.location, "the geometry has a '" + asked.name + "' already (" + geometry.file + ")",
                              "give the selection another name");
         if (geometry.dimension == 3)
             geometry.surfaces.push_back(selected_faces(geometry, asked));

@@ -67,7 +67,7 @@ std::vector<Junction> junctions(const TriangleSurface& surface, const std::vecto
 
 std::size_t split_at_t_junctions(TriangleSurface& surface, double distance) {
     std::size_t count = 0;
-    // A triangle is divided at one of its sides at a time; what is left of it comes again. The bound is for drawings
+    // A triangle is divided at one of its sides at a time; what is left of it comes again. The bound is for geometries
     // that are all finer than the distance.
     bool again = true;
     for (int pass = 0; again && pass < 100; ++pass) {

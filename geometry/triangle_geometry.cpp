@@ -121,7 +121,7 @@ std::string why_open(const std::string& name, TriangleSurface& surface, const st
         throw InputError(
             {.file = file},
             "solid '" + name + "' is closed, but encloses no volume, near " + position_text(surface.corners.front()),
-            "Give it a thickness, or take it out of the drawing.");
+            "Give it a thickness, or take it out of the geometry.");
     return {};
 }
 
@@ -180,7 +180,7 @@ InputError missing_unit(const GeometryOptions& options, const Box& box) {
         return number_text(size[0]) + " x " + number_text(size[1]) + " x " + number_text(size[2]) + " " + unit;
     };
     return {options.location,
-            "the drawing '" + options.file + "' does not say its unit, and the scene gives none: is it " + in("m") +
+            "the geometry '" + options.file + "' does not say its unit, and the scene gives none: is it " + in("m") +
                 ", " + in("mm") + " or " + in("um") + "?",
             "Give geometry.unit in the scene, \"1 m\", \"1 mm\" or \"1 um\"; on the command line --unit."};
 }

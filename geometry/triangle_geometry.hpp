@@ -9,11 +9,11 @@
 
 namespace dmp::geometry {
 
-/// Reads a drawing that is a file of triangles (triangle_file.hpp).
+/// Reads a geometry that is a file of triangles (triangle_file.hpp).
 Geometry read_triangle_geometry(const GeometryOptions& options);
 
-/// The drawing that such a file's triangles make up. They must be some. Throws InputError: no unit, corners further out
-/// than any drawing can mean, solids that enclose nothing.
+/// The geometry that such a file's triangles make up. They must be some. Throws InputError: no unit, corners further
+/// out than any geometry can mean, solids that enclose nothing.
 Geometry triangle_geometry(TriangleSoup soup, const GeometryOptions& options);
 
 /// The one way on which triangles of a file become parts of a geometry. Each closed group becomes a solid, turned so
@@ -21,7 +21,7 @@ Geometry triangle_geometry(TriangleSoup soup, const GeometryOptions& options);
 /// the file's name. Throws InputError for solids that enclose nothing.
 void add_soup(Geometry& geometry, TriangleSoup soup);
 
-/// The error for a drawing without a unit: shows its box, in its own units, as what it may be.
+/// The error for a geometry without a unit: shows its box, in its own units, as what it may be.
 InputError missing_unit(const GeometryOptions& options, const Box& box);
 
 /// A name as scenes have it, of letters, digits and '_': "Body 1 (left)" is "Body_1_left". Empty where nothing is left,
@@ -30,7 +30,7 @@ InputError missing_unit(const GeometryOptions& options, const Box& box);
 /// The plain name of a file without its folder and ending; "body" where nothing is left.
 [[nodiscard]] std::string name_of_file(const std::string& file);
 
-/// The smallest box around all that lies in space.
+/// The smallest box around all that lies in 3-D.
 [[nodiscard]] Box box_in_space(const Geometry& geometry);
 
 /// Turns a surface outward and says why it is no solid; empty: it is one. `turned` becomes how many triangles changed

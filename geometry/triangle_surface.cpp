@@ -19,7 +19,7 @@ double TriangleSurface::area() const {
 double TriangleSurface::enclosed_volume() const {
     double sum = 0;
     if (corners.empty()) return sum;
-    const Vec& origin = corners.front();  // near the surface: little is lost where the drawing is far from zero
+    const Vec& origin = corners.front();  // near the surface: little is lost where the geometry is far from zero
     for (const auto& [a, b, c] : triangles)
         sum += (corners[static_cast<std::size_t>(a)] - origin)
                    .dot((corners[static_cast<std::size_t>(b)] - origin)

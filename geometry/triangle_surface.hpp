@@ -10,7 +10,7 @@
 
 namespace dmp::geometry {
 
-/// A surface of triangles in space, with corners that triangles share.
+/// A surface of triangles in 3-D, with corners that triangles share.
 struct TriangleSurface {
     std::vector<Vec> corners;                   ///< each once [m]
     std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside

@@ -43,7 +43,7 @@ bool TokenLines::next_with_tokens() {
     return false;
 }
 
-std::string quoted(std::string_view text, char mark) {
+std::string in_quotes(std::string_view text, char mark) {
     constexpr std::size_t longest = 60;
     std::string shown(1, mark);
     for (const char c : text.substr(0, longest)) shown += c == '\t' ? ' ' : c < ' ' || c > '~' ? '?' : c;

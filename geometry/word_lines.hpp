@@ -34,7 +34,7 @@ class TokenLines {
 };
 
 /// A piece of a file in quotes, for a message: '?' for what cannot be printed, and of a long one its beginning.
-[[nodiscard]] std::string quoted(std::string_view text, char mark = '"');
+[[nodiscard]] std::string in_quotes(std::string_view text, char mark = '"');
 
 /// The number that a word is, finite or not; none where it is no number.
 [[nodiscard]] std::optional<double> number_in(std::string_view word);

@@ -11,7 +11,7 @@ namespace dmp::mesher {
 
 /// A solid of bonds between all that is near each other, of energy U = SUM k_ij (|r_ij| - r0_ij)^2. Of a uniform strain
 /// e that is V e : M : e, with the fourth moment M = SUM k_ij r0^2 n n n n / V of the bonds; where M is isotropic,
-/// lambda = mu = 2 SUM k_ij r0^2 / (d (d + 2) V) with d dimensions (in the plane of a material held in its depth, 1 m
+/// lambda = mu = 2 SUM k_ij r0^2 / (d (d + 2) V) with d dimensions (in 2-D of a material held in its depth, 1 m
 /// deep), so that nu = 1/4 and E = 5/2 mu (Cauchy; Love 1927, note B).
 struct NetworkConstants {
     double youngs_modulus = 0;         ///< that uniform strain meets [Pa]

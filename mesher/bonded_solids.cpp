@@ -52,9 +52,9 @@ class CadSolid {
     }
 
   private:
-    CurveSet outline_;                     ///< in the plane, a piece a segment
+    CurveSet outline_;                     ///< in 2-D, a piece a segment
     std::optional<NearestCurve> edge_;     ///< of it
-    std::optional<TriangleTree> surface_;  ///< in space
+    std::optional<TriangleTree> surface_;  ///< in 3-D
 };
 
 /// The particles of a part, by number.

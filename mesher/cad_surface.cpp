@@ -119,7 +119,7 @@ Vec CadSurface::back_in_box(Vec point) const {
     return point;
 }
 
-/// In the plane both sides of each piece are asked: the fluid is on one of them only. A point that several fluids hold
+/// In 2-D both sides of each piece are asked: the fluid is on one of them only. A point that several fluids hold
 /// is the first one's.
 void CadSurface::sample_curves(const Geometry& geometry, const Part& fluid, const std::vector<const Part*>& fluids) {
     const double step = samples_apart * space_.spacing, beside = beside_surface * space_.spacing;
@@ -160,7 +160,7 @@ void CadSurface::sample_curves(const Geometry& geometry, const Part& fluid, cons
     if (!real.pieces.empty()) curves_.emplace(real, reach_);
 }
 
-/// In space the side is known: triangles of closed surfaces face outward. Only solids that have the room before this
+/// In 3-D the side is known: triangles of closed surfaces face outward. Only solids that have the room before this
 /// fluid are asked, which are walls' bodies and the fluids named earlier.
 void CadSurface::sample_solids(const Geometry& geometry, const Scene& scene, const Part& fluid) {
     const double step = samples_apart * space_.spacing, beside = beside_surface * space_.spacing;

@@ -14,11 +14,11 @@
 
 namespace dmp::mesher {
 
-/// What moves until it follows the drawing, by who has the room first: solids of springs with bonds_within, then
+/// What moves until it follows the geometry, by who has the room first: solids of springs with bonds_within, then
 /// fluids.
 [[nodiscard]] std::vector<const Part*> fitted_parts(const Scene& scene);
 
-/// The surface that the drawing gives one fluid, or a solid with bonds_within: where the fluid ends at a wall or at
+/// The surface that the geometry gives one fluid, or a solid with bonds_within: where the fluid ends at a wall or at
 /// another fluid. Sides of the box that are periodic or planes of symmetry are none, nor is what lies in a body or a
 /// fluid that has the room before it.
 class CadSurface {

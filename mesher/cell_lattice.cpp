@@ -42,7 +42,7 @@ std::map<GridIndex, int> on_grid(const std::vector<Vec>& points, const Vec& step
     return number;
 }
 
-/// The corners of the cell whose lowest is at `place`, eight or, in the plane, four; corner k is moved along axis i
+/// The corners of the cell whose lowest is at `place`, eight or, in 2-D, four; corner k is moved along axis i
 /// where bit i of k is 1.
 bool corners_of(const std::map<GridIndex, int>& number, const GridIndex& position, std::span<int> corners) {
     for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
@@ -102,7 +102,7 @@ SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& 
             for (int m = k + 1; m < count; ++m) {
                 const int axes = std::popcount(static_cast<unsigned>(k ^ m));  // along which they differ
                 if (axes == 3) continue;
-                // In space four cells share an edge and two a face, in the plane two an edge.
+                // In 3-D four cells share an edge and two a face, in 2-D two an edge.
                 const double stiffness =
                     axes == 1 ? constants.edge_stiffness / (count / 2) : constants.diagonal_stiffness / (count / 4);
                 if (stiffness > 0) bonds[std::minmax(corners[k], corners[m])] += stiffness;
@@ -122,7 +122,7 @@ SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& 
         lattice.bonds.push_back(
             {ends.first, ends.second, (points[ends.first] - points[ends.second]).norm(), stiffness});
     for (const auto& [nodes, stiffness] : hinges) {
-        // In the plane angles have a sign: from the first arm to the second, counter-clockwise.
+        // In 2-D angles have a sign: from the first arm to the second, counter-clockwise.
         const Vec first = points[nodes[0]] - points[nodes[1]], second = points[nodes[2]] - points[nodes[1]];
         const bool clockwise = dimension == 2 && first.x() * second.y() - first.y() * second.x() < 0;
         const double rest = (clockwise ? -1 : 1) * std::numbers::pi / 2;

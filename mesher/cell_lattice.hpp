@@ -9,21 +9,21 @@
 
 namespace dmp::mesher {
 
-/// Nodes in space and the springs between them, numbered as the nodes are.
+/// Nodes in 3-D and the springs between them, numbered as the nodes are.
 struct SpringLattice {
     std::vector<Vec> nodes;     ///< [m]
-    std::vector<double> share;  ///< volume [m^3] or, of shells and in the plane, area [m^2] that each node stands for
+    std::vector<double> share;  ///< volume [m^3] or, of shells and in 2-D, area [m^2] that each node stands for
     std::vector<Bond> bonds;
     std::vector<Hinge> hinges;
     std::vector<Dihedral> dihedrals;
 };
 
-/// Spring constants of a cubic lattice of spacing a, or of a square one in the plane, 1 m deep: bonds along the edges
+/// Spring constants of a cubic lattice of spacing a, or of a square one in 2-D, 1 m deep: bonds along the edges
 /// of its cells (k_1) and along both diagonals of their faces (k_2), hinges at the four corners of those faces (k_a).
 /// Energies without 1/2. From the energy of a uniform strain, exact for any (docs/elastic.md), with d dimensions and b
-/// = a in space, 1 m in the plane:
+/// = a in 3-D, 1 m in 2-D:
 ///   c_11 = 2 (k_1 + (d - 1) k_2) / b,   c_12 = 2 k_2 / b,   c_44 = 2 k_2 / b + 8 k_a / (a^2 b)
-/// which is isotropic where c_11 - c_12 = 2 c_44. In the plane that is a material held in its depth (plane strain).
+/// which is isotropic where c_11 - c_12 = 2 c_44. In 2-D that is a material held in its depth (plane strain).
 /// Springs on the surface have the share of the cells that are there.
 struct CellConstants {
     int dimension = 3;
@@ -48,7 +48,7 @@ CellConstants cell_constants(double youngs_modulus, double poisson_ratio, double
 
 /// The lattice on points of a cubic or square grid along the axes: the springs of each cell whose corners are all
 /// there. `step`: of the grid along each axis [m], for one that was stretched a little; rest lengths and shares follow
-/// it. Shares are volumes [m^3], in the plane areas [m^2]. Throws InputError when a point is not on the grid that the
+/// it. Shares are volumes [m^3], in 2-D areas [m^2]. Throws InputError when a point is not on the grid that the
 /// first one begins, two are one, or a point belongs to no cell.
 SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants, const Vec& step);
 inline SpringLattice cell_lattice(const std::vector<Vec>& points, const CellConstants& constants) {

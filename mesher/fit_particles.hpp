@@ -17,10 +17,10 @@ struct NearestWall {
     int wall = -1;  ///< index into FitBounds::walls; -1: no wall reaches the place
     Vec point = Vec::Zero();
     double distance = 0;  ///< [m]
-    int triangle = -1;    ///< in space: of that wall's surface
+    int triangle = -1;    ///< in 3-D: of that wall's surface
 };
 
-/// What bounds the particles that a builder made: the same questions in the plane and in space. Any number of threads
+/// What bounds the particles that a builder made: the same questions in 2-D and in 3-D. Any number of threads
 /// asks at once.
 struct FitBounds {
     struct Wall {

@@ -94,7 +94,7 @@ class Holds {
     }
 
     /// Lets go of what would stand on top of another in the layer: of two rows of a lattice that are both within a
-    /// spacing of a curve, the one behind. In space a layer has room to spread, and to let go would leave holes.
+    /// spacing of a curve, the one behind. In 3-D a layer has room to spread, and to let go would leave holes.
     template <int D>
     void thin_out(const ParticleSet& set, const ClosePairs& pairs, int threads) {
         std::vector<std::uint8_t> stays = in_layer_;

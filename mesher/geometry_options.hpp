@@ -7,8 +7,8 @@
 
 namespace dmp::mesher {
 
-/// What a scene asks of its drawing: the file, its unit where the scene gives it, parameters and selections. Curves in
-/// the plane are followed to a thousandth of a spacing, surfaces in space to a two-hundredth: their triangles grow with
+/// What a scene asks of its geometry: the file, its unit where the scene gives it, parameters and selections. Curves in
+/// the plane are followed to a thousandth of a spacing, surfaces in 3-D to a two-hundredth: their triangles grow with
 /// the inverse of that.
 [[nodiscard]] GeometryOptions geometry_options_of(const Scene& scene);
 

@@ -23,7 +23,7 @@ inline void keep_particles(ParticleSet& set, const std::vector<std::uint8_t>& ke
              set.wall_distance);
 }
 
-/// Gives each particle of a fluid an equal share of the volume that the drawing asks for.
+/// Gives each particle of a fluid an equal share of the volume that the geometry asks for.
 inline void share_volume(ParticleSet& set, int part, MeshReport::PartLine& line) {
     const double volume = line.target / static_cast<double>(line.particles);
     for (std::size_t i = 0; i < set.size(); ++i) {

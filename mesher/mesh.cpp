@@ -40,16 +40,16 @@ void check_dimension(const Geometry& geometry, const Scene& scene) {
     if (geometry.dimension == scene.dimension) return;
     const bool in_space = geometry.dimension == 3;
     throw InputError(scene.dimension.given() ? scene.dimension.location : scene.geometry.file.location,
-                     std::string("the drawing ") + (in_space ? "has volumes" : "lies in the plane") +
+                     std::string("the geometry ") + (in_space ? "has volumes" : "lies in 2-D") +
                          ", and the scene has " + std::to_string(*scene.dimension) + " dimensions (" + geometry.file +
                          ")",
-                     "write dimension = " + std::to_string(geometry.dimension) + ", or name another drawing");
+                     "write dimension = " + std::to_string(geometry.dimension) + ", or name another geometry");
 }
 
 MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     if (*scene.particles.disorder > 0)
         throw InputError(scene.particles.disorder.location,
-                         "particles.disorder: lattices in space cannot be disturbed yet", "leave it out");
+                         "particles.disorder: lattices in 3-D cannot be disturbed yet", "leave it out");
     check_periods(scene, fluid_box_in_space(geometry, scene));
     MeshReport::Cost cost;
     Stopwatch monitor(cost);

@@ -28,7 +28,7 @@ struct MeshReport {
         std::string name;
         std::string kind;
         std::size_t particles = 0;
-        double target = 0;   ///< what the drawing asks for: area [m^2] of a fluid, length [m] of walls and springs
+        double target = 0;   ///< what the geometry asks for: area [m^2] of a fluid, length [m] of walls and springs
         double reached = 0;  ///< what the particles stand for, same unit
         std::string unit;    ///< "m^2" or "m"
         double nearest = 0;  ///< smallest distance to any other particle [spacings]
@@ -45,12 +45,12 @@ struct MeshReport {
         std::string part;
         int bodies = 0;
         std::size_t bonds = 0, hinges = 0, dihedrals = 0, anchored = 0;
-        /// Of a solid, in space or in the plane.
+        /// Of a solid, in 3-D or in 2-D.
         struct Cells {
             CellConstants constants;
             double stiffened = 1;  ///< see SolidBody
         };
-        /// Of a shell in space.
+        /// Of a shell in 3-D.
         struct Shell {
             ShellConstants constants;
             double membrane_stiffness_asked = 0;  ///< E h [N/m]
@@ -58,7 +58,7 @@ struct MeshReport {
         std::optional<Cells> cells;
         std::optional<Shell> shell;
         std::optional<NetworkConstants> network;  ///< of a solid with bonds_within
-        // of a strip in the plane
+        // of a strip in 2-D
         double bond_stiffness = 0;         ///< k_b [N/m]
         double hinge_stiffness = 0;        ///< k_a [J]
         double cross_stiffness = 0;        ///< k_c of diagonals [N/m]; 0: there are none
@@ -166,8 +166,8 @@ struct MeshResult {
     std::vector<float> kernel_sum;  ///< of each particle, SUM V W over all about it and itself; empty: spheres
 };
 
-/// Fills the drawing's regions, grows walls and builds spring bodies, as the scene's parts ask for.
-/// Throws InputError: a part the drawing lacks or a name no part uses, an open fluid boundary, a period that is too
+/// Fills the geometry's regions, grows walls and builds spring bodies, as the scene's parts ask for.
+/// Throws InputError: a part the geometry lacks or a name no part uses, an open fluid boundary, a period that is too
 /// short, walls thinner than the kernel's support, a springs curve shorter than its layers allow, spring constants
 /// that come out negative, a fluid with no particles, ...
 MeshResult mesh(const Geometry& geometry, const Scene& scene);

@@ -5,7 +5,7 @@
 
 namespace dmp::mesher {
 
-/// Whether the scene is one of spheres and their walls, which has no drawing.
+/// Whether the scene is one of spheres and their walls, which has no geometry.
 bool is_of_spheres(const Scene& scene);
 
 /// Places the spheres of a scene (docs/spheres.md) and hands on their walls. Throws InputError: files that cannot be

@@ -17,7 +17,7 @@ namespace dmp::mesher {
 
 namespace {
 
-/// What the drawing has under this name, in words; empty when nothing.
+/// What the geometry has under this name, in words; empty when nothing.
 std::string kind_in_geometry(const Geometry& geometry, const std::string& name) {
     if (geometry.solid(name) != nullptr) return "a volume";
     if (geometry.region(name) != nullptr || geometry.surface_set(name) != nullptr) return "a surface";
@@ -31,9 +31,9 @@ std::string kind_in_geometry(const Geometry& geometry, const std::string& name) 
     const std::string near = nearest_name(name.value, names);
     const SurfaceSet* set = geometry.surface_set(name);
     const std::string why = set != nullptr && !set->why_open.empty() ? "; " + set->why_open : "";
-    const std::string problem =
-        found.empty() ? "the drawing has nothing named '" + name.value + "'"
-                      : "'" + name.value + "' is " + found + " in the drawing, but " + wanted + " is needed here" + why;
+    const std::string problem = found.empty() ? "the geometry has nothing named '" + name.value + "'"
+                                              : "'" + name.value + "' is " + found + " in the geometry, but " + wanted +
+                                                    " is needed here" + why;
     throw InputError(name.location, problem + " (" + geometry.file + ")",
                      "it names " + quoted_list(names) +
                          (near.empty() || near == name.value ? "" : "; did you mean '" + near + "'?"));
@@ -79,13 +79,13 @@ void check_elastic_2d(const Geometry& geometry, const Part& part) {
     if (is_area && !part.density.given())
         throw InputError(part.mass_per_length.location,
                          "part '" + part.name.value +
-                             "' is a surface in the drawing, a solid of springs, which has no "
+                             "' is a surface in the geometry, a solid of springs, which has no "
                              "mass_per_length",
                          "give its density, youngs_modulus and poisson_ratio, or draw its middle line as a curve");
     if (!is_area && part.density.given())
         throw InputError(
             part.density.location,
-            "part '" + part.name.value + "' is a curve in the drawing, a strip of springs, which has no density",
+            "part '" + part.name.value + "' is a curve in the geometry, a strip of springs, which has no density",
             "give its mass_per_length: density times thickness times 1 m");
 }
 
@@ -111,12 +111,12 @@ void need_in_space(const Geometry& geometry, const Part& part) {
     if (is_shell && !part.thickness.given())
         throw InputError(part.name.location,
                          "part '" + part.name.value +
-                             "' is a surface in the drawing, a shell of springs: its thickness "
+                             "' is a surface in the geometry, a shell of springs: its thickness "
                              "is missing",
                          "add thickness, such as thickness = \"0.3 mm\"");
     if (!is_shell && part.thickness.given())
         throw InputError(part.thickness.location,
-                         "part '" + part.name.value + "' is a volume in the drawing: it is as thick as it is drawn",
+                         "part '" + part.name.value + "' is a volume in the geometry: it is as thick as it is drawn",
                          "take `thickness` out, or draw a surface to make it a shell");
 }
 
@@ -147,9 +147,9 @@ void check_names(const Geometry& geometry, const Scene& scene) {
         const std::string near = nearest_name(name, parts);
         throw InputError(
             scene.geometry.file.location,
-            "the drawing names " + kind_in_geometry(geometry, name) + " '" + name +
+            "the geometry names " + kind_in_geometry(geometry, name) + " '" + name +
                 "' that no part of the scene uses (" + geometry.file + ")",
-            "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the drawing" +
+            "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the geometry" +
                 (near.empty() ? "" : "; the scene has '" + near + "'"));
     }
 }
@@ -196,7 +196,7 @@ void check_boundary(const Geometry& geometry, const Scene& scene, const Box& box
                 throw InputError(part->name.location,
                                  "the boundary of '" + part->name.value + "' is open between " + position_text(a, 2) +
                                      " and " + position_text(b, 2) + ": no rigid part and no periodic side closes it",
-                                 "name this curve in the drawing as part of a rigid part, or make the axis periodic "
+                                 "name this curve in the geometry as part of a rigid part, or make the axis periodic "
                                  "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");
             }
         for (int axis = 0; axis < 2; ++axis)

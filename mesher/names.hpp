@@ -7,8 +7,8 @@
 
 namespace dmp::mesher {
 
-/// Checks that each part finds its region or curve, each anchor its points, and that every name in the drawing is used.
-/// Throws InputError with the scene's place and the nearest right name.
+/// Checks that each part finds its region or curve, each anchor its points, and that every name in the geometry is
+/// used. Throws InputError with the scene's place and the nearest right name.
 void check_names(const Geometry& geometry, const Scene& scene);
 
 /// Checks that the fluid's boundary is closed by rigid parts, other fluids or periodic sides, and that periodic sides

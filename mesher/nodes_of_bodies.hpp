@@ -10,7 +10,7 @@
 
 namespace dmp::mesher {
 
-/// Where the nodes of spring bodies in the plane stand, for others to keep away from them.
+/// Where the nodes of spring bodies in 2-D stand, for others to keep away from them.
 class NodesOfBodies {
   public:
     void add(const Vec& node, bool of_a_solid) {

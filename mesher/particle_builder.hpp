@@ -96,7 +96,7 @@ class ParticleBuilder {
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
     [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);
-    /// Where a piece of a springs part is clamped: at named points, or at its ends that lie on a curve.
+    /// Where a piece of an elastic solid is clamped: at named points, or at its ends that lie on a curve.
     [[nodiscard]] std::vector<Vec> anchors_of(const Part& part, const Polyline& curve) const;
     [[nodiscard]] std::vector<bool> anchored_columns(const Part& part, const Polyline& curve,
                                                      const std::vector<Vec>& middles, double along) const;

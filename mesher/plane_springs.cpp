@@ -136,8 +136,8 @@ void ParticleBuilder::add_elastic(const Part& part) {
         throw InputError(part.anchor.location,
                          to_points ? "no point of '" + part.anchor.value + "' lies on '" + part.name.value + "'"
                                    : "no end of '" + part.name.value + "' lies on '" + part.anchor.value + "'",
-                         to_points ? "put the anchor points on the curve in the drawing"
-                                   : "let the curve begin or end on it in the drawing");
+                         to_points ? "put the anchor points on the curve in the geometry"
+                                   : "let the curve begin or end on it in the geometry");
     }
     if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
         std::ostringstream note;
@@ -159,7 +159,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     if (curve.closed)
         throw InputError(part.name.location,
                          "'" + part.name.value + "' has a closed curve, and springs run along open ones only",
-                         "leave a gap in the curve in the drawing");
+                         "leave a gap in the curve in the geometry");
     const Ladder ladder = ladder_along(curve, spacing_);
     if (ladder.columns() < fewest_columns) {
         std::ostringstream problem;

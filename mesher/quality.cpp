@@ -33,10 +33,11 @@ double smallest_distance(const ParticleSet& set, std::size_t i, std::size_t j) {
     std::ostringstream problem;
     problem << "particles of '" << name << "' and '" << set.parts[set.part[j]].name
             << "' stand on top of each other at " << position_text(set.position[i], set.dimension);
-    throw InputError(scene.part_of_particles(name).name.location, problem.str(),
-                     "refine particles.spacing, or draw them further apart: a springs part's rows stand half a spacing "
-                     "beside what is drawn, so that two of them want " +
-                         length_text((1 + bodies_too_near) * set.spacing) + " from one to the other");
+    throw InputError(
+        scene.part_of_particles(name).name.location, problem.str(),
+        "refine particles.spacing, or draw them further apart: an elastic solid's rows stand half a spacing "
+        "beside what is drawn, so that two of them want " +
+            length_text((1 + bodies_too_near) * set.spacing) + " from one to the other");
 }
 
 /// What the neighbours of each particle say.

@@ -8,7 +8,7 @@
 
 namespace dmp::mesher {
 
-/// In space a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
+/// In 3-D a layer sinks into the gaps of the next, and fluid so far into those of a body that contact would throw it
 /// out: fluid keeps this distance from a body's nodes [spacings].
 constexpr double keep_from_nodes = 0.9;
 

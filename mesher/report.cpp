@@ -85,7 +85,7 @@ std::string inspection_text(const MeshReport& report) {
     for (const MeshReport::SurfaceLine& line : report.surfaces)
         text += fmt::format(
             "surface of {} [spacings]\n"
-            "  from its particles: {}\n  from the drawing:   {}; at most {:.3f} from a particle\n",
+            "  from its particles: {}\n  from the geometry:   {}; at most {:.3f} from a particle\n",
             line.part, deviation_text(line.from_particles, report.dimension),
             deviation_text(line.from_geometry, report.dimension), line.farthest);
     for (const MeshReport::LayerLine& line : report.layers)

@@ -14,7 +14,7 @@
 
 namespace dmp::mesher {
 
-/// The sheets of springs of a drawing in space, each connected piece for itself, and how near they come to what is
+/// The sheets of springs of a geometry in 3-D, each connected piece for itself, and how near they come to what is
 /// beside them. No fluid passes an edge that touches a wall, a body or another sheet: it is held.
 class ShellGaps {
   public:

@@ -265,7 +265,7 @@ void SpaceBuilder::check_boundary() const {
         problem << "the boundary of '" << fluid->name.value << "' is open over " << 1e6 * open << " mm^2, near "
                 << position_text(where) << ": no rigid part and no periodic side closes it";
         throw InputError(fluid->name.location, problem.str(),
-                         "name this surface in the drawing as part of a rigid part, or make the axis periodic "
+                         "name this surface in the geometry as part of a rigid part, or make the axis periodic "
                          "(flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     }
 }

@@ -16,7 +16,7 @@
 
 namespace dmp::mesher {
 
-/// Builds the particle set of a 3-D drawing: fluids fill their solids, walls stand behind the surfaces they are named
+/// Builds the particle set of a 3-D geometry: fluids fill their solids, walls stand behind the surfaces they are named
 /// after, or fill the outer layers of a solid of that name; springs fill their solids, or stand to both sides of
 /// surfaces as shells. Where solids overlap, walls take the room first, then springs, then fluids in the order of the
 /// scene's parts.

@@ -45,7 +45,7 @@ class BodyInside {
     WindingNumber winding_;
 };
 
-/// Where fluid is, by the drawing.
+/// Where fluid is, by the geometry.
 class CadFluid {
   public:
     CadFluid(const std::vector<const TriangleSurface*>& fluids, const std::vector<const TriangleSurface*>& solids,
@@ -96,7 +96,7 @@ void SpaceBuilder::leave_out_hidden_faces() {
     if (solids.empty() || fluids_.empty()) return;
     for (const Part* fluid : fluids_) fluids.push_back(&geometry_.solid(fluid->name)->surface);
     const CadFluid fluid(fluids, solids, 2 * spacing_);
-    // Far from all others the lattice knows; next to them the drawing is asked, which takes longer.
+    // Far from all others the lattice knows; next to them the geometry is asked, which takes longer.
     std::vector<NearestTriangle> within_a_spacing;
     for (const Wall& wall : walls_) within_a_spacing.emplace_back(*wall.surface, spacing_);
     const auto is_next_to_another = [&](const Wall& wall, const Vec& position) {

@@ -12,7 +12,7 @@ namespace dmp::mesher {
 
 namespace {
 
-/// A wall particle nearer than this to a body's node would stand in its place. Less than in the plane: one too many at
+/// A wall particle nearer than this to a body's node would stand in its place. Less than in 2-D: one too many at
 /// the root of a sheet keeps fluid out of the corner, one too few lets it be shifted between sheet and wall [spacings].
 constexpr double body_clearance = 0.45;
 

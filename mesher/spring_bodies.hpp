@@ -16,7 +16,7 @@ namespace dmp::mesher {
 /// A body of springs on cells or in layers, and what each of its nodes stands for.
 struct SpringBody {
     SpringLattice lattice;
-    std::vector<double> volume;  ///< in the SPH sums [m^3], in the plane [m^2]
+    std::vector<double> volume;  ///< in the SPH sums [m^3], in 2-D [m^2]
     std::vector<double> mass;    ///< [kg]
 };
 

@@ -79,7 +79,7 @@ std::string thinnest_text(const LocalThickness& found, double spacing, double li
     return text.str();
 }
 
-/// Edges of fluids in the plane behind which there is no other fluid.
+/// Edges of fluids in 2-D behind which there is no other fluid.
 std::vector<PlaneSegment> edges_of_fluids(const std::vector<const Region*>& fluids, double spacing) {
     std::vector<PlaneSegment> edges;
     std::vector<InsideTest> inside;

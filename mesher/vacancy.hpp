@@ -10,7 +10,7 @@
 
 namespace dmp::mesher {
 
-/// Which fluid of a drawing in space has the room at a point, by the winding numbers of the solids: where no wall and
+/// Which fluid of a geometry in 3-D has the room at a point, by the winding numbers of the solids: where no wall and
 /// no body of springs has it, the first that holds the point.
 class Vacancy {
   public:

@@ -56,7 +56,7 @@ void check_apart(const ParticleSet& set) {
                 throw InputError("particles " + called(set, i) + " and " +
                                      called(set, static_cast<std::size_t>(id[k])) + " lie on each other at " +
                                      position(set, i),
-                                 "Check the drawing for parts that overlap or lines drawn twice near there, or choose "
+                                 "Check the geometry for parts that overlap or lines drawn twice near there, or choose "
                                  "another particles.spacing.");
         });
     }

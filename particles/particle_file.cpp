@@ -130,9 +130,9 @@ std::string problem_with(const ParticleSet& set) {
         if (!finite(hinge.rest_angle) || !finite(hinge.stiffness))
             return of("hinge", n) + ": its rest_angle or stiffness is not finite";
         if (set.dimension == 3 && !(hinge.rest_angle >= 0 && hinge.rest_angle <= std::numbers::pi))
-            return of("hinge", n) + ": its rest_angle is not between 0 and pi, as angles in space are";
+            return of("hinge", n) + ": its rest_angle is not between 0 and pi, as angles in 3-D are";
     }
-    if (set.dimension == 2 && !set.dihedrals.empty()) return "it has dihedrals, and there are none in the plane";
+    if (set.dimension == 2 && !set.dihedrals.empty()) return "it has dihedrals, and there are none in 2-D";
     for (std::size_t n = 0; n < set.dihedrals.size(); ++n) {
         const Dihedral& dihedral = set.dihedrals[n];
         if (outside(dihedral.a) || outside(dihedral.b) || outside(dihedral.c) || outside(dihedral.d))

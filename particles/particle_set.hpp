@@ -88,7 +88,7 @@ struct ParticleSet : ParticleSpace {
     std::vector<double> volume;         ///< volume it stands for in the SPH sums [m^2 x 1 m]
     std::vector<double> mass;           ///< inertial mass [kg]
     std::vector<int> part;              ///< index into parts
-    std::vector<int> body;              ///< connected piece of springs parts, by way of walls too; -1: none
+    std::vector<int> body;              ///< connected piece of elastic solids, by way of walls too; -1: none
     std::vector<std::uint8_t> fixed;    ///< 1: never moves (rigid walls, anchored ends)
     std::vector<std::uint8_t> seated;   ///< 1: drawn touching a wall, so that the wall does not push it away
     std::vector<Vec> wall_normal;       ///< rigid: unit vector from the surface into the fluid; else 0

@@ -20,7 +20,7 @@ struct RunFrame {
     double time = 0;     ///< [s]
     double spacing = 0;  ///< [m]
     std::optional<FrameGroup> fluid, solid, spheres, moving_walls;
-    std::optional<FrameGroup> bodies;  ///< rigid parts told from walls: those within the fluid of a scene in space
+    std::optional<FrameGroup> bodies;  ///< rigid parts told from walls: those within the fluid of a scene in 3-D
     /// What is coloured by a field: the fluid, or the spheres where there is none.
     [[nodiscard]] const std::optional<FrameGroup>& coloured() const { return fluid ? fluid : spheres; }
 };
@@ -90,7 +90,7 @@ void leave_out_bonds_round_borders(RunFrame& frame);
 std::vector<ParticleLayer> layers_of(const RunFrame& frame, const std::optional<FrameGroup>& walls,
                                      const std::string& field, const ColourScale& scale);
 
-/// Particles of the frame that are not in the area, in the plane or in space (`dimension` 2 or 3), or nowhere.
+/// Particles of the frame that are not in the area, in 2-D or in 3-D (`dimension` 2 or 3), or nowhere.
 std::size_t count_outside(const RunFrame& frame, const Box& area, int dimension);
 
 /// "1.25 s"; the prefix is the one that suits `scale` [s], the same for all times of a run.

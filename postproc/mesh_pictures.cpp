@@ -81,22 +81,22 @@ class Painter {
         const auto all = members(mesh_, [](std::size_t) { return true; });
         const double size = around(mesh_, along(0, 1), all).extent().maxCoeff();
         std::vector<Viewpoint> views;
-        std::vector<PanelActors> drawings;
+        std::vector<PanelActors> panels;
         constexpr std::array<std::array<int, 2>, 3> axes{{{0, 1}, {0, 2}, {1, 2}}};
         for (const auto& [right, up] : axes) {
             views.push_back(along(right, up, middle));
-            drawings.push_back({around(mesh_, views.back(), all), slice_text(right, up, middle, size)});
+            panels.push_back({around(mesh_, views.back(), all), slice_text(right, up, middle, size)});
             if (mesh_.dimension == 3) continue;
-            drawings.back().caption.clear();
+            panels.back().caption.clear();
             break;
         }
-        const PanelLayout layout(drawings);
+        const PanelLayout layout(panels);
         Sheet sheet(layout.area(), 1, width_, mesh_.title);
         const auto draw_slice = [&](std::size_t k, int width, int height) {
             const auto in_slice = [&](std::size_t i) {
                 return std::abs(views[k](mesh_.position[i]).z()) <= 0.5001 * mesh_.spacing;
             };
-            return slice(views[k], drawings[k].area, width, height, scale, in_slice);
+            return slice(views[k], panels[k].area, width, height, scale, in_slice);
         };
         sheet.add(layout.draw(sheet.panel_width(), sheet.panel_height(), draw_slice), "");
         finish(sheet, scale, "slices.png");

@@ -27,11 +27,11 @@ struct MeshView {
 };
 
 /// Draws what a mesh is like:
-///   slices.png         the fluid's kernel sums among walls and solids; in space three slices through the middle of the
+///   slices.png         the fluid's kernel sums among walls and solids; in 3-D three slices through the middle of the
 ///                      fluid, a spacing thick
-///   surface_error.png  the particles next to a drawn surface by how far they are from where they should be; in space
+///   surface_error.png  the particles next to a drawn surface by how far they are from where they should be; in 3-D
 ///                      seen aslant
-///   valence.png        nodes by their number of bonds, in space seen aslant; not without bonds
+///   valence.png        nodes by their number of bonds, in 3-D seen aslant; not without bonds
 /// Without a display and Xvfb nothing is drawn, and the warning says so. Throws ResourceError when the disk does not
 /// take them.
 Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshView& mesh, int width = 1600);

@@ -28,7 +28,7 @@ struct PanelLayout::Rows {
     double width = 0, height = 0, caption_height = 0;
     int count = 0;
 
-    /// Pixels per metre on a panel one pixel wide, the geometric mean of the first drawing's and all drawings', less
+    /// Pixels per metre on a panel one pixel wide, the geometric mean of the first drawing's and all pictures', less
     /// what more rows than one have to be worth.
     [[nodiscard]] double merit() const {
         const double mean = std::accumulate(magnification.begin(), magnification.end(), 0.0) /
@@ -50,7 +50,7 @@ PanelLayout::PanelLayout(std::vector<PanelActors> drawings) : panels_(std::move(
             panels_[k].caption += ", " + std::to_string(times) + " : 1";
 }
 
-/// The bits of `breaks` tell after which drawings a new row begins.
+/// The bits of `breaks` tell after which pictures a new row begins.
 PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
     struct Row {
         std::size_t first = 0, last = 0;
@@ -94,17 +94,17 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
     return result;
 }
 
-/// The width that a drawing and its caption take on a panel of some width.
+/// The width that a picture and its caption take on a panel of some width.
 double PanelLayout::room_of(std::size_t k, double times, double panel_width) const {
     const double caption = letter_width * panel_width * static_cast<double>(panels_[k].caption.size());
     return std::max(times * panels_[k].area.extent().x(), caption);
 }
 
-/// The least width of a panel with room for these drawings beside each other.
+/// The least width of a panel with room for these pictures beside each other.
 double PanelLayout::least_width(std::size_t first, std::size_t last) const {
     double width = 0;
     for (std::size_t k = first; k <= last; ++k) width += panels_[k].area.extent().x();
-    // captions take a share of the width: wider panels leave more to the drawings, until all have room
+    // captions take a share of the width: wider panels leave more to the pictures, until all have room
     for (int k = 0; k < 100; ++k) {
         double taken = gap * width * static_cast<double>(last - first);
         for (std::size_t d = first; d <= last; ++d) taken += room_of(d, 1, width);

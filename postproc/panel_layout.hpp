@@ -11,13 +11,13 @@
 
 namespace dmp::postproc {
 
-/// One of several drawings that belong together.
+/// One of several pictures that belong together.
 struct PanelActors {
     Box area;             ///< what it shows [m]
     std::string caption;  ///< over it; may be empty
 };
 
-/// Where several drawings stand on one panel: in rows, at one scale, as large as a page lets them. Where there are
+/// Where several pictures stand on one panel: in rows, at one scale, as large as a page lets them. Where there are
 /// captions, rows below the first are magnified by a round number if there is room, and the captions say so.
 class PanelLayout {
   public:

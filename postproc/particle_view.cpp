@@ -36,7 +36,7 @@ constexpr double least_line_width = 2.2;  // [pixels], so that thin solids stay 
 constexpr double wall_opacity = 0.4;
 constexpr int oversampling = 2;  // drawn larger and averaged: smooth edges on every driver
 
-constexpr double disc_depth = 0.02;  // from a disc's centre to its rim [depths of the drawing]
+constexpr double disc_depth = 0.02;  // from a disc's centre to its rim [depths of the picture]
 
 /// A filled disc. The depth grows from its centre, so that where discs overlap the nearest centre wins
 /// and a dense set shows no scales and no gaps.
@@ -148,7 +148,7 @@ void add_triangles(vtkRenderer* renderer, const ParticleLayer& layer) {
 }
 
 /// Discs at a height above the last layer's. Those that stand before or behind the plane z = 0 lie as deep as their
-/// distance would be on a disc: all along the plane the nearest particle in space shows.
+/// distance would be on a disc: all along the plane the nearest particle in 3-D shows.
 void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<float> height, double depth) {
     vtkNew<vtkPolyData> data;
     const auto points = points_at(layer.position, height);

@@ -12,7 +12,7 @@ struct PictureOptions {
     std::string field = "velocity";  ///< what colours the fluid; of vectors the magnitude
     int width = 1600;                ///< [pixels]
     int sheet_frames = 8;            ///< frames on cycle.png, evenly over the run
-    /// By axis, low and high: whether the scene is mirrored on that side of its box; slices in space lie there.
+    /// By axis, low and high: whether the scene is mirrored on that side of its box; slices in 3-D lie there.
     std::array<std::array<bool, 2>, 3> mirrored{};
 };
 

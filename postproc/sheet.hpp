@@ -10,10 +10,10 @@
 
 namespace dmp::postproc {
 
-/// One or more drawings of the same area with title, times, length scale and colour bar.
+/// One or more pictures of the same area with title, times, length scale and colour bar.
 class Sheet {
   public:
-    /// `panels` drawings of `area` on a sheet at most `width` pixels wide; columns are chosen so that it fits a page.
+    /// `panels` pictures of `area` on a sheet at most `width` pixels wide; columns are chosen so that it fits a page.
     Sheet(const Box& area, std::size_t panels, int width, const std::string& title);
 
     [[nodiscard]] int panel_width() const { return panel_width_; }
@@ -21,7 +21,7 @@ class Sheet {
 
     /// The next drawing, of panel_width x panel_height pixels.
     void add(const Image& image, const std::string& caption);
-    /// The length scale and the colour bar, below the drawings.
+    /// The length scale and the colour bar, below the pictures.
     void finish(const ColourScale& scale);
     void save(const std::filesystem::path& file) const { canvas_.save(file); }
 

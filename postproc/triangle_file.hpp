@@ -9,7 +9,7 @@
 
 namespace dmp::postproc {
 
-/// A VTP file of triangles for ParaView, as text: those of a drawing that are to blame for something, say. Corners in
+/// A VTP file of triangles for ParaView, as text: those of a picture that are to blame for something, say. Corners in
 /// metres; each triangle has its number as the cell value "triangle". Throws ResourceError when the disk does not take
 /// it.
 void write_triangles(const std::filesystem::path& file, std::span<const Vec> corners,

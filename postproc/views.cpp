@@ -82,7 +82,7 @@ void append(std::optional<FrameGroup>& to, std::optional<FrameGroup>&& more) {
     to->part.insert(to->part.end(), more->part.begin(), more->part.end());
 }
 
-/// Chooses the looks at a fluid in space.
+/// Chooses the looks at a fluid in 3-D.
 class Chooser {
   public:
     Chooser(const RunFolder& run, const Mirrored& mirrored)
@@ -105,7 +105,7 @@ class Chooser {
         const Vec middle = in_round_numbers(middle_of_whole(longest));
         const int across = axis_to_cut(longest, middle);
         const int other = 3 - longest - across;
-        // x to the right, z up, as far as they are in the plane
+        // x to the right, z up, as far as they are in 2-D
         const int right = std::min(longest, other), up = std::max(longest, other);
         std::vector<View> views;
         const auto slice = [&](int to_right, int upward, const Vec& origin) {

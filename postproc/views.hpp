@@ -16,7 +16,7 @@ namespace dmp::postproc {
 /// One drawing of a run's frames: what it shows, and from where.
 struct View {
     enum class Shows : std::uint8_t {
-        everything,  ///< as it lies in the plane; spheres in space
+        everything,  ///< as it lies in 2-D; spheres in 3-D
         slice,       ///< a slab of 1.5 spacings about the cut
         opened,      ///< fluid and walls behind the cut, what stands in the fluid whole
     };
@@ -30,12 +30,12 @@ struct View {
     double low = 0, high = 0;
 };
 
-/// How a run's frames are drawn: all at once in the plane and of spheres. Of a fluid in space
+/// How a run's frames are drawn: all at once in 2-D and of spheres. Of a fluid in 3-D
 ///   - a slice along its longest axis, in the larger of the two planes, or of two alike in the one that cuts what
 ///     stands in the fluid into more pieces (spring bodies, and rigid parts that do not reach out of the fluid's box)
 ///   - a slice across that axis, where most of it stands, or half-way
 ///   - where there is such a thing, a view of it aslant, the walls and the fluid in front of the first slice taken away
-/// Spring bodies in space without a fluid are seen aslant.
+/// Spring bodies in 3-D without a fluid are seen aslant.
 /// By axis, low and high, `mirrored` names the planes of symmetry: there, and not half-way, lies the first slice.
 std::vector<View> cameras(const RunFolder& run, const std::array<std::array<bool, 2>, 3>& mirrored = {});
 

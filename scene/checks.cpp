@@ -56,7 +56,7 @@ void need_something_to_move(const Scene& scene) {
                      "add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
 }
 
-/// What is drawn needs a drawing, and particles of one spacing.
+/// What is drawn needs a geometry, and particles of one spacing.
 void check_parts_with_geometry(const Scene& scene, const TomlNode& document) {
     const auto has_geometry = [](const Part& part) {
         return *part.kind != PartKind::spheres && !part.is_wall_for_spheres();
@@ -144,13 +144,13 @@ void need_lattice_for_disorder(const Scene& scene) {
 
 void need_arrangement_in_plane(const Scene& scene) {
     if (scene.dimension == 3 || *scene.particles.arrangement != Arrangement::fcc) return;
-    throw InputError(scene.particles.arrangement.location, "particles.arrangement: \"fcc\" is a lattice in space",
+    throw InputError(scene.particles.arrangement.location, "particles.arrangement: \"fcc\" is a lattice in 3-D",
                      "write \"square\" or \"hexagonal\", or dimension = 3");
 }
 
 void need_axis_in_space(const Scene& scene) {
     if (scene.dimension == 3 || !*scene.flow.periodic[2]) return;
-    throw InputError(scene.flow.periodic[2].location, "flow.periodic: a scene in the plane has no axis 'z'",
+    throw InputError(scene.flow.periodic[2].location, "flow.periodic: a scene in 2-D has no axis 'z'",
                      "give 'x' and 'y' only, or write dimension = 3");
 }
 
@@ -218,7 +218,7 @@ void check_symmetry(const Scene& scene) {
         const int axis = axis_of(side);
         if (axis == 2 && scene.dimension == 2)
             throw InputError(scene.flow.symmetry.location,
-                             "flow.symmetry: a scene in the plane has no side '" + to_string(side) + "'",
+                             "flow.symmetry: a scene in 2-D has no side '" + to_string(side) + "'",
                              "give sides across x and y only, or write dimension = 3");
         if (*scene.flow.periodic[axis])
             throw InputError(first_known(scene, {&scene.flow.symmetry.location, &scene.flow.periodic[axis].location}),
@@ -306,7 +306,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
                                               : "part '" + *measure.part + "' is of kind '" + to_string(*other->kind) +
                                                     "', expected 'springs'";
     throw InputError(measure.part.location, what,
-                     nearest.empty() ? "a gap is measured between the pieces of a springs part; the scene has " +
+                     nearest.empty() ? "a gap is measured between the pieces of an elastic solid; the scene has " +
                                            quoted_list(springs)
                                      : "did you mean '" + nearest + "'?");
 }
@@ -315,7 +315,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
 void check_selection(const Scene& scene, const Selection& selection) {
     const std::string name = "selection '" + *selection.name + "'";
     if (scene.dimension == 2 && selection.z.given())
-        throw InputError(selection.z.location, name + " gives a z, and the scene lies in the plane",
+        throw InputError(selection.z.location, name + " gives a z, and the scene lies in 2-D",
                          "take z out, or write dimension = 3");
     if (selection.from.given() != selection.to.given())
         throw InputError(first_known(scene, {&selection.from.location, &selection.to.location}),
@@ -330,7 +330,7 @@ void check_selection(const Scene& scene, const Selection& selection) {
     if (own_angle && !selection.normal.given())
         throw InputError(selection.angle.location, name + " has an angle, and no normal that it is from",
                          "give normal");
-    // What is no selection may be a surface or curve of the drawing.
+    // What is no selection may be a surface or curve of the geometry.
     for (const std::string& other : *selection.except) {
         const auto found = std::ranges::find(scene.selections, other, [](const Selection& one) { return *one.name; });
         if (found == scene.selections.end() || &*found < &selection) continue;

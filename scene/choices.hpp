@@ -21,7 +21,7 @@ enum class ForceAmount { total, per_particle };
 enum class ShapeKind { parabola, circle };
 /// From which side of a shape it pushes particles away.
 enum class PushedSide { both, inside, outside };
-/// In space: cubic, hexagonal close-packed, face-centred cubic.
+/// In 3-D: cubic, hexagonal close-packed, face-centred cubic.
 enum class Arrangement { square, hexagonal, fcc };
 /// How far up the ladder of repairs a surface that is not closed may be taken (docs/repair.md).
 enum class RepairKind { none, weld, fill, vote, wrap };

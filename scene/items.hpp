@@ -84,8 +84,8 @@ struct Measure {
     Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
     Value<FluidField> field = FluidField::velocity;  ///< probe: what
     Value<std::string>
-        part;  ///< gap: between the pieces of this springs part; wall_flux: into this rigid part;
-               ///< velocity, spin, detached: the spheres; aggregate: of this [[solidify]] or springs part
+        part;  ///< gap: between the pieces of this elastic solid; wall_flux: into this rigid part;
+               ///< velocity, spin, detached: the spheres; aggregate: of this [[solidify]] or elastic solid
     Value<std::string> species;          ///< of measures of a species; empty: the only one
     Value<Axis> axis = Axis::x;          ///< profile, spread: along which
     Value<int> bins = 20;                ///< profile: how many
@@ -100,7 +100,7 @@ struct Solidify {
     Value<std::string> name;    ///< of what comes into being
     Value<std::string> liquid;  ///< the fluid part that turns solid
 
-    Value<std::string> seed_part;           ///< all particles of this rigid or springs part are seeds; empty: none
+    Value<std::string> seed_part;           ///< all particles of this rigid or elastic solid are seeds; empty: none
     Value<std::string> seed_region;         ///< liquid in this region becomes seeds; empty: anywhere
     Value<double> seed_stress_above = 0.0;  ///< liquid with more shear stress becomes a seed [Pa]; 0: not asked
     Value<double> seed_residence_above =
@@ -129,7 +129,7 @@ struct Solidify {
 /// [[break]]: bonds that break under tension.
 struct Breaking {
     Value<std::string> name;
-    Value<std::string> part;           ///< whose bonds: a springs part's, a [[solidify]]'s or a [[join]]'s
+    Value<std::string> part;           ///< whose bonds: an elastic solid's, a [[solidify]]'s or a [[join]]'s
     Value<double> force_above = 0.0;   ///< [N]; 0: not by force
     Value<double> strain_above = 0.0;  ///< [-]; 0: not by strain
     Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
@@ -138,17 +138,17 @@ struct Breaking {
 /// [[join]]: bonds between the particles of two parts, or between pieces of one, as they are drawn (docs/elastic.md).
 struct Join {
     Value<std::string> name;
-    Value<std::array<std::string, 2>> parts;  ///< two springs parts, the same twice, or a springs and a rigid part
+    Value<std::array<std::string, 2>> parts;  ///< two elastic solids, the same twice, or a springs and a rigid part
     Value<double> within;                     ///< longest bond [m]; not given: 1.5 spacings
     Value<double> stiffness = 0.0;            ///< k_b [N/m]; 0 = "auto": as stiff as the parts' own bonds, in series
     Value<double> damping = 0.01;             ///< dashpot, fraction of critical [-]
 };
 
-/// [[select]]: faces of a drawing in space by where they lie, for what the drawing gives no name. All that is given
+/// [[select]]: faces of a geometry in 3-D by where they lie, for what the geometry gives no name. All that is given
 /// must hold at once.
 struct Selection {
     Value<std::string> name;                 ///< of the surface that they make up
-    Value<std::string> of;                   ///< the drawing's volume or surface whose faces they are
+    Value<std::string> of;                   ///< the geometry's volume or surface whose faces they are
     Value<double> x, y, z;                   ///< if given: they lie in this plane [m]
     Value<Vec> from{Vec::Zero()};            ///< if given: they lie in a box with this corner [m]
     Value<Vec> to{Vec::Zero()};              ///< and the opposite one [m]

@@ -12,7 +12,7 @@ std::vector<Key<Join>> join_keys() {
     return {
         {"name", &Join::name, name(), required, "What the join is called, in [[break]] too."},
         {"parts", &Join::parts, two_names(), required,
-         "Which particles are bonded to which: those of two springs parts, of a springs part and a rigid one that rests, or of one springs part, named twice."},
+         "Which particles are bonded to which: those of two elastic solids, of an elastic solid and a rigid one that rests, or of one elastic solid, named twice."},
         {"within", &Join::within, quantity("0.15 mm", positive), not_given,
          "Longest bond; without it 1.5 spacings. None is made across a gap: where a particle of another part stands in its middle."},
         {"stiffness", &Join::stiffness, quantity_or_auto("10 N/m"), "auto",
@@ -40,7 +40,7 @@ const Part& joined_part(const Scene& scene, const Join& join, const std::string&
         throw InputError(join.parts.location,
                          whose + "part '" + name + "' is of kind '" + to_string(*part->kind) +
                              "', and bonds join springs, or springs and a wall",
-                         "name springs parts, or a springs part and a rigid one");
+                         "name elastic solids, or an elastic solid and a rigid one");
     if (part->moves())
         throw InputError(join.parts.location,
                          whose + "part '" + name + "' moves, and bonds to walls hold at places that stay",
@@ -57,7 +57,7 @@ void check_joins(const Scene& scene) {
         if (*one.kind == PartKind::rigid && *other.kind == PartKind::rigid)
             throw InputError(join.parts.location,
                              "join '" + *join.name + "' is of two rigid parts, and neither of them moves",
-                             "name at least one springs part");
+                             "name at least one elastic solid");
         if (const Part* same = scene.part_named(join.name))
             throw InputError(join.name.location,
                              "there is already a part called '" + *join.name + "', at " + same->name.location.text(),

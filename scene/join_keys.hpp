@@ -10,7 +10,7 @@ namespace dmp::scene {
 /// The schema's rows of [[join]].
 std::vector<Key<Join>> join_keys();
 
-/// Whether each [[join]] is of parts that bonds can join: springs parts, or one and a rigid part that rests. Throws
+/// Whether each [[join]] is of parts that bonds can join: elastic solids, or one and a rigid part that rests. Throws
 /// InputError.
 void check_joins(const Scene& scene);
 

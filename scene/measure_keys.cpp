@@ -58,7 +58,7 @@ std::vector<Key<Measure>> measure_keys() {
         {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
         {"field", probe, &Measure::field, one_of<FluidField>(), "velocity", "What the probe reads."},
         {"part", of_part, &Measure::part, name(), required,
-         "The springs part whose pieces' smallest distance is followed; of spheres the part whose mean velocity or spin it is, or the one sphere that others may detach from."},
+         "The elastic solid whose pieces' smallest distance is followed; of spheres the part whose mean velocity or spin it is, or the one sphere that others may detach from."},
         {"direction", detached, &Measure::direction, direction(), "[0, 0, 1]",
          "Points to the half of the sphere that is counted as the upper one, as drawn."},
         {"species", of_species, &Measure::species, name(), not_given, "Which species; not needed where there is one."},
@@ -76,7 +76,7 @@ std::vector<Key<Measure>> measure_keys() {
          "L of a column with the Sherwood number J L / (area D dc), dc the fluid's mean concentration less the wall's."},
         {"area", wall_flux, &Measure::area, quantity("1 mm^2", positive), not_given, "The wall's, for the Sherwood number; 1 m deep in 2-D."},
         {"part", aggregate, &Measure::part, name(), required,
-         "The [[solidify]] or springs part whose particles, mass, pieces, largest piece and bonds are followed."},
+         "The [[solidify]] or elastic solid whose particles, mass, pieces, largest piece and bonds are followed."},
     };
 }
 // clang-format on

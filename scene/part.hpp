@@ -12,12 +12,12 @@
 
 namespace dmp::scene {
 
-/// [[part]]: one named region, curve or group of the drawing and what it is made of.
+/// [[part]]: one named region, curve or group of the geometry and what it is made of.
 /// 2-D scenes are 1 m deep: masses in kg, forces in N, energies in J.
 struct Part {
     Value<std::string> name;
     Value<PartKind> kind;
-    Value<bool> enabled = true;  ///< false leaves the part out; its name in the drawing stays known
+    Value<bool> enabled = true;  ///< false leaves the part out; its name in the geometry stays known
 
     // fluid
     Value<double> density;    ///< rest density [kg/m^3]
@@ -47,7 +47,7 @@ struct Part {
     Value<bool> cross_bonds = false;           ///< both diagonals of each cell instead of hinges at its corners
     Value<double> bonds_within;                ///< of a solid: bonds of all particles so near, not cells [m]
     Value<double> mass_per_length;             ///< [kg/m]
-    Value<std::string> anchor;                 ///< named points of the drawing where the part is clamped; empty: free
+    Value<std::string> anchor;                 ///< named points of the geometry where the part is clamped; empty: free
     Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical [-]
     Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (thesis' form)
 

@@ -27,9 +27,9 @@ struct Scene {
     Value<Quality> quality = Quality::standard;
 
     struct {
-        Value<std::string> file;   ///< the drawing, absolute or relative to `directory`
-        Value<double> unit = 1.0;  ///< one unit of the drawing [m]; drawings without a unit need it given
-        /// DefineConstant names -> values in the drawing's own units (lengths already divided by `unit`).
+        Value<std::string> file;   ///< the geometry, absolute or relative to `directory`
+        Value<double> unit = 1.0;  ///< one unit of the geometry [m]; geometries without a unit need it given
+        /// DefineConstant names -> values in the geometry's own units (lengths already divided by `unit`).
         std::map<std::string, Value<double>> parameters;
         Value<RepairKind> repair = RepairKind::wrap;
         Value<double> largest_hole = 8.0;  ///< perimeter of holes that are filled [spacings]
@@ -106,7 +106,7 @@ struct Scene {
     } output;
 
     std::vector<Species> species;
-    /// Of a scene that has spheres and no drawing; given where an axis is periodic.
+    /// Of a scene that has spheres and no geometry; given where an axis is periodic.
     struct {
         Value<Vec> from{Vec::Zero()};  ///< one corner [m]
         Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]

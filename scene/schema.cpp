@@ -41,13 +41,13 @@ std::vector<Key<Scene>> top_keys() {
 std::vector<Key<Geometry>> geometry_keys() {
     return {
         {"file", &Geometry::file, text_not_empty(), not_given,
-         "The drawing, beside the scene file or with its full path; scenes of spheres and their walls have none."},
+         "The geometry, beside the scene file or with its full path; scenes of spheres and their walls have none."},
         {"unit", &Geometry::unit, quantity("1 mm", positive), "1 m",
-         "Length of one unit of the drawing. STL, OBJ, PLY, OFF and BREP files do not say it: the scene must; STEP and IGES "
+         "Length of one unit of the geometry. STL, OBJ, PLY, OFF and BREP files do not say it: the scene must; STEP and IGES "
          "files do, and it is left out."},
         {"parameters", {}, &Geometry::parameters, [](const Geometry& geometry) { return parameters(geometry.unit); },
          parameters(1).description, "{}",
-         "Values for the drawing's DefineConstant names; lengths are turned into the drawing's unit, angles into radians."},
+         "Values for the geometry's DefineConstant names; lengths are turned into the geometry's unit, angles into radians."},
         {"repair", &Geometry::repair, one_of<RepairKind>(), "wrap",
          "How far the repair of a fluid's surface that is not closed may go; each step has those before it "
          "(docs/repair.md)."},
@@ -66,7 +66,7 @@ ValueType<double> angle_type() {
 std::vector<Key<Selection>> select_keys() {
     return {
         {"name", &Selection::name, name(), required, "What the selected faces are called, for a part of this name."},
-        {"of", &Selection::of, name(), required, "The volume or surface of the drawing whose faces they are; in the plane the area or curve of which they are curves."},
+        {"of", &Selection::of, name(), required, "The volume or surface of the geometry whose faces they are; in 2-D the area or curve of which they are curves."},
         {"x", &Selection::x, quantity("2 mm"), not_given, "Faces that lie in the plane of this x."},
         {"y", &Selection::y, quantity("2 mm"), not_given, "Faces that lie in the plane of this y."},
         {"z", &Selection::z, quantity("2 mm"), not_given, "Faces that lie in the plane of this z."},
@@ -84,10 +84,10 @@ std::vector<Key<Particles>> particles_keys() {
         {"spacing", &Particles::spacing, quantity("0.1 mm", positive), not_given,
          "Distance between neighbouring particles; needed for all but spheres."},
         {"arrangement", &Particles::arrangement, one_of<Arrangement>(), "square",
-         "Lattice on which the fluid starts; in space \"square\" is cubic, \"hexagonal\" is close-packed, and there is "
+         "Lattice on which the fluid starts; in 3-D \"square\" is cubic, \"hexagonal\" is close-packed, and there is "
          "face-centred cubic, \"fcc\"."},
         {"fill", &Particles::fill, one_of<FillKind>(), "lattice",
-         "\"relaxed\" moves particles off the lattice until they follow the curves or surfaces of the drawing, those of walls "
+         "\"relaxed\" moves particles off the lattice until they follow the curves or surfaces of the geometry, those of walls "
          "too, with particles at corners and edges; arrangement is then where they start from, and \"square\" a good start. "
          "\"sampled\" does the same from places at random that keep their distance, without a lattice's directions."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
@@ -99,7 +99,7 @@ std::vector<Key<Particles>> particles_keys() {
 std::vector<Key<Part>> part_keys() {
     const Kinds all, fluid = {"fluid"}, rigid = {"rigid"}, springs = {"elastic"};
     return {
-        {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the drawing, if it is drawn."},
+        {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the geometry, if it is drawn."},
         {"kind", all, &Part::kind, one_of<PartKind>(), required,
          "What the part is made of: a fluid, a rigid wall, a flexible solid of masses and springs, spheres that touch, or a "
          "wall for spheres: a plane or a surface of triangles."},
@@ -119,10 +119,10 @@ std::vector<Key<Part>> part_keys() {
         {"centre", rigid, &Part::centre, point(), "[0, 0]",
          "What the part turns about, as drawn; it moves with the part's velocity."},
         {"layers", springs, &Part::layers,
-         integer(exactly(2, "springs parts have two rows of particles for now: write layers = 2")), "2",
+         integer(exactly(2, "elastic solids have two rows of particles for now: write layers = 2")), "2",
          "Rows of particles across the solid's thickness."},
         {"density", springs, &Part::density, quantity("1100 kg/m^3", positive), not_given,
-         "Of the material, in space and of an area in the plane; of a strip mass_per_length says it."},
+         "Of the material, in 3-D and of an area in 2-D; of a strip mass_per_length says it."},
         {"bending_stiffness", springs, &Part::bending_stiffness, quantity("3e-6 N*m^2", positive), not_given,
          "EI of a strip 1 m deep; with axial_stiffness, or youngs_modulus and thickness in their place."},
         {"axial_stiffness", springs, &Part::axial_stiffness, quantity("100 N", positive), not_given,
@@ -130,9 +130,9 @@ std::vector<Key<Part>> part_keys() {
         {"shear_stiffness", springs, &Part::shear_stiffness, quantity("40 N", positive), not_given,
          "GA of a strip 1 m deep, shear correction and all; without it what the lattice has for its EI and EA."},
         {"youngs_modulus", springs, &Part::youngs_modulus, quantity("2 MPa", positive), not_given,
-         "E of the material. Of a strip 1 m deep the thickness h gives EA = E h / (1 - nu^2), EI = E h^3 / (12 (1 - nu^2)); of a shell in space E h and D = E h^3 / (12 (1 - nu^2))."},
+         "E of the material. Of a strip 1 m deep the thickness h gives EA = E h / (1 - nu^2), EI = E h^3 / (12 (1 - nu^2)); of a shell in 3-D E h and D = E h^3 / (12 (1 - nu^2))."},
         {"thickness", springs, &Part::thickness, quantity("0.3 mm", positive), not_given,
-         "Thickness h that goes with youngs_modulus, of a strip, or of a surface in space, which becomes a shell."},
+         "Thickness h that goes with youngs_modulus, of a strip, or of a surface in 3-D, which becomes a shell."},
         {"poisson_ratio", springs, &Part::poisson_ratio, number(between(0, 0.5)), not_given,
          "nu that goes with youngs_modulus, of a strip held in its depth; without it, or 0, the strip is free to change it. Of a solid 0 to 0.25, and 0.25 is the fastest."},
         {"lower_axial_stiffness", springs, &Part::lower_axial_stiffness, boolean(), "true",
@@ -142,9 +142,9 @@ std::vector<Key<Part>> part_keys() {
         {"bonds_within", springs, &Part::bonds_within, quantity("0.15 mm", positive), not_given,
          "Of a solid: bonds between all its particles no further apart, of a Poisson ratio of 0.25, in place of the springs of lattice cells; for every arrangement and fill."},
         {"mass_per_length", springs, &Part::mass_per_length, quantity("0.4 kg/m", positive), not_given,
-         "Mass of a strip 1 m deep along its length; needed in the plane for a curve."},
+         "Mass of a strip 1 m deep along its length; needed in 2-D for a curve."},
         {"anchor", springs, &Part::anchor, text_not_empty(), not_given,
-         "Named points of the drawing where the part is clamped, or a curve, on which its ends are; of an area all nodes next to them; in space a surface or volume: all nodes next to it are. Without it the part is free."},
+         "Named points of the geometry where the part is clamped, or a curve, on which its ends are; of an area all nodes next to them; in 3-D a surface or volume: all nodes next to it are. Without it the part is free."},
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
          "Dashpot along each bond and at each hinge, as a fraction of critical damping."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
@@ -155,7 +155,7 @@ std::vector<Key<Part>> part_keys() {
 std::vector<Key<SceneBox>> box_keys() {
     return {
         {"from", &SceneBox::from, point(), not_given,
-         "One corner of the box that repeats itself along flow.periodic, in scenes of spheres, which have no drawing."},
+         "One corner of the box that repeats itself along flow.periodic, in scenes of spheres, which have no geometry."},
         {"to", &SceneBox::to, point(), not_given, "The opposite corner."},
     };
 }

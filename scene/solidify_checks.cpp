@@ -75,13 +75,13 @@ void check_seeds(const Scene& scene, const Solidify& rule) {
     auto solids = scene.names_of_parts(PartKind::rigid);
     for (const auto& name : scene.names_of_parts(PartKind::elastic)) solids.push_back(name);
     if (!is_one_of(*rule.seed_part, solids))
-        refuse_name(scene, rule.seed_part, "seed_part", named(rule), "a rigid or springs part", solids);
+        refuse_name(scene, rule.seed_part, "seed_part", named(rule), "a rigid or elastic solid", solids);
     for (const Part* wall : scene.parts_of(PartKind::rigid))
         if (*wall->name == *rule.seed_part && wall->moves())
             throw InputError(rule.seed_part.location,
                              "seed_part of " + named(rule) + ": part '" + *wall->name +
                                  "' moves, and bonds to walls hold at places that stay",
-                             "take a part that rests, or a springs part");
+                             "take a part that rests, or an elastic solid");
 }
 
 void check_activity(const Solidify& rule) {
@@ -112,7 +112,7 @@ void need_solid(const Scene& scene, const Value<std::string>& name, const std::s
     auto solids = scene.names_of_parts(PartKind::elastic);
     for (const Solidify& rule : scene.solidify) solids.push_back(*rule.name);
     if (!is_one_of(*name, solids))
-        refuse_name(scene, name, "part", what + " '" + whose + "'", "a springs part or a [[solidify]]", solids);
+        refuse_name(scene, name, "part", what + " '" + whose + "'", "an elastic solid or a [[solidify]]", solids);
 }
 
 void check_solidify(const Scene& scene) {

@@ -11,7 +11,7 @@ std::vector<Key<Solidify>> solidify_keys() {
         {"name", &Solidify::name, name(), required, "What the solid is called that comes into being."},
         {"liquid", &Solidify::liquid, name(), required, "The fluid part whose particles turn solid."},
         {"seed_part", &Solidify::seed_part, name(), not_given,
-         "A rigid or springs part, whose particles are the first seeds; or give one of the other seed keys."},
+         "A rigid or elastic solid, whose particles are the first seeds; or give one of the other seed keys."},
         {"seed_region", &Solidify::seed_region, name(), not_given,
          "A region, in which liquid turns into seeds: once, at the first event, or whenever the next two keys say so."},
         {"seed_stress_above", &Solidify::seed_stress_above, quantity("2 Pa", positive), not_given,
@@ -24,7 +24,7 @@ std::vector<Key<Solidify>> solidify_keys() {
         {"residence_above", &Solidify::residence_above, quantity("1 s", positive), not_given,
          "Only liquid that has been in the region for longer turns solid near a seed."},
         {"rule", &Solidify::rule, one_of<SolidifyRule>(), "per_candidate",
-         "What the dice are thrown for: each pair of a seed and liquid within reach, each liquid particle within reach of "
+         "What a random trial is made for: each pair of a seed and liquid within reach, each liquid particle within reach of "
          "a seed, or pairs that are each other's nearest."},
         {"reach", &Solidify::reach, quantity("0.12 mm", positive), required,
          "R_max, distance from a seed within which liquid may turn solid; neighbours are about a spacing away."},
@@ -52,7 +52,7 @@ std::vector<Key<Solidify>> solidify_keys() {
 std::vector<Key<Breaking>> breaking_keys() {
     return {
         {"name", &Breaking::name, name(), required, "What the rule is called."},
-        {"part", &Breaking::part, name(), required, "The springs part, [[solidify]] or [[join]] whose bonds may break."},
+        {"part", &Breaking::part, name(), required, "The elastic solid, [[solidify]] or [[join]] whose bonds may break."},
         {"force_above", &Breaking::force_above, quantity("1 mN", positive), not_given,
          "Tension 2 k_b (r - r0) beyond which a bond breaks; or give strain_above."},
         {"strain_above", &Breaking::strain_above, number(positive), not_given,

@@ -160,7 +160,7 @@ void check_species_measure(const Scene& scene, const Measure& measure) {
     if (*measure.kind == mean_concentration || *measure.kind == profile || *measure.kind == spread)
         check_box(scene, measure);
     if (scene.dimension == 2 && *measure.axis == Axis::z)
-        throw InputError(measure.axis.location, "measure '" + *measure.name + "': a scene in the plane has no axis 'z'",
+        throw InputError(measure.axis.location, "measure '" + *measure.name + "': a scene in 2-D has no axis 'z'",
                          "take x or y");
 }
 

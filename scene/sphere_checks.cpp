@@ -29,7 +29,7 @@ void need_room_for_spheres(const Scene& scene) {
     const Part& first = *scene.parts_of(PartKind::spheres).front();
     if (scene.dimension != 3)
         throw InputError(scene.dimension.given() ? scene.dimension.location : first.kind.location,
-                         part_of(first) + " is of spheres, which live in space, and the scene has 2 dimensions",
+                         part_of(first) + " is of spheres, which live in 3-D, and the scene has 2 dimensions",
                          "write dimension = 3");
     for (const PartKind kind : {PartKind::fluid, PartKind::elastic, PartKind::rigid}) {
         const auto others = scene.parts_of(kind);
@@ -45,7 +45,7 @@ void need_room_for_spheres(const Scene& scene) {
                          "leave out flow.symmetry");
 }
 
-/// Periods of a scene without a drawing.
+/// Periods of a scene without a geometry.
 void check_box(const Scene& scene, const TomlNode& document) {
     const auto& box = scene.box;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -5,7 +5,7 @@ namespace dmp::scene {
 
 namespace {
 
-/// How stiff a springs part is: as a strip, or as a material and a thickness.
+/// How stiff an elastic solid is: as a strip, or as a material and a thickness.
 void need_one_stiffness(const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     if (part.shear_stiffness.given() && part.cross_bonds)
@@ -62,7 +62,7 @@ void refuse_what_strips_have(const Part& part, const std::string& why, const std
     refuse(part.cross_bonds, "cross_bonds");
 }
 
-/// In the plane, where the part has a density.
+/// In 2-D, where the part has a density.
 void need_what_an_area_is_made_of(const Part& part) {
     const std::string why = "is of a strip, and density says that the part is an area";
     const std::string what_to_do =
@@ -75,7 +75,7 @@ void need_what_an_area_is_made_of(const Part& part) {
                          "add youngs_modulus, such as youngs_modulus = \"2 MPa\"");
 }
 
-/// In the plane a springs part is a strip, or an area of a material; in space a body of a material.
+/// In 2-D an elastic solid is a strip, or an area of a material; in 3-D a body of a material.
 void check_elastic_material(const Scene& scene, const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     if (scene.dimension == 2) {
@@ -84,10 +84,10 @@ void check_elastic_material(const Scene& scene, const Part& part) {
             throw InputError(
                 part.name.location, part_name + ": mass_per_length is missing",
                 "add mass_per_length, such as mass_per_length = \"0.4 kg/m\": of a strip 1 m deep; or, for "
-                "an area of the drawing, density");
+                "an area of the geometry, density");
         return need_one_stiffness(part);
     }
-    refuse_what_strips_have(part, "is of a strip in the plane, and the scene is in space",
+    refuse_what_strips_have(part, "is of a strip in 2-D, and the scene is in 3-D",
                             "give density, youngs_modulus and poisson_ratio, and of a surface its thickness");
     const auto need = [&](bool given, const char* key, const char* example) {
         if (!given)

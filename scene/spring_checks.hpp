@@ -5,7 +5,7 @@
 
 namespace dmp::scene {
 
-/// Whether each springs part says once what it is made of: in the plane a strip, in space a material. Throws
+/// Whether each elastic solid says once what it is made of: in 2-D a strip, in 3-D a material. Throws
 /// InputError.
 void check_elastic(const Scene& scene);
 

@@ -301,7 +301,7 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit) {
                             throw InputError(entry.location,
                                              entry_path + ": found " + entry.shown() + " (" + found.dimension.name() +
                                                  "), expected a length, an angle or a plain number",
-                                             "a drawing knows no other units: give a length such as \"2 mm\"");
+                                             "a geometry knows no other units: give a length such as \"2 mm\"");
                         }
                         value = found.dimension.none() ? found.si : found.si / unit;
                     } else {

@@ -16,7 +16,7 @@ struct BondCandidate {
     bool nearest_seed = false, nearest_liquid = false;
 };
 
-/// The dice of one event of one [[solidify]]: numbers in [0, 1) that follow from the ids alone (random_number).
+/// The random trials of one event of one [[solidify]]: numbers in [0, 1) that follow from the ids alone (random_number).
 struct RandomTrial {
     std::uint64_t seed = 0;   ///< the scene's
     std::uint64_t rule = 0;   ///< which [[solidify]]

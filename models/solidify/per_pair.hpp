@@ -5,7 +5,7 @@
 
 namespace dmp::models {
 
-/// Every seed tries each liquid particle within its reach, one throw of the dice a pair: of k seeds in reach, a liquid
+/// Every seed tries each liquid particle within its reach, one random trial a pair: of k seeds in reach, a liquid
 /// particle turns solid with 1 - (1 - p)^k in one event, and has a bond to each seed whose throw succeeded.
 /// A seed alone turns k (1 - (1 - p)^n) of k particles that stay within its reach, on average, in n events.
 struct PerPair {

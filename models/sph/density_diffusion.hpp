@@ -20,7 +20,7 @@ struct DensityDiffusion {
     }
 };
 
-/// The same where body forces keep the fluid stratified (Fourtakas, Dominguez, Vacondio & Rogers 2019): only what a
+/// The same with the hydrostatic correction, where body forces act (Fourtakas, Dominguez, Vacondio & Rogers 2019): only what a
 /// pair's pressures differ by beyond the hydrostatic difference is evened out. At rest it does nothing, neither inside
 /// nor at a free surface or a wall, where the plain term would wear the stratification down:
 ///   drho_i/dt = 2 delta h c0 SUM_j V_j [(p_i - p_j) - (rho_i + rho_j)/2 g . x_ij] / c0^2 (1/r dW/dr)

@@ -7,7 +7,7 @@
 
 namespace dmp::models {
 
-/// A symmetric matrix in D dimensions: its diagonal, then xy (and yz, zx in space).
+/// A symmetric matrix in D dimensions: its diagonal, then xy (and yz, zx in 3-D).
 template <class T, int D>
 struct Symmetric {
     static constexpr int off_diagonals = D == 3 ? 3 : 1;

@@ -6,7 +6,7 @@
 namespace dmp::models {
 
 /// Transport velocity (Adami, Hu & Adams 2013): particles move with v~ = v + u, u the velocity that a background
-/// pressure p_b = rho c0^2, constant in space, would give them in half a step from rest, which spreads them evenly:
+/// pressure p_b = rho c0^2, constant in 3-D, would give them in half a step from rest, which spreads them evenly:
 ///   u_i = -(dt/2) (p_b / m_i) SUM_j (V_i^2 + V_j^2) grad_i W_ij   [m/s]
 /// What they then carry astray of their momentum comes back as the divergence of a stress A = rho v u:
 ///   F_i = SUM_j V_i V_j (A_i + A_j) grad_i W_ij   [N]

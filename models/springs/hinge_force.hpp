@@ -10,10 +10,10 @@ namespace dmp::models {
 
 /// A hinge with a rotational dashpot at a node between arms to nodes a and b: U = k_a (theta - theta0)^2 (no 1/2).
 ///
-/// In the plane theta is the signed angle from arm a to arm b, in (-pi, pi]; in space the angle between them, in [0,
+/// In 2-D theta is the signed angle from arm a to arm b, in (-pi, pi]; in 3-D the angle between them, in [0,
 /// pi]. With M = 2 k_a (theta - theta0) + c dtheta/dt and n the unit normal of the plane of the arms (z in 2-D)
 ///   F_a = -M (a x n) / a^2,   F_b = M (b x n) / b^2,   F_centre = -F_a - F_b   [N]
-/// The forces have no resultant and no moment. They are finite at any angle: no sine is divided by. Where arms in space
+/// The forces have no resultant and no moment. They are finite at any angle: no sine is divided by. Where arms in 3-D
 /// lie on one line there is no such plane; any through them serves, and a hinge that rests straight has no force there.
 /// See Spring for the dashpot; the moment of inertia is the reduced one of the two arms about the centre. It brakes
 /// bending, not a bent pair of arms that turns about its bisector.
@@ -48,11 +48,11 @@ struct HingeForce : Spring {
         }
     }
 
-    /// Arms in space also turn out of their plane: with p, q their turns about their place in it,
+    /// Arms in 3-D also turn out of their plane: with p, q their turns about their place in it,
     ///   d2theta = [cos theta (p^2 + q^2) - 2 p q] / sin theta = [-tan(theta/2) (p + q)^2 + cot(theta/2) (p - q)^2]
     ///   / 2.
     /// One of the two is positive times (theta - theta0) and is visited; for hinges that rest straight it is as large
-    /// as the stiffness within the plane. In the plane the terms left out are of the order of the deviation.
+    /// as the stiffness within the plane. In 2-D the terms left out are of the order of the deviation.
     template <class Visit>
     void extra_stiffness(const Arms<D, 2>& arm, const Visit& visit) const {
         if constexpr (D == 3) {

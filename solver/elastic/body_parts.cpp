@@ -26,7 +26,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_
         if (kind != PartKind::elastic) continue;
         const auto part = std::ranges::find(parts, name, [](const Part* each) { return *each->name; });
         if (part == parts.end())
-            throw InputError("the particles have a springs part '" + name + "' that the scene does not know",
+            throw InputError("the particles have an elastic solid '" + name + "' that the scene does not know",
                              "mesh the scene again");
         of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag};
     }
@@ -105,9 +105,8 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
     for (const Dihedral& dihedral : set.dihedrals) {
         if (set.body[dihedral.b] != body) continue;
         if (set.dimension != 3)
-            throw InputError(
-                "'" + set.parts[set.part[dihedral.b]].name + "' has dihedrals, and there are none in the plane",
-                "write dimension = 3, or leave them out");
+            throw InputError("'" + set.parts[set.part[dihedral.b]].name + "' has dihedrals, and there are none in 2-D",
+                             "write dimension = 3, or leave them out");
         const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
         const auto inertia = [&](int end) {
             return set.mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();

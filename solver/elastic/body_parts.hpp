@@ -19,7 +19,7 @@ struct BodyParts {
         int id = 0;            ///< of its particle
         bool fixed = false;    ///< held where it is
         bool of_wall = false;  ///< a wall's particle that the body is bonded to: fixed, and no particle of its own
-        int origin = 0;        ///< what it came from: number of a springs part or [[solidify]] (body_names)
+        int origin = 0;        ///< what it came from: number of an elastic solid or [[solidify]] (body_names)
         double mass = 0;       ///< [kg]
         double drag = 0;       ///< lab-frame drag [kg/s]
         Vec position = Vec::Zero(), velocity = Vec::Zero(), position_before = Vec::Zero(), rest_position = Vec::Zero();
@@ -43,7 +43,7 @@ struct BodyParts {
     std::vector<std::pair<int, int>> held_apart;
 };
 
-/// What nodes and bonds may come from, by number: the enabled springs parts of the scene, its [[solidify]], and its
+/// What nodes and bonds may come from, by number: the enabled elastic solids of the scene, its [[solidify]], and its
 /// [[join]] of enabled parts.
 std::vector<std::string> body_names(const Scene& scene);
 
@@ -57,14 +57,14 @@ struct InitialSprings {
     std::vector<Source> of_part;  ///< by part of the particle set
     std::vector<Source> of_join;  ///< by Bond::join
 
-    /// Throws InputError for particles of a springs part that the scene does not have.
+    /// Throws InputError for particles of an elastic solid that the scene does not have.
     InitialSprings(const ParticleSet& set, const Scene& scene);
     /// Of a set whose springs are all of one part.
     InitialSprings(const ParticleSet& set, const Part& part);
 };
 
 /// The body of this number as it was drawn, with the springs among its nodes and those of walls that bonds join it to.
-/// `contact_range` [m], 0: none. Throws InputError for one in the plane that has dihedrals.
+/// `contact_range` [m], 0: none. Throws InputError for one in 2-D that has dihedrals.
 BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range);
 
 /// Bodies on their way into a checkpoint or out of one.

@@ -28,7 +28,7 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
     number_nodes();
 }
 
-/// Named after the first of names() that a node of it comes from: a springs part, if there is one.
+/// Named after the first of names() that a node of it comes from: an elastic solid, if there is one.
 std::unique_ptr<SpringBody> SpringBodies::made_of(const BodyParts& parts) const {
     std::size_t origin = names_.size();
     for (const BodyParts::Node& node : parts.nodes)

@@ -18,7 +18,7 @@
 
 namespace dmp::solver {
 
-/// What has happened to the bonds of one springs part, [[solidify]] or [[join]] so far.
+/// What has happened to the bonds of one elastic solid, [[solidify]] or [[join]] so far.
 struct BondTally {
     std::int64_t made = 0, broken = 0;
 };
@@ -58,7 +58,7 @@ class SpringBodies {
     void change(const BodyChange& change, const ParticleSpace& space);
     /// By number of body_names().
     [[nodiscard]] const std::vector<BondTally>& tally() const { return tally_; }
-    /// What nodes and bonds may come from: springs parts, [[solidify]], [[join]].
+    /// What nodes and bonds may come from: elastic solids, [[solidify]], [[join]].
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
     /// Whether a particle is a node of a body, or a wall's that one is bonded to.
     [[nodiscard]] bool holds(std::int64_t id) const { return by_id_.contains(id); }

@@ -23,14 +23,14 @@ struct SpringImpulses {
     std::array<double, 3> of_drag{};     ///< by lab-frame drag
 };
 
-/// One connected piece of a springs part as the rest of the solver sees it, in the plane (z = 0) or in space.
+/// One connected piece of an elastic solid as the rest of the solver sees it, in 2-D (z = 0) or in 3-D.
 class SpringBody {
   public:
     SpringBody(const SpringBody&) = delete;
     SpringBody& operator=(const SpringBody&) = delete;
     virtual ~SpringBody() = default;
 
-    /// The body of this number, with the springs that are among its nodes. Throws InputError for one in the plane that
+    /// The body of this number, with the springs that are among its nodes. Throws InputError for one in 2-D that
     /// has dihedrals.
     static std::unique_ptr<SpringBody> make(const ParticleSet& set, const Part& part, int body,
                                             const SpringContact& contact = {});

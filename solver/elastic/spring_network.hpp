@@ -39,7 +39,7 @@ struct LocalSpring {
     }
 };
 
-/// Nodes, their bonds, hinges and, in space, dihedrals: a spring body in D dimensions.
+/// Nodes, their bonds, hinges and, in 3-D, dihedrals: a spring body in D dimensions.
 template <int D>
 class SpringNetwork final : public SpringBody {
   public:
@@ -97,7 +97,7 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] Vec total_momentum() const override { return in_space(momentum()); }
     [[nodiscard]] double free_mass() const override;
 
-    /// 2 / omega_max of the drawn lattice [s], omega_max by power iteration on its stiffness.
+    /// 2 / omega_max of the initial lattice [s], omega_max by power iteration on its stiffness.
     [[nodiscard]] double step_limit() const override;
 
     void archive(Archive& file, const std::string& name) override;

@@ -29,7 +29,7 @@ struct WallPose {
 /// surface's mean acceleration over a step goes into the pressure behind it. Momentum that the fluid is given is the
 /// reaction of the walls' forces, as it is at walls at rest.
 ///
-/// Scenes in space turn about an axis along z.
+/// Scenes in 3-D turn about an axis along z.
 class WallMotion {
   public:
     /// Declares the fields it needs, none where all walls rest.
@@ -52,7 +52,7 @@ class WallMotion {
 
     /// Of all walls and their surfaces at time t [m/s]; surfaces that slide by formulas of place are left out.
     [[nodiscard]] double largest_speed(double t) const;
-    /// How far from its place in the drawing a particle stands at most [m].
+    /// How far from its place in the geometry a particle stands at most [m].
     [[nodiscard]] double farthest() const;
 
     void archive(Archive& file);

@@ -186,7 +186,7 @@ bool StabilityMonitor::outside_box(const ParticleGroup& group, std::size_t i) co
     return false;
 }
 
-/// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 (in space)
+/// How far in front of the walls' surface fluid particle i is [m], less than 0 behind it, 0 (in 3-D)
 /// beyond the support of all walls. The nearest particle of a wall says it; where that says behind, the best of those
 /// up to a spacing further away: at the edge of a body the nearest one may belong to another face than the one that the
 /// fluid is in front of.
@@ -209,7 +209,7 @@ double StabilityMonitor::in_front_of_walls(const ParticleStore& particles, std::
     Seen nearest{std::numeric_limits<double>::infinity(), 0};
     for (const std::int32_t j : near)
         if (const Seen wall = seen(j); wall.square_of_distance < nearest.square_of_distance) nearest = wall;
-    // In space clusters list so few of the walls further away than the support that those few may show one face only.
+    // In 3-D clusters list so few of the walls further away than the support that those few may show one face only.
     if (space_.dimension == 3 && nearest.square_of_distance > support_ * support_) return 0;
     if (nearest.in_front >= -space_.spacing) return nearest.in_front;
     const double reach = std::sqrt(nearest.square_of_distance) + space_.spacing;

@@ -13,7 +13,7 @@ constexpr double first_skin = 0.4, least_skin = 0.1, most_skin = 0.8;
 constexpr double least_near_skin = 0.02;
 
 /// What making a list, and looking through it, costs: as much time as one step's sweeps (for the list: one step's looks
-/// through it) take longer with this much more skin [spacings]. Measured on disordered particles, in the plane and in
+/// through it) take longer with this much more skin [spacings]. Measured on disordered particles, in 2-D and in
 /// space.
 constexpr double cost_of_a_list = 15, cost_of_pruning = 0.3;
 

@@ -12,7 +12,7 @@
 
 namespace dmp::solver {
 
-/// Keeps at hand what is near each particle: particles sorted in space on the rank that owns their place, copies of
+/// Keeps at hand what is near each particle: particles spatially sorted on the rank that owns their place, copies of
 /// those beyond its border, and the list of neighbours.
 class Neighbours {
   public:

@@ -10,8 +10,8 @@
 
 namespace dmp::solver {
 
-/// Smallest distance between centres of particles of different pieces of a springs part. A piece is what the part's own
-/// bonds hold together as drawn, and what it broke into; bonds of a [[join]] make one body of pieces, but not one
+/// Smallest distance between centres of particles of different pieces of an elastic solid. A piece is what the part's
+/// own bonds hold together as drawn, and what it broke into; bonds of a [[join]] make one body of pieces, but not one
 /// piece.
 class GapMeasure {
   public:

@@ -37,7 +37,7 @@ const char* unit_of(FluidField field) {
     return "Pa";
 }
 
-/// The components of vectors and tensors that a probe has columns for: in the plane those that are not 0.
+/// The components of vectors and tensors that a probe has columns for: in 2-D those that are not 0.
 std::vector<std::size_t> probed_components(int components, int dimension) {
     if (components == 3 && dimension == 2) return {0, 1};
     if (components == 6 && dimension == 2) return {0, 1, 2, 3};

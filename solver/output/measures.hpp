@@ -16,7 +16,7 @@ namespace dmp::solver {
 /// Follows the scene's measures over time.
 ///   flux           volume per second through the line from -> to, positive to the right of who walks along it [m^3/s];
 ///                  particles count with a hat of one support radius across the line, so the sum does not jump
-///   gap            smallest distance between centres of particles of different pieces of a springs part [m]
+///   gap            smallest distance between centres of particles of different pieces of an elastic solid [m]
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]

@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 /// The largest stable step of one model.
 struct StepLimit {
-    std::string model;    ///< "sound", "viscosity", "body force", "contact", "springs (leaflets)"
+    std::string model;    ///< "sound", "viscosity", "body force", "contact", "elastic (leaflets)"
     double dt = 0;        ///< [s]
     std::string formula;  ///< how it comes about
 };

@@ -64,7 +64,7 @@ struct SphereSummary {
     double still_since = 0;      ///< [s]; when nothing changed any more; 0: that was not asked for, or did not come
 };
 
-/// How large the solid of one springs part or [[solidify]] is now, and what has happened to its bonds.
+/// How large the solid of one elastic solid or [[solidify]] is now, and what has happened to its bonds.
 struct Aggregate {
     std::string name;
     std::int64_t particles = 0;

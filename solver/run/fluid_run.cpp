@@ -197,11 +197,11 @@ Plan FluidRun::plan() const {
 
 void FluidRun::add_limits_of_elastic_solids(Plan& plan) const {
     for (const auto& limit : fluid_.springs().step_limits())
-        plan.limits.push_back({"springs (" + limit.part + ")", limit.dt,
-                               std::string("2 / omega_max of the drawn lattice; ") +
+        plan.limits.push_back({"elastic (" + limit.part + ")", limit.dt,
+                               std::string("2 / omega_max of the initial lattice; ") +
                                    (fluid_.springs().implicit() ? "not binding, stepped implicitly" : "sub-cycled")});
     for (const Solidify& rule : scene_.solidify)
-        plan.limits.push_back({"springs (" + *rule.name + ")", new_bond_limit(scene_, rule),
+        plan.limits.push_back({"elastic (" + *rule.name + ")", new_bond_limit(scene_, rule),
                                std::string("2 / omega of one new bond alone; ") +
                                    (fluid_.springs().implicit() ? "not binding, stepped implicitly"
                                                                 : "sub-cycled, by the stiffest body there is")});

@@ -55,7 +55,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
         settings.viscosity.largest = std::max(settings.viscosity.largest, part->viscosity.value);
     if (scene.contact.range > 0) {
         const double range = scene.contact.range * scene.particles.spacing;
-        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^3, in the plane rho c0^2 r*^2 on 1 m of
+        // Automatic strength: a small part of the fluid's energy rho c0^2 r*^3, in 2-D rho c0^2 r*^2 on 1 m of
         // depth. At 0.9 r* it then pushes like a pressure of 0.003 rho c0^2, which a Mach number of 0.1 does not
         // exceed, and at touch it does not rule the step.
         const double depth = *scene.dimension == 3 ? range : 1;

@@ -17,7 +17,7 @@ double sound_speed(const Scene& scene);
 /// What the pair terms need; "auto" values decided.
 PairSettings pair_settings(const Scene& scene, const Resources& resources);
 
-/// The same with what the particles at the start decide: whether the fluid is stratified or has a free surface.
+/// The same with what the particles at the start decide: whether the hydrostatic correction is needed.
 PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Resources& resources);
 
 /// Equation of state by part number; solids stand in for the first fluid part.

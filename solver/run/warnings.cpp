@@ -202,7 +202,7 @@ class Warnings {
         const bool averages = springs_ && scene_.asks_for(SolidField::mean_displacement);
         if (!averages)
             has_no_effect("output.average_from", output.average_from,
-                          "no springs part has 'mean_displacement' among output.solid_fields");
+                          "no elastic solid has 'mean_displacement' among output.solid_fields");
         if (averages && *output.average_from >= *scene_.run.duration)
             add("output.average_from", output.average_from.location, "is not before the run's end: nothing is averaged",
                 "begin earlier");

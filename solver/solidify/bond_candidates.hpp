@@ -25,7 +25,7 @@ std::vector<BondCandidate> find_bond_candidates(std::span<const ParticlePosition
                                                 std::span<const ParticlePosition> liquid, double reach,
                                                 const ParticleSpace& space);
 
-/// Puts encounters in the order of liquid and seed, whoever found them, and says who is nearest. Distances that differ
+/// Puts candidates in the order of liquid and seed, whoever found them, and says who is nearest. Distances that differ
 /// by less than a thousand millionth of the reach count as equal.
 void find_nearest(std::vector<BondCandidate>& candidates, double reach);
 
@@ -33,7 +33,7 @@ void find_nearest(std::vector<BondCandidate>& candidates, double reach);
 using Binds = std::function<bool(const BondCandidate&, const RandomTrial&)>;
 Binds binding_rule(SolidifyRule rule, double probability);
 
-/// The encounters that become bonds. `room` of a seed: how many more bonds it may have; a liquid particle may have
+/// The candidates that become bonds. `room` of a seed: how many more bonds it may have; a liquid particle may have
 /// `most_bonds`. Encounters are in the order of find_nearest, and those come first that are asked first.
 std::vector<BondCandidate> binding_ones(std::span<const BondCandidate> candidates, const Binds& binds,
                                         const RandomTrial& trial, std::unordered_map<std::int64_t, int> room,

@@ -15,7 +15,7 @@
 namespace dmp::solver {
 
 /// One [[solidify]]: who are its seeds, and what happens at its events (docs/solidify.md). Every rank finds the
-/// encounters of its own liquid, all ranks gather them and throw the same dice, so that all make the same change to the
+/// bond candidates of its own fluid, all ranks gather them and make the same random trials, so that all make the same change to the
 /// bodies, which all hold.
 class Solidification {
   public:

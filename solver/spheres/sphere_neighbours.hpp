@@ -13,7 +13,7 @@
 
 namespace dmp::solver {
 
-/// Keeps at hand which spheres may touch: spheres sorted in space on the rank that owns their place, copies of those
+/// Keeps at hand which spheres may touch: spheres spatially sorted on the rank that owns their place, copies of those
 /// beyond its border, the list of pairs, and the contacts with what they remember. Two skins, as of the fluid's lists:
 /// a wide one, with which pairs are listed, and a narrow one, with which contacts are picked out of them; both follow
 /// how fast spheres move among each other. A common motion of all wears out neither.

@@ -41,7 +41,7 @@ double equal_to_the_bit(double dt) {
 }
 
 const ParticleSet& only_spheres(const ParticleSet& set) {
-    if (set.dimension != 3) throw InputError("spheres live in space, and the particles in a plane", "mesh a 3-D scene");
+    if (set.dimension != 3) throw InputError("spheres live in 3-D, and the particles in a plane", "mesh a 3-D scene");
     if (set.count(PartKind::spheres) != set.size())
         throw InputError("spheres and other particles in one scene do not act on each other yet",
                          "leave one of them out of the scene");

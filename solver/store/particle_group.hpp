@@ -22,7 +22,7 @@ struct ParticleTag {
 };
 
 /// The particles of one kind that this rank works on: one array a field and axis. First those it owns, [0, owned()),
-/// sorted in space; then copies of particles near by, [owned(), total()): periodic images and other ranks' particles.
+/// spatially sorted; then copies of particles near by, [owned(), total()): periodic images and other ranks' particles.
 /// Only fields that a model declared exist. Arrays have room for a vector's width behind their end, so that a cluster's
 /// lanes may be loaded whole.
 class ParticleGroup {

@@ -224,7 +224,7 @@ class Sweeps final : public PairSweeps {
                         constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
                                                     .shifting = decltype(shifting)::value,
                                                     .hydrostatic = decltype(hydrostatic)::value};
-                        // What is stratified comes with diffusion, of strength 0 where there is none.
+                        // The hydrostatic correction comes with diffusion, of strength 0 where there is none.
                         if constexpr (with.diffusion || !with.hydrostatic) run.template operator()<Solid, with>();
                     });
                 });

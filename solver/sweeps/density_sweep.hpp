@@ -21,7 +21,7 @@ struct NoSpecies {
     static Sum around(const Cluster& /*any*/) { return {}; }
 };
 
-/// What a density sweep sums. `stratified`: a body force or a free surface is there, see HydrostaticDiffusion and
+/// What a density sweep sums. `hydrostatic`: with the hydrostatic correction, as a body force or a free surface is there, see HydrostaticDiffusion and
 /// Shifting. `species`: diffusion of one on the way.
 struct DensityTerms {
     bool rate = true, diffusion = false, shifting = false, hydrostatic = false, species = false;

@@ -162,7 +162,7 @@ class PairSweeps {
     [[nodiscard]] virtual double longest_shift() const = 0;
 };
 
-/// The sweeps for these settings, in the plane or in space as the particles are. Declares the fields they need. Throws
+/// The sweeps for these settings, in 2-D or in 3-D as the particles are. Declares the fields they need. Throws
 /// ResourceError when the processor lacks the vector unit.
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles);
 

@@ -75,7 +75,7 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
     if (viscosity_) solve_viscous_forces(middle, dt);
     timer_.timed("kick", [&] { kick(middle, dt); });
-    timer_.timed("springs", [&] { advance_elastic(dt); });
+    timer_.timed("elastic", [&] { advance_elastic(dt); });
     sum_density_rates(middle, dt);
     FluidExtremes extremes;
     timer_.timed("drift", [&] { extremes = drift_to_end(dt); });
@@ -90,7 +90,7 @@ void FluidStep::sum_forces(double t) {
     sweep("forces", fields, [this, g = body_force_.uniform(t)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
-    if (!springs_.empty()) timer_.timed("springs", [&] { update_contact_rate(); });
+    if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
 }
 
 /// Forces that depend on time and position alone: body forces that are not uniform, forces on parts, moving shapes.
@@ -128,7 +128,7 @@ void FluidStep::sweep(const char* stage, const FieldList& fields, const std::fun
     const bool at_once = ranks_.size() == 1 || neighbours_.pruned_list_outdated(particles_);
     if (!at_once) timer_.timed(stage, [&] { over(ClusterChoice::inner); });
     timer_.timed("halo", [&] { neighbours_.finish_exchange(particles_); });
-    timer_.timed("near", [&] { prune_list(); });
+    timer_.timed("pruning", [&] { prune_list(); });
     timer_.timed(stage, [&] { over(at_once ? ClusterChoice::all : ClusterChoice::border); });
 }
 

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// A soft cap glued to a soft stem on the floor of a channel, from the drawing and from a particle file.
+// A soft cap glued to a soft stem on the floor of a channel, from the geometry and from a particle file.
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string drawing = R"(Point(1) = {0, 0, 0};
+const std::string cad_geometry = R"(Point(1) = {0, 0, 0};
 Point(2) = {4e-3, 0, 0};
 Point(3) = {4e-3, 1e-3, 0};
 Point(4) = {0, 1e-3, 0};
@@ -111,7 +111,7 @@ every = "0.5 ms"
 class JoinedSolids : public ::testing::Test {
   protected:
     JoinedSolids() {
-        folder_.write("channel.geo", drawing);
+        folder_.write("channel.geo", cad_geometry);
         folder_.write("scene.toml", scene);
     }
     [[nodiscard]] Outcome dmp(const std::vector<std::string>& words) const { return run_dmp(folder_.path(), words); }

@@ -44,7 +44,7 @@ inline std::string stl_binary(const TriangleSurface& surface) {
     return text;
 }
 
-/// A scene in space whose fluid is the drawing's "body" and whose wall is all of its surface, "skin".
+/// A scene in 3-D whose fluid is the geometry's "body" and whose wall is all of its surface, "skin".
 inline std::string scene_of(const std::string& file, const std::string& spacing = "0.1 mm",
                             const std::string& unit = "1 mm") {
     return "schema = 1\ndimension = 3\n[geometry]\nfile = \"" + file + "\"\n" +

@@ -25,7 +25,7 @@ struct WrongInput {
 const std::string poiseuille = "verification/poiseuille";
 const std::string valve = "vein_valve";
 const std::string scene = "scene.toml";
-const std::string drawing = "channel.geo";
+const std::string cad_geometry = "channel.geo";
 const std::string spacing = R"("0.05 mm")";
 const std::string drive = R"("1e-4 m/s^2")";
 
@@ -96,7 +96,7 @@ std::vector<WrongInput> wrong_inputs() {
          poiseuille,
          {{scene, "dimension = 2", "dimension = 3"}},
          {},
-         {"scene.toml:4:13:", "lies in the plane"}},
+         {"scene.toml:4:13:", "lies in 2-D"}},
         {"PartTwice",
          poiseuille,
          {{scene, "name = \"wall\"", "name = \"water\""}},
@@ -119,17 +119,18 @@ std::vector<WrongInput> wrong_inputs() {
          {"scene.toml:25:18:", "(speed)", "acceleration"}},
         {"NoDrawing",
          poiseuille,
-         {{scene, drawing, "chanel.geo"}},
+         {{scene, cad_geometry, "chanel.geo"}},
          {},
          {"scene.toml:7:8:", "chanel.geo", "does not exist"}},
         {"DrawingSyntax",
          poiseuille,
-         {{drawing, "Line(1) = {1, 2};", "Line(1) = {1, 2;"}},
+         {{cad_geometry, "Line(1) = {1, 2};", "Line(1) = {1, 2;"}},
          {},
          {"channel.geo:18:", "syntax error"}},
         {"DrawingWithoutNames",
          poiseuille,
-         {{drawing, "Physical Surface(\"water\") = {1};", ""}, {drawing, "Physical Curve(\"wall\") = {1, 3};", ""}},
+         {{cad_geometry, "Physical Surface(\"water\") = {1};", ""},
+          {cad_geometry, "Physical Curve(\"wall\") = {1, 3};", ""}},
          {},
          {"channel.geo:", "no named groups", "Physical Surface"}},
         {"UnknownParameter",
@@ -144,13 +145,13 @@ std::vector<WrongInput> wrong_inputs() {
          {"scene.toml:14:8:", "nothing named 'watre'", "'water'"}},
         {"NameNoPartUses",
          poiseuille,
-         {{drawing, "Physical Curve(\"wall\") = {1, 3};",
+         {{cad_geometry, "Physical Curve(\"wall\") = {1, 3};",
            "Physical Curve(\"wall\") = {1, 3};\nPhysical Curve(\"outlet\") = {2};"}},
          {},
          {"channel.geo", "'outlet'"}},
         {"OpenFluidBoundary",
          poiseuille,
-         {{drawing, "(\"wall\") = {1, 3}", "(\"wall\") = {1}"}},
+         {{cad_geometry, "(\"wall\") = {1, 3}", "(\"wall\") = {1}"}},
          {},
          {"scene.toml:14:8:", "open between"}},
         {"OpenEnds",

@@ -56,7 +56,7 @@ std::string ply_header(const std::string& format) {
            "property list uchar int vertex_indices\nend_header\n";
 }
 
-std::string ply_binary(const dmp::TriangleSoup& soup, bool big_endian) {
+std::string ply_binary(const dmp::geometry::TriangleSoup& soup, bool big_endian) {
     std::string text = ply_header(big_endian ? "binary_big_endian" : "binary_little_endian");
     for (const dmp::Vec& corner : soup.surface.corners)
         for (const double x : corner) add_number(text, std::bit_cast<std::uint32_t>(static_cast<float>(x)), big_endian);
@@ -67,7 +67,7 @@ std::string ply_binary(const dmp::TriangleSoup& soup, bool big_endian) {
     return text;
 }
 
-std::string stl_text(const dmp::TriangleSoup& soup) {
+std::string stl_text(const dmp::geometry::TriangleSoup& soup) {
     std::string text = "solid box\n";
     for (const auto& triangle : soup.surface.triangles) {
         text += "facet normal 0 0 0\nouter loop\n";
@@ -78,7 +78,7 @@ std::string stl_text(const dmp::TriangleSoup& soup) {
     return text + "endsolid box\n";
 }
 
-std::string stl_binary(const dmp::TriangleSoup& soup) {
+std::string stl_binary(const dmp::geometry::TriangleSoup& soup) {
     std::string text(80, ' ');
     add_number(text, static_cast<std::uint32_t>(soup.surface.triangles.size()), false);
     for (const auto& triangle : soup.surface.triangles) {
@@ -104,7 +104,7 @@ int main(int count, char** words) {
         std::ofstream(folder / name, std::ios::binary) << contents;
     };
     const std::string obj = "g box\n" + box("v ", "f", 1);
-    const dmp::TriangleSoup soup = dmp::read_obj_text(obj, "box.obj");
+    const dmp::geometry::TriangleSoup soup = dmp::geometry::read_obj_text(obj, "box.obj");
     write("obj/box", obj);
     write("obj/backwards", box("v ", "f", -8) + "g lid\nf -4/1/1 -3//2 -2/3 -1\n");
     write("obj/crossing", box("v ", "f", 1) + box("v 0.5", "f", 9));  // a slab in it, from x = 0.50 to 0.52
@@ -117,21 +117,21 @@ int main(int count, char** words) {
     write("stl/two_solids", "solid a\nendsolid a\n" + stl_text(soup));
     write("stl/binary", stl_binary(soup));
 
-    dmp::GeometryOptions options;
+    dmp::geometry::GeometryOptions options;
     options.file = "box.obj";
     options.unit = 1e-3;
-    dmp::Geometry geometry = dmp::triangle_geometry(soup, options);
-    write("answer/in_space", "G" + dmp::bytes_of(geometry));
+    dmp::geometry::Geometry geometry = dmp::geometry::triangle_geometry(soup, options);
+    write("answer/in_space", "G" + dmp::geometry::bytes_of(geometry));
     geometry = {};
     geometry.regions.push_back({"water", {{{dmp::Vec(0, 0, 0), dmp::Vec(1, 0, 0), dmp::Vec(0, 1, 0)}, true}}});
     geometry.curves.push_back({"wall", {{{dmp::Vec(0, 0, 0), dmp::Vec(1, 0, 0)}, false}}});
     geometry.points["root"] = {dmp::Vec(0, 0, 0)};
     geometry.warnings = {"a warning"};
-    write("answer/in_the_plane", "G" + dmp::bytes_of(geometry));
-    write("answer/error", "I" + dmp::bytes_of(dmp::ErrorText{{"a.geo", 3, 4}, "it is wrong", "correct it"}));
+    write("answer/in_the_plane", "G" + dmp::geometry::bytes_of(geometry));
+    write("answer/error", "I" + dmp::geometry::bytes_of(dmp::geometry::ErrorText{{"a.geo", 3, 4}, "it is wrong", "correct it"}));
     options.parameters["width"] = 2;
     options.parameter_locations["width"] = {"scene.toml", 5, 6};
-    write("answer/request", "Q" + dmp::bytes_of(options));
+    write("answer/request", "Q" + dmp::geometry::bytes_of(options));
     write("repair/box", surface(0, "", "", 0));
     write("repair/hole", surface(2, "", "", 1));
     write("repair/wide_hole", surface(8, "", "", 2));

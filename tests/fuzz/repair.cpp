@@ -26,8 +26,8 @@ double coordinate(std::uint8_t byte) {
     return (byte & positions) + (off < 8 ? 0 : (off - 7) * 1e-3);
 }
 
-dmp::TriangleSurface surface_of(std::span<const std::uint8_t> bytes) {
-    dmp::TriangleSurface surface;
+dmp::geometry::TriangleSurface surface_of(std::span<const std::uint8_t> bytes) {
+    dmp::geometry::TriangleSurface surface;
     const std::size_t corners = std::min<std::size_t>(bytes[0], (bytes.size() - 1) / 3);
     for (std::size_t k = 0; k < corners; ++k)
         surface.corners.emplace_back(coordinate(bytes[1 + 3 * k]), coordinate(bytes[2 + 3 * k]),
@@ -39,38 +39,38 @@ dmp::TriangleSurface surface_of(std::span<const std::uint8_t> bytes) {
     return surface;
 }
 
-void check(const dmp::RepairedSurface& repaired, const dmp::RepairLimits& limits) {
-    const dmp::TriangleSurface& surface = repaired.surface;
+void check(const dmp::geometry::RepairedSurface& repaired, const dmp::geometry::RepairLimits& limits) {
+    const dmp::geometry::TriangleSurface& surface = repaired.surface;
     const auto corners = static_cast<int>(surface.corners.size());
     need(!surface.triangles.empty());
     for (const auto& triangle : surface.triangles)
         for (const int corner : triangle) need(corner >= 0 && corner < corners);
     for (const dmp::Vec& corner : surface.corners) need(corner.allFinite());
     for (const std::string& line : repaired.report.lines()) need(!line.empty() && line.size() < 1000);
-    const bool closed = dmp::count_edges(surface).closed();
-    need(closed || (surface.has_holes && repaired.report.by == dmp::RepairedBy::vote));
-    if (repaired.report.by == dmp::RepairedBy::vote)
-        need(limits.highest >= dmp::RepairRung::vote && repaired.report.doubt <= limits.largest_doubt);
+    const bool closed = dmp::geometry::count_edges(surface).closed();
+    need(closed || (surface.has_holes && repaired.report.by == dmp::geometry::RepairedBy::vote));
+    if (repaired.report.by == dmp::geometry::RepairedBy::vote)
+        need(limits.highest >= dmp::geometry::RepairRung::vote && repaired.report.doubt <= limits.largest_doubt);
     else
         need(surface.enclosed_volume() > 0);
-    if (repaired.report.by == dmp::RepairedBy::wrap) need(limits.highest == dmp::RepairRung::wrap);
+    if (repaired.report.by == dmp::geometry::RepairedBy::wrap) need(limits.highest == dmp::geometry::RepairRung::wrap);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 2) return 0;
-    dmp::RepairLimits limits;
+    dmp::geometry::RepairLimits limits;
     // Votes and wraps take a second under the sanitizers: one input in eight comes so far.
-    limits.highest = static_cast<dmp::RepairRung>(data[0] % 8 == 0 ? 3 + data[0] / 8 % 2 : data[0] % 3);
+    limits.highest = static_cast<dmp::geometry::RepairRung>(data[0] % 8 == 0 ? 3 + data[0] / 8 % 2 : data[0] % 3);
     limits.spacing = data[0] % 2 == 0 ? 4 : 2;
     try {
-        const dmp::RepairedSurface repaired =
-            dmp::repair_surface(surface_of({data + 1, size - 1}), limits, "fuzzed", {});
+        const dmp::geometry::RepairedSurface repaired =
+            dmp::geometry::repair_surface(surface_of({data + 1, size - 1}), limits, "fuzzed", {});
         check(repaired, limits);
-        if (repaired.report.by == dmp::RepairedBy::vote) return 0;
+        if (repaired.report.by == dmp::geometry::RepairedBy::vote) return 0;
         // What is in order comes back as it is.
-        const dmp::RepairedSurface again = dmp::repair_surface(repaired.surface, limits, "repaired", {});
+        const dmp::geometry::RepairedSurface again = dmp::geometry::repair_surface(repaired.surface, limits, "repaired", {});
         const double volume = repaired.surface.enclosed_volume();
         need(std::abs(again.surface.enclosed_volume() - volume) <= 1e-9 * volume);
     } catch (const dmp::InputError& error) {

@@ -10,7 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    const dmp::GeoText script(text);
+    const dmp::geometry::GeoText script(text);
     const int lines = 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
     const auto need_line = [&](int line) {
         if (line < 0 || line > lines) std::abort();

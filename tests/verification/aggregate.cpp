@@ -19,7 +19,7 @@ namespace {
 constexpr double interval = 1e-3;
 constexpr int runs = 400;
 
-/// The case with a rule, many times with other dice.
+/// The case with a rule, many times with other random numbers.
 class Growth {
   public:
     Growth(const std::string& rule, double probability, const std::vector<std::string>& more = {}) {
@@ -59,7 +59,7 @@ TEST(Aggregate, FillsADiamondForCertain) {
     }
 }
 
-/// The same growth, made apart from the program: cells of a square that each throw their own dice, by how many of
+/// The same growth, made apart from the program: cells of a square that each make their own random trials, by how many of
 /// their four neighbours are solid. Means and variances of the size after some events.
 struct MonteCarlo {
     static constexpr int runs = 4000, half = 21, row = 2 * half + 1;

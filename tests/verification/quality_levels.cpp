@@ -38,11 +38,11 @@ struct Outcome {
 Outcome run(const std::string& name, std::vector<std::string> overrides) {
     overrides.emplace_back("output.fields=['velocity']");
     const Scene scene = read_scene(DMP_SOURCE_DIR "/cases/verification/" + name, overrides);
-    GeometryOptions drawing;
-    drawing.file = scene.directory + "/" + scene.geometry.file.value;
-    drawing.unit = scene.geometry.unit;
-    for (const auto& [parameter, value] : scene.geometry.parameters) drawing.parameters[parameter] = value;
-    Simulation simulation(scene, mesh(read_geometry(drawing), scene).particles, 1);
+    GeometryOptions cad_geometry;
+    cad_geometry.file = scene.directory + "/" + scene.geometry.file.value;
+    cad_geometry.unit = scene.geometry.unit;
+    for (const auto& [parameter, value] : scene.geometry.parameters) cad_geometry.parameters[parameter] = value;
+    Simulation simulation(scene, mesh(read_geometry(cad_geometry), scene).particles, 1);
     Outcome outcome;
     RunOptions options;
     options.sink = &outcome.last;

@@ -28,15 +28,15 @@ inline Scene scene_of_case(const std::string& name, const std::vector<std::strin
     return read_scene(DMP_SOURCE_DIR "/cases/" + name, overrides);
 }
 
-/// What the scene's drawing is filled with, or where its spheres are.
+/// What the scene's geometry is filled with, or where its spheres are.
 inline ParticleSet particles_of(const Scene& scene) {
     if (is_of_spheres(scene)) return mesh_spheres(scene).particles;
-    GeometryOptions drawing;
-    drawing.file = scene.directory + "/" + scene.geometry.file.value;
-    drawing.unit = scene.geometry.unit;
-    drawing.chord_error = 1e-3 * scene.particles.spacing;
-    for (const auto& [parameter, value] : scene.geometry.parameters) drawing.parameters[parameter] = value;
-    return mesh(read_geometry(drawing), scene).particles;
+    GeometryOptions cad_geometry;
+    cad_geometry.file = scene.directory + "/" + scene.geometry.file.value;
+    cad_geometry.unit = scene.geometry.unit;
+    cad_geometry.chord_error = 1e-3 * scene.particles.spacing;
+    for (const auto& [parameter, value] : scene.geometry.parameters) cad_geometry.parameters[parameter] = value;
+    return mesh(read_geometry(cad_geometry), scene).particles;
 }
 
 /// Runs a scene without writing anything; frames go to the sink. Few particles are fastest on one thread.

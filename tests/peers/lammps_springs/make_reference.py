@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-"""Springs as LAMMPS sees them: a reference for dmp's bonds and angles in space.
+"""Springs as LAMMPS sees them: a reference for dmp's bonds and angles in 3-D.
 
     make_reference.py REFERENCE [FOLDER]
 
@@ -111,7 +111,7 @@ def make(reference, folder):
     subprocess.run(["lmp", "-in", str(script), "-var", "dt", repr(DT), "-log", "log.txt", "-screen", "none"],
                    cwd=folder, check=True)
     start, end = read_dump(folder / "springs.dump")
-    lines = ["# Bonds and angles in space by LAMMPS; made by tests/peers/lammps_springs/make_reference.py"]
+    lines = ["# Bonds and angles in 3-D by LAMMPS; made by tests/peers/lammps_springs/make_reference.py"]
     lines += [row("step", STEPS, DT), row("energy", *read_energies(folder / "log.txt"))]
     lines += [row("bond", *bond) for bond in bonds]
     lines += [row("angle", *angle) for angle in angles]

@@ -119,16 +119,16 @@ TEST(Arguments, InspectAndNewTakeADrawingAndItsUnit) {
     EXPECT_FALSE(std::get<InspectCommand>(read({"inspect", "a.step"})).json);
     const auto made = std::get<NewCommand>(read({"new", "pipe", "--from", "a.stl"}));
     EXPECT_EQ(made.folder, "pipe");
-    EXPECT_EQ(made.drawing, "a.stl");
+    EXPECT_EQ(made.cad_geometry, "a.stl");
     EXPECT_EQ(made.unit, "");
-    EXPECT_EQ(error_of({"inspect"}).problem(), "a drawing is missing");
+    EXPECT_EQ(error_of({"inspect"}).problem(), "a geometry is missing");
     EXPECT_EQ(error_of({"new", "--from", "a.stl"}).problem(), "a name for the new folder is missing");
     EXPECT_THAT(error_of({"new", "pipe"}).problem(), HasSubstr("--from"));
 }
 
 TEST(Arguments, TheReaderOfDrawingsIsNoCommandToSee) {
-    EXPECT_TRUE(std::holds_alternative<ReadGeometryCommand>(read({"read-drawing"})));
-    EXPECT_THAT(text_of({"--help"}), testing::Not(HasSubstr("read-drawing")));
+    EXPECT_TRUE(std::holds_alternative<ReadGeometryCommand>(read({"read-geometry"})));
+    EXPECT_THAT(text_of({"--help"}), testing::Not(HasSubstr("read-geometry")));
 }
 
 TEST(Arguments, UnknownCommandNamesTheNearest) {

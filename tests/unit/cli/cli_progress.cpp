@@ -42,7 +42,7 @@ TEST(Progress, NothingIsWrittenWhenStderrIsNoTerminal) {
     {
         ProgressLine line;
         line.show(RunProgress{.time = 1, .until = 2});
-        line.show("drawing pictures");
+        line.show("geometry pictures");
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -22,14 +22,14 @@ class MeshCacheTest : public ::testing::Test {
   protected:
     MeshCacheTest() {
         Folder::write(flap_channel.scene);
-        Folder::write(flap_channel.drawing, "channel.geo");
+        Folder::write(flap_channel.cad_geometry, "channel.geo");
     }
     [[nodiscard]] static Scene scene(const std::vector<std::string>& overrides = {}) {
         return read_scene("scene.toml", overrides);
     }
     [[nodiscard]] static ParticlesWithOrigin made() {
         return {mesh_file("scene.toml").particles,
-                {"drawing", "channel.geo", {{"flap", "k_b 3 N/m"}}, {"lattice stretched"}}};
+                {"geometry", "channel.geo", {{"flap", "k_b 3 N/m"}}, {"lattice stretched"}}};
     }
     /// Kept as if it had taken three seconds.
     void keep(double seconds = 3) {
@@ -57,7 +57,7 @@ TEST_F(MeshCacheTest, finds_what_it_kept) {
     EXPECT_EQ(found->particles.position, fresh.particles.position);
     EXPECT_EQ(found->particles.bonds.size(), fresh.particles.bonds.size());
     EXPECT_EQ(found->origin.springs, fresh.origin.springs);
-    EXPECT_EQ(found->origin.what, "drawing");
+    EXPECT_EQ(found->origin.what, "geometry");
     EXPECT_EQ(found->origin.file, "channel.geo");
     EXPECT_THAT(found->origin.notes, Contains("lattice stretched"));
     EXPECT_THAT(found->origin.notes, Contains(HasSubstr("made in an earlier run, which took 3 s")));
@@ -69,9 +69,9 @@ TEST_F(MeshCacheTest, does_not_find_what_has_changed) {
     keep();
     EXPECT_FALSE(cache_.find(scene({"particles.spacing=\"0.25 m\""})));
     EXPECT_FALSE(cache_.find(scene({"part.flap.axial_stiffness=\"200 N\""})));
-    Folder::write(flap_channel.with("{2, 1, 0}", "{2.5, 1, 0}").drawing, "channel.geo");
+    Folder::write(flap_channel.with("{2, 1, 0}", "{2.5, 1, 0}").cad_geometry, "channel.geo");
     EXPECT_FALSE(cache_.find(scene()));
-    Folder::write(flap_channel.drawing, "channel.geo");
+    Folder::write(flap_channel.cad_geometry, "channel.geo");
     EXPECT_TRUE(cache_.find(scene()));
 }
 
@@ -91,7 +91,7 @@ TEST_F(MeshCacheTest, keeps_only_what_took_long_and_what_it_knows_whole) {
     keep(1);
     EXPECT_THAT(files(), SizeIs(0));
     Folder::write("Include \"channel.inc\";\n", "channel.geo");
-    Folder::write(flap_channel.drawing, "channel.inc");
+    Folder::write(flap_channel.cad_geometry, "channel.inc");
     keep();
     EXPECT_THAT(files(), SizeIs(0));
     EXPECT_FALSE(cache_.find(scene()));

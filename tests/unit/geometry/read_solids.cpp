@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "temporary_drawing.hpp"
+#include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {

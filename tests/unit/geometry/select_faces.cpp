@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "temporary_drawing.hpp"
+#include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
@@ -60,7 +60,7 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     };
     FaceSelection selection{.name = "lid", .of = "blod", .location = {"scene.toml", 9, 1}};
     EXPECT_THAT(fault(selection),
-                HasSubstr("scene.toml:9:1: selection 'lid': the drawing has no volume or surface 'blod'"));
+                HasSubstr("scene.toml:9:1: selection 'lid': the geometry has no volume or surface 'blod'"));
     EXPECT_THAT(fault(selection), HasSubstr("did you mean 'blood'?"));
     selection.of = "blood";
     selection.in_plane[0] = 3;
@@ -68,7 +68,7 @@ TEST_F(SelectFaces, WhatIsNotThereIsAnError) {
     selection.except = {"rim"};
     EXPECT_THAT(fault(selection), HasSubstr("there is no surface 'rim' to except"));
     selection.name = "blood";
-    EXPECT_THAT(fault(selection), HasSubstr("the drawing has a 'blood' already"));
+    EXPECT_THAT(fault(selection), HasSubstr("the geometry has a 'blood' already"));
 }
 
 using SelectCurves = GeometryFileTest;
@@ -99,7 +99,7 @@ TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
         return text_thrown<InputError>([&] { select_faces(square, {selection}); });
     };
     FaceSelection wrong{.name = "rim", .of = "wter", .location = {"scene.toml", 9, 1}};
-    EXPECT_THAT(fault(wrong), HasSubstr("scene.toml:9:1: selection 'rim': the drawing has no area or curve 'wter'"));
+    EXPECT_THAT(fault(wrong), HasSubstr("scene.toml:9:1: selection 'rim': the geometry has no area or curve 'wter'"));
     EXPECT_THAT(fault(wrong), HasSubstr("did you mean 'water'?"));
     wrong.of = "water";
     wrong.in_plane[1] = 0.5;

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// OBJ, PLY, OFF and STL as drawings.
+// OBJ, PLY, OFF and STL as geometries.
 #include <Eigen/Geometry>
 #include <bit>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "geometry/split_polygon.hpp"
 #include "geometry/triangle_file.hpp"
 #include "geometry/triangle_geometry.hpp"
-#include "temporary_drawing.hpp"
+#include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {
@@ -227,7 +227,7 @@ TEST(SplitPolygon, OfOneThatCoversItselfEnds) {
 TEST_F(TriangleGeometries, AFileWithoutAUnitShowsWhatItsBoxMayBe) {
     EXPECT_EQ(
         fault("b.obj", obj_box(), std::nullopt),
-        "scene.toml:6:8: the drawing '" + path("b.obj") +
+        "scene.toml:6:8: the geometry '" + path("b.obj") +
             "' does not say its unit, and the scene gives none: is it 3 x 2 x 1 m, 3 x 2 x 1 mm or 3 x 2 x 1 um?\n"
             "  Give geometry.unit in the scene, \"1 m\", \"1 mm\" or \"1 um\"; on the command line --unit.");
     EXPECT_THAT(fault("b.stl", "solid a\nendsolid\n", std::nullopt), HasSubstr("has no triangle with an area"));

@@ -136,7 +136,7 @@ Texts block(const std::string& arrangement, const std::string& fill, const std::
                     "[[part]]\nname = \"block\"\nkind = \"elastic\"\ndensity = \"1200 kg/m^3\"\n"
                     "youngs_modulus = \"1 MPa\"\nanchor = \"wall\"\nbonds_within = \"" +
                     within + "\"\n",
-                channel.drawing + R"(Point(10) = {1.75, 0, 0};
+                channel.cad_geometry + R"(Point(10) = {1.75, 0, 0};
 Point(11) = {2.25, 0, 0};
 Point(12) = {2.25, 1, 0};
 Point(13) = {1.75, 1, 0};

@@ -98,7 +98,7 @@ void write_other_triangles(const TriangleSurface& surface) {
                   "block.ply");
 }
 
-/// Writes the block in all formats; `size` is that of a millimetre in the drawing's units.
+/// Writes the block in all formats; `size` is that of a millimetre in the geometry's units.
 void write_all_formats() {
     Folder::write(block, "block.geo");
     Folder::write(block +
@@ -197,8 +197,8 @@ TEST(CadMeshes, BodiesWithoutNamesAreNumberedAndUnitsAreChecked) {
     options.location = {"scene.toml", 2, 3};
     const auto fault = [&] { return text_thrown<InputError>([&] { (void)read_geometry(options); }); };
     EXPECT_EQ(fault(),
-              "scene.toml:2:3: the drawing 'two.step' states its unit itself, and the scene gives another\n"
-              "  Leave geometry.unit out, or correct the unit in the program that made the drawing.");
+              "scene.toml:2:3: the geometry 'two.step' states its unit itself, and the scene gives another\n"
+              "  Leave geometry.unit out, or correct the unit in the program that made the geometry.");
     options.file = "two.brep";
     EXPECT_THAT(read_geometry(options).names(), ElementsAre("solid_1", "solid_2"));
     options.unit.reset();
@@ -234,7 +234,7 @@ TEST(CadMeshes, AnOpenSurfaceIsNoFluidAndSaysWhy) {
     Folder::write(changed);
     EXPECT_THAT(
         text_thrown<InputError>([] { (void)mesh_file("scene.toml"); }),
-        HasSubstr("'block' is a surface in the drawing, but a volume for a fluid is needed here; it is not closed: "
+        HasSubstr("'block' is a surface in the geometry, but a volume for a fluid is needed here; it is not closed: "
                   "3 edges of its surface have one side only"));
 }
 

@@ -108,7 +108,7 @@ TEST(EdgePositions, begin_with_half_a_step_at_open_ends) {
     }
 }
 
-/// An enclosed room in the plane, of six corners of which one is re-entrant; no side is a whole number of spacings.
+/// An enclosed room in 2-D, of six corners of which one is re-entrant; no side is a whole number of spacings.
 TEST(FittedFeatures, corners_in_the_plane_keep_their_particles) {
     const Texts room = channel.with("periodic = [\"x\"]\n", "")
                            .with("Line(2) = {2, 3};",

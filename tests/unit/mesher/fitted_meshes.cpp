@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Particles that follow the surfaces of a drawing in space.
+// Particles that follow the surfaces of a geometry in 3-D.
 #include <cmath>
 #include <numbers>
 

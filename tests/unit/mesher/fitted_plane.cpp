@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Particles that follow the curves of a drawing in the plane.
+// Particles that follow the curves of a geometry in 2-D.
 #include <cmath>
 #include <limits>
 #include <numbers>

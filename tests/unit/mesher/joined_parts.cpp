@@ -43,7 +43,7 @@ std::string join(const std::string& a, const std::string& b, const std::string& 
 /// Two blocks beside each other, `gap` [m] apart.
 Texts two_blocks(const std::string& gap, const std::string& joined) {
     return {channel.scene + block_part("left", "1 MPa") + block_part("right", "3 MPa") + joined,
-            channel.drawing + block_geometry("left", 10, "1.25") + block_geometry("right", 20, "1.75 + " + gap)};
+            channel.cad_geometry + block_geometry("left", 10, "1.25") + block_geometry("right", 20, "1.75 + " + gap)};
 }
 
 double mean_of_own(const ParticleSet& set, const std::string& part) {

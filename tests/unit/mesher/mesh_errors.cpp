@@ -13,62 +13,65 @@ TEST(MeshErrors, TheTestsOwnScenesAreGood) {
 }
 
 TEST(MeshErrors, APartThatTheDrawingLacks) {
-    EXPECT_EQ(fault_of(channel.with("\"wall\"", "\"wlal\"")),
-              "scene.toml:12:8: the drawing has nothing named 'wlal' (channel.geo)\n  it names 'wall' and 'water'; did "
-              "you mean 'wall'?");
+    EXPECT_EQ(
+        fault_of(channel.with("\"wall\"", "\"wlal\"")),
+        "scene.toml:12:8: the geometry has nothing named 'wlal' (channel.geo)\n  it names 'wall' and 'water'; did "
+        "you mean 'wall'?");
     EXPECT_EQ(fault_of(channel.with("\"water\"", "\"blood\"")),
-              "scene.toml:7:8: the drawing has nothing named 'blood' (channel.geo)\n  it names 'wall' and 'water'");
-    EXPECT_EQ(fault_of(flap_channel.with("\"flap\"", "\"flaps\"")),
-              "scene.toml:22:8: the drawing has nothing named 'flaps' (channel.geo)\n  it names 'flap', 'root', 'wall' "
-              "and 'water'; did you mean 'flap'?");
+              "scene.toml:7:8: the geometry has nothing named 'blood' (channel.geo)\n  it names 'wall' and 'water'");
+    EXPECT_EQ(
+        fault_of(flap_channel.with("\"flap\"", "\"flaps\"")),
+        "scene.toml:22:8: the geometry has nothing named 'flaps' (channel.geo)\n  it names 'flap', 'root', 'wall' "
+        "and 'water'; did you mean 'flap'?");
     EXPECT_EQ(fault_of(flap_channel.with("\"root\"", "\"roots\"")),
-              "scene.toml:27:10: the drawing has nothing named 'roots' (channel.geo)\n  it names 'flap', 'root', "
+              "scene.toml:27:10: the geometry has nothing named 'roots' (channel.geo)\n  it names 'flap', 'root', "
               "'wall' and 'water'; did you mean 'root'?");
 }
 
 TEST(MeshErrors, ANameOfTheWrongKind) {
     EXPECT_EQ(fault_of(channel.with("name = \"water\"", "name = \"wall\"")
                            .with("name = \"wall\"\nkind = \"rigid\"", "name = \"water\"\nkind = \"rigid\"")),
-              "scene.toml:7:8: 'wall' is a curve in the drawing, but a surface for a fluid is needed here "
+              "scene.toml:7:8: 'wall' is a curve in the geometry, but a surface for a fluid is needed here "
               "(channel.geo)\n  it names 'wall' and 'water'");
     EXPECT_EQ(
         fault_of(
             flap_channel.with("name = \"flap\"", "name = \"root\"").with("anchor = \"root\"", "anchor = \"flap\"")),
-        "scene.toml:22:8: 'root' is a point in the drawing, but a curve or a surface is needed here (channel.geo)\n  "
+        "scene.toml:22:8: 'root' is a point in the geometry, but a curve or a surface is needed here (channel.geo)\n  "
         "it names "
         "'flap', 'root', 'wall' and 'water'");
     EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"", "anchor = \"water\"")),
-              "scene.toml:27:10: 'water' is a surface in the drawing, but a point or a curve is needed here "
+              "scene.toml:27:10: 'water' is a surface in the geometry, but a point or a curve is needed here "
               "(channel.geo)\n  it names 'flap', 'root', 'wall' and 'water'");
 }
 
 TEST(MeshErrors, ANameThatNoPartUses) {
-    EXPECT_EQ(fault_of(channel.with("Physical Curve(\"wall\") = {1, 3}",
-                                    "Physical Curve(\"wall\") = {1, 3};\nPhysical Curve(\"walls\") = {3}")),
-              "scene.toml:3:8: the drawing names a curve 'walls' that no part of the scene uses (channel.geo)\n  add a "
-              "[[part]] with this name (enabled = false leaves it out), or take the name out of the drawing; the scene "
-              "has 'wall'");
+    EXPECT_EQ(
+        fault_of(channel.with("Physical Curve(\"wall\") = {1, 3}",
+                              "Physical Curve(\"wall\") = {1, 3};\nPhysical Curve(\"walls\") = {3}")),
+        "scene.toml:3:8: the geometry names a curve 'walls' that no part of the scene uses (channel.geo)\n  add a "
+        "[[part]] with this name (enabled = false leaves it out), or take the name out of the geometry; the scene "
+        "has 'wall'");
     EXPECT_EQ(fault_of(channel.with("Physical Curve", "Physical Point(\"probe here\") = {2};\nPhysical Curve")),
-              "scene.toml:3:8: the drawing names a point 'probe here' that no part of the scene uses (channel.geo)\n  "
-              "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the drawing");
+              "scene.toml:3:8: the geometry names a point 'probe here' that no part of the scene uses (channel.geo)\n  "
+              "add a [[part]] with this name (enabled = false leaves it out), or take the name out of the geometry");
     EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"\n", "")),
-              "scene.toml:3:8: the drawing names a point 'root' that no part of the scene uses (channel.geo)\n  add a "
-              "[[part]] with this name (enabled = false leaves it out), or take the name out of the drawing");
+              "scene.toml:3:8: the geometry names a point 'root' that no part of the scene uses (channel.geo)\n  add a "
+              "[[part]] with this name (enabled = false leaves it out), or take the name out of the geometry");
     EXPECT_EQ(fault_of(flap_channel.with("kind = \"elastic\"", "kind = \"elastic\"\nenabled = false")), "no error");
 }
 
 TEST(MeshErrors, AnOpenFluidBoundary) {
     EXPECT_EQ(fault_of(channel.with("{1, 3};\n", "{1};\n")),
               "scene.toml:7:8: the boundary of 'water' is open between (4, 2) m and (0, 2) m: no rigid part "
-              "and no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the "
+              "and no periodic side closes it\n  name this curve in the geometry as part of a rigid part, or make the "
               "axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     EXPECT_EQ(fault_of(channel.with("periodic = [\"x\"]\n", "")),
               "scene.toml:7:8: the boundary of 'water' is open between (4, 0) m and (4, 2) m: no rigid part "
-              "and no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the "
+              "and no periodic side closes it\n  name this curve in the geometry as part of a rigid part, or make the "
               "axis periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     EXPECT_EQ(fault_of(channel.with("kind = \"rigid\"", "kind = \"rigid\"\nenabled = false")),
               "scene.toml:7:8: the boundary of 'water' is open between (0, 0) m and (4, 0) m: no rigid part and "
-              "no periodic side closes it\n  name this curve in the drawing as part of a rigid part, or make the axis "
+              "no periodic side closes it\n  name this curve in the geometry as part of a rigid part, or make the axis "
               "periodic (flow.periodic), or the side a plane of symmetry (flow.symmetry)");
     // A plane of symmetry closes its own side only.
     const Texts open_above = channel.with("{1, 3};\n", "{1};\n");
@@ -112,21 +115,21 @@ TEST(MeshErrors, AClosedCurve) {
                                          "Point(12) = {3, 1, 0};\nLine(11) = {11, 12};\nLine(12) = {12, 10};\n"
                                          "Physical Curve(\"flap\") = {10, 11, 12}")),
               "scene.toml:22:8: 'flap' has a closed curve, and springs run along open ones only\n  leave a gap in the "
-              "curve in the drawing");
+              "curve in the geometry");
 }
 
 TEST(MeshErrors, AnAnchorThatIsNotOnTheCurve) {
     EXPECT_EQ(
         fault_of(flap_channel.with("(\"root\") = {10}", "(\"root\") = {1}")),
-        "scene.toml:27:10: no point of 'root' lies on 'flap'\n  put the anchor points on the curve in the drawing");
+        "scene.toml:27:10: no point of 'root' lies on 'flap'\n  put the anchor points on the curve in the geometry");
     EXPECT_EQ(
         fault_of(flap_channel.with("Point(11)", "Point(12) = {2.07, 0.5, 0};\nPoint(11)")
                      .with("(\"root\") = {10}", "(\"root\") = {12}")),
-        "scene.toml:27:10: no point of 'root' lies on 'flap'\n  put the anchor points on the curve in the drawing");
+        "scene.toml:27:10: no point of 'root' lies on 'flap'\n  put the anchor points on the curve in the geometry");
     EXPECT_EQ(fault_of(flap_channel.with("anchor = \"root\"", "anchor = \"wall\"")
                            .with("Physical Point(\"root\") = {10};\n", "")
                            .with("Point(10) = {2, 0, 0}", "Point(10) = {2, 0.1, 0}")),
-              "scene.toml:27:10: no end of 'flap' lies on 'wall'\n  let the curve begin or end on it in the drawing");
+              "scene.toml:27:10: no end of 'flap' lies on 'wall'\n  let the curve begin or end on it in the geometry");
 }
 
 TEST(MeshErrors, AFluidThatNoParticleFitsInto) {
@@ -147,7 +150,7 @@ TEST(MeshErrors, AWallWithFluidOnBothSides) {
 
 TEST(MeshErrors, BodiesOnTopOfEachOther) {
     const std::string what_to_do =
-        "  refine particles.spacing, or draw them further apart: a springs part's rows stand half a spacing beside "
+        "  refine particles.spacing, or draw them further apart: an elastic solid's rows stand half a spacing beside "
         "what is drawn, so that two of them want 218.8 mm from one to the other";
     const Texts crossing =
         flap_channel.with("Physical Curve(\"flap\") = {10}",

@@ -38,15 +38,15 @@ inline Meshed mesh_case(const std::string& name, const std::vector<std::string>&
     return mesh_file(DMP_SOURCE_DIR "/cases/" + name, overrides);
 }
 
-/// A scene and its drawing, "channel.geo", as texts.
+/// A scene and its geometry, "channel.geo", as texts.
 struct Texts {
     std::string scene;
-    std::string drawing;
+    std::string cad_geometry;
 
-    /// With `found`, which must stand in the scene or the drawing, replaced once.
+    /// With `found`, which must stand in the scene or the geometry, replaced once.
     [[nodiscard]] Texts with(const std::string& found, const std::string& replacement) const {
         Texts changed = *this;
-        for (std::string* text : {&changed.scene, &changed.drawing})
+        for (std::string* text : {&changed.scene, &changed.cad_geometry})
             if (const auto at = text->find(found); at != std::string::npos) {
                 text->replace(at, found.size(), replacement);
                 return changed;
@@ -100,7 +100,7 @@ axial_stiffness = "100 N"
 mass_per_length = "10 kg/m"
 anchor = "root"
 )",
-                                channel.drawing + R"(Point(10) = {2, 0, 0};
+                                channel.cad_geometry + R"(Point(10) = {2, 0, 0};
 Point(11) = {2, 1, 0};
 Line(10) = {10, 11};
 Physical Curve("flap") = {10};
@@ -110,7 +110,7 @@ Physical Point("root") = {10};
 inline Meshed mesh_texts(const Texts& texts) {
     const Folder folder;
     Folder::write(texts.scene);
-    Folder::write(texts.drawing, "channel.geo");
+    Folder::write(texts.cad_geometry, "channel.geo");
     return mesh_file("scene.toml");
 }
 

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Solids of springs in drawings in the plane.
+// Solids of springs in geometries in 2-D.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ youngs_modulus = "1 MPa"
 poisson_ratio = 0.25
 anchor = "wall"
 )",
-                  channel.drawing + R"(Point(10) = {1.75, 0, 0};
+                  channel.cad_geometry + R"(Point(10) = {1.75, 0, 0};
 Point(11) = {2.25, 0, 0};
 Point(12) = {2.25, 1, 0};
 Point(13) = {1.75, 1, 0};
@@ -152,8 +152,7 @@ TEST(PlaneSolids, keep_fluid_off_in_every_fill) {
         EXPECT_NEAR(static_cast<double>(count_of(set, "water")), 480, 2) << fill;
         for (std::size_t i = 0; i < set.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
-                const bool at_the_block =
-                    (set.kind(i) == PartKind::elastic) != (set.kind(j) == PartKind::elastic);
+                const bool at_the_block = (set.kind(i) == PartKind::elastic) != (set.kind(j) == PartKind::elastic);
                 if (!at_the_block) continue;
                 EXPECT_GT((set.position[i] - set.position[j]).norm(), 0.6 * 0.125) << fill;
             }
@@ -189,9 +188,9 @@ TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {
     EXPECT_THAT(fault_of(block.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"hexagonal\"")),
                 HasSubstr("whose cells are built on the square lattice only"));
     EXPECT_THAT(fault_of(block.with("density = \"1200 kg/m^3\"", "mass_per_length = \"5 kg/m\"\nthickness = \"1 m\"")),
-                HasSubstr("'block' is a surface in the drawing, a solid of springs, which has no mass_per_length"));
+                HasSubstr("'block' is a surface in the geometry, a solid of springs, which has no mass_per_length"));
     EXPECT_THAT(fault_of(block.with("Physical Surface(\"block\") = {2}", "Physical Curve(\"block\") = {11}")),
-                HasSubstr("'block' is a curve in the drawing, a strip of springs, which has no density"));
+                HasSubstr("'block' is a curve in the geometry, a strip of springs, which has no density"));
     EXPECT_THAT(fault_of(block.with("density = \"1200 kg/m^3\"", "density = \"1200 kg/m^3\"\ncross_bonds = true")),
                 HasSubstr("part 'block': cross_bonds is of a strip, and density says that the part is an area"));
     EXPECT_THAT(fault_of(block.with("youngs_modulus = \"1 MPa\"\n", "")), HasSubstr("youngs_modulus is missing"));

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies of springs in drawings in space.
+// Bodies of springs in geometries in 3-D.
 #include <cmath>
 #include <numeric>
 
@@ -274,10 +274,10 @@ TEST(SpaceBodies, wrong_ones_are_refused_with_what_to_do) {
     EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0, 0.25, 0.1, 0.75, 0.1}"),
                 AllOf(HasSubstr("'body' is thinner than two spacings"), HasSubstr("draw the surface in its middle")));
     EXPECT_THAT(replaced("poisson_ratio = 0.25", "thickness = \"1 cm\""),
-                AllOf(HasSubstr("is a volume in the drawing"), HasSubstr("take `thickness` out")));
+                AllOf(HasSubstr("is a volume in the geometry"), HasSubstr("take `thickness` out")));
     EXPECT_THAT(fault_of(sheet.with("thickness = \"0.05 m\"\n", "")), HasSubstr("its thickness is missing"));
     EXPECT_THAT(replaced("anchor = \"wall\"", "anchor = \"walls\""),
-                AllOf(HasSubstr("the drawing has nothing named 'walls'"), HasSubstr("did you mean 'wall'?")));
+                AllOf(HasSubstr("the geometry has nothing named 'walls'"), HasSubstr("did you mean 'wall'?")));
     EXPECT_THAT(replaced("{0.75, 0, 0.25, 0.5, 0.75, 0.5}", "{0.75, 0.25, 0.25, 0.5, 0.5, 0.5}"),
                 HasSubstr("no node of 'body' is within 0.75 spacings of 'wall'"));
     EXPECT_THAT(fault_of(sheet.with("{1, 0, 0.125}", "{1.14, 0.6, 0.6}")

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// The cases in space: how good their particles are.
+// The cases in 3-D: how good their particles are.
 #include <algorithm>
 #include <cmath>
 #include <limits>

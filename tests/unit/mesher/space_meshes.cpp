@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings in space.
+// Geometries in 3-D.
 #include <cmath>
 #include <numbers>
 
@@ -149,7 +149,7 @@ TEST(SpaceMeshes, what_is_open_is_named) {
     EXPECT_THAT(fault_of(duct.with("{3, 4, 5, 6}", "{3, 4, 5}")),
                 testing::MatchesRegex("scene.toml:8:8: the boundary of 'water' is open over 2e.06 mm.2, near .*, 1. "
                                       "m: no rigid part and no periodic side closes it\n  name this surface in the "
-                                      "drawing as part of a rigid part, or make the axis periodic .flow.periodic., or "
+                                      "geometry as part of a rigid part, or make the axis periodic .flow.periodic., or "
                                       "the side a plane of symmetry .flow.symmetry."));
     EXPECT_THAT(fault_of(duct.with("periodic = [\"x\"]\n", "")), testing::HasSubstr("is open over 2e+06 mm^2"));
     EXPECT_EQ(fault_of(duct.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"z_high\"]")
@@ -160,21 +160,21 @@ TEST(SpaceMeshes, what_is_open_is_named) {
 TEST(SpaceMeshes, wrong_dimensions_and_kinds) {
     EXPECT_EQ(
         fault_of(duct.with("dimension = 3", "dimension = 2")),
-        "scene.toml:2:13: the drawing has volumes, and the scene has 2 dimensions (channel.geo)\n  write dimension "
-        "= 3, or name another drawing");
+        "scene.toml:2:13: the geometry has volumes, and the scene has 2 dimensions (channel.geo)\n  write dimension "
+        "= 3, or name another geometry");
     EXPECT_EQ(fault_of(channel.with("schema = 1", "schema = 1\ndimension = 3")),
-              "scene.toml:2:13: the drawing lies in the plane, and the scene has 3 dimensions (channel.geo)\n  write "
-              "dimension = 2, or name another drawing");
+              "scene.toml:2:13: the geometry lies in 2-D, and the scene has 3 dimensions (channel.geo)\n  write "
+              "dimension = 2, or name another geometry");
     EXPECT_EQ(fault_of(duct.with("name = \"water\"", "name = \"wall\"")
                            .with("name = \"wall\"\nkind = \"rigid\"", "name = \"water\"\nkind = \"rigid\"")),
-              "scene.toml:8:8: 'wall' is a surface in the drawing, but a volume for a fluid is needed here "
+              "scene.toml:8:8: 'wall' is a surface in the geometry, but a volume for a fluid is needed here "
               "(channel.geo)\n  it names 'wall' and 'water'");
     EXPECT_THAT(fault_of(duct.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\ndisorder = 0.1")),
-                testing::HasSubstr("particles.disorder: lattices in space cannot be disturbed yet"));
+                testing::HasSubstr("particles.disorder: lattices in 3-D cannot be disturbed yet"));
     EXPECT_THAT(fault_of(channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\narrangement = \"fcc\"")),
-                testing::HasSubstr("\"fcc\" is a lattice in space"));
+                testing::HasSubstr("\"fcc\" is a lattice in 3-D"));
     EXPECT_THAT(fault_of(channel.with("periodic = [\"x\"]", "periodic = [\"x\"]\nsymmetry = [\"z_low\"]")),
-                testing::HasSubstr("a scene in the plane has no side 'z_low'"));
+                testing::HasSubstr("a scene in 2-D has no side 'z_low'"));
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(Results, of_solid_body_rotation_are_twice_its_rate_and_no_shear_anywhere) {
     const auto pressure = moment.values(FluidField::pressure);
     ASSERT_EQ(vorticity.size(), set.size());
     for (const auto& [id, curl] : vorticity) {
-        ASSERT_EQ(curl.size(), 1U) << "in the plane";
+        ASSERT_EQ(curl.size(), 1U) << "in 2-D";
         EXPECT_NEAR(curl[0], 2 * rate, 1e-9);
         EXPECT_NEAR(shear.at(id)[0], 0, 1e-9);
         EXPECT_NEAR(von_mises.at(id)[0], 0, 1e-8);
@@ -181,7 +181,7 @@ TEST(ResidenceTimes, of_a_crossing_are_length_over_speed) {
     Scene scene = water_scene(2);
     ResidenceRegion strip, corner;
     strip.name = std::string("strip");
-    strip.from = Vec(0.9, -1, 0);  // across the drawing, corners the other way round
+    strip.from = Vec(0.9, -1, 0);  // across the geometry, corners the other way round
     strip.to = Vec(0.6, 2, 0);
     corner.name = std::string("corner");
     corner.from = Vec(0, 0, 0);

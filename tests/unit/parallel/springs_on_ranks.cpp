@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// A solid and a shell with dihedrals in moving water, in space, on several ranks: the bits of one, and what they say
+// A solid and a shell with dihedrals in moving water, in 3-D, on several ranks: the bits of one, and what they say
 // will run.
 #include <algorithm>
 #include <cmath>

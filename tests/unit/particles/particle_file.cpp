@@ -301,7 +301,7 @@ TEST_F(ParticleFile, ContentsThatAreNoParticlesAreNamed) {
         {"dihedrals/d", Integers{0, 4}, "dihedral 1 joins a particle that is not there"},
         {"dihedrals/b", Integers{1, 2, 3}, "dihedrals/b has 3 elements, not 2"},
         {"dihedrals/rest_angle", Reals{0, nan}, "dihedral 1: its rest_angle or stiffness"},
-        {"dimension", Integers{2}, "it has dihedrals, and there are none in the plane"},
+        {"dimension", Integers{2}, "it has dihedrals, and there are none in 2-D"},
         {"dimension", Integers{4}, "4 dimensions"},
         {"spacing", Reals{0}, "spacing is not more than 0"},
         {"box/low", Reals{0, 3, 0}, "box is none"},

@@ -123,7 +123,7 @@ TEST_F(PicturesWithDisplay, FluidWallsAndSolidsCoverWhatTheyShould) {
     write_run(folder.path(), 2);
     write_pictures(folder.path(), small);
     const Image image = read_png(folder.path() / "last_frame.png");
-    // the drawing: 42 x 16 spacings (a margin of one and half a disc), 380 pixels wide below a title of 21
+    // the picture: 42 x 16 spacings (a margin of one and half a disc), 380 pixels wide below a title of 21
     const double per_spacing = 380.0 / 41;
     const double drawing = 380 * 15 * per_spacing / (static_cast<double>(image.width) * image.height);
     const double covered = 1 - share_of(image, is_white);

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of a fluid in space: what the slices hold, and what is in front of what.
+// Pictures of a fluid in 3-D: what the slices hold, and what is in front of what.
 #include <algorithm>
 #include <array>
 #include <cmath>

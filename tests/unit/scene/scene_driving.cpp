@@ -19,7 +19,7 @@ period = "3 s"
 name = "ghost"
 kind = "parabola"
 parts = ["leaflets"]
-place = ["1 mm/s * t", "2 mm"]
+position = ["1 mm/s * t", "2 mm"]
 half_width = "3 mm"
 height = "4 mm"
 strength = "2 uN"
@@ -93,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"shape_felt_by_a_wall", "parts = [\"leaflets\"]", "parts = [\"blood\", \"wall\"]",
               "scene.toml:58:9: part 'wall' is of kind 'rigid', which moves as it is told and feels no force\n"
               "  give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'"},
-        Fault{"shape_that_bends", "place = [\"1 mm/s * t\"", "place = [\"0.1 * x\"",
-              "scene.toml:59:9: the moving shape 'ghost': its place depends on x, y or z\n  give formulas of t"},
+        Fault{"shape_that_bends", "position = [\"1 mm/s * t\"", "position = [\"0.1 * x\"",
+              "scene.toml:59:9: the moving shape 'ghost': its position depends on x, y or z\n  give formulas of t"},
         Fault{"flat_parabola", "height = \"4 mm\"", "height = 0",
               "scene.toml:61:10: the moving shape 'ghost' is flat: its height is 0\n  give the height of its ends"},
         Fault{"radius_of_a_parabola", "height = \"4 mm\"", "height = \"4 mm\"\nradius = \"1 mm\"",

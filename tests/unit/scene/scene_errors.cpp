@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"unknown_word", "kind = \"fluid\"", "kind = \"gas\"",
               "scene.toml:12:8: part.blood.kind: found \"gas\", expected one of 'fluid', 'rigid', 'springs', "
               "'spheres', 'plane' and 'surface'\n"
-              "  write one of these words"},
+              "  write one of these names"},
         Fault{"key_of_another_kind", "kind = \"rigid\"", "kind = \"rigid\"\nviscosity = \"1 Pa*s\"",
               "scene.toml:19:1: 'viscosity' does not apply to the part 'wall' of kind 'rigid', only to kind 'fluid'\n"
               "  remove it, or correct the part's kind"},
@@ -137,10 +137,10 @@ INSTANTIATE_TEST_SUITE_P(
               "alike\n  leave out that component, or the side"},
         Fault{"unknown_side", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nsymmetry = [\"bottom\"]",
               "scene.toml:29:13: flow.symmetry: found \"bottom\", expected one of 'x_low', 'x_high', 'y_low', "
-              "'y_high', 'z_low' and 'z_high'\n  write one of these words"},
+              "'y_high', 'z_low' and 'z_high'\n  write one of these names"},
         Fault{"springs_of_three_layers", "kind = \"elastic\"", "kind = \"elastic\"\nlayers = 3",
               "scene.toml:23:10: part.leaflets.layers: found 3, expected 2\n"
-              "  springs parts have two rows of particles for now: write layers = 2"},
+              "  elastic solids have two rows of particles for now: write layers = 2"},
         Fault{"springs_as_stiff_as_a_strip_and_as_a_material", "axial_stiffness = \"100 N\"",
               "axial_stiffness = \"100 N\"\nyoungs_modulus = \"2 MPa\"",
               "scene.toml:25:18: part 'leaflets' has its stiffness twice: as a strip, at scene.toml:23:21, and as a "
@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'leaflets'?"},
         Fault{"reference_to_another_kind", "part = \"leaflets\"", "part = \"wall\"",
               "scene.toml:45:8: part 'wall' is of kind 'rigid', expected 'springs'\n"
-              "  a gap is measured between the pieces of a springs part; the scene has 'leaflets'"},
+              "  a gap is measured between the pieces of an elastic solid; the scene has 'leaflets'"},
         Fault{"missing_reference", "part = \"leaflets\"", "",
               "scene.toml:42:1: missing key: measure.tip_gap.part\n"
               "  add 'part' in [[measure]]: a name of letters, digits and '_'"},
@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:9:8: particles.seed: found -1, expected at least 0\n"
               "  give a value that is at least 0"},
         Fault{"third_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"z\"]",
-              "scene.toml:29:13: flow.periodic: a scene in the plane has no axis 'z'\n"
+              "scene.toml:29:13: flow.periodic: a scene in 2-D has no axis 'z'\n"
               "  give 'x' and 'y' only, or write dimension = 3"},
         Fault{"repeated_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\", \"x\"]",
               "scene.toml:29:18: flow.periodic: \"x\" stands twice\n"
@@ -297,8 +297,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:31:23: numerics.background_pressure: found \"-1 Pa\", expected at least 0\n"
               "  give a value that is at least 0"},
         Fault{"unknown_viscous_law", "[run]", "[numerics]\nviscous_law = \"moris\"\n[run]",
-              "scene.toml:31:15: numerics.viscous_law: found \"moris\", expected one of 'morris', 'monaghan' and "
-              "'monaghan_approaching'\n"
+              "scene.toml:31:15: numerics.viscous_law: found \"moris\", expected one of 'morris', 'monaghan', "
+              "'monaghan_approaching' and 'cleary'\n"
               "  did you mean \"morris\"?"},
         Fault{"more_than_a_fraction", "[run]", "[numerics]\nstep_factor = 2\n[run]",
               "scene.toml:31:15: numerics.step_factor: found 2, expected more than 0 and at most 1\n"
@@ -349,7 +349,7 @@ INSTANTIATE_TEST_SUITE_P(
               "file = \"channel.geo\"\nparameters = { a = \"3 s\" }",
               "scene.toml:6:20: geometry.parameters.a: found \"3 s\" (time), expected a length, an angle or a plain "
               "number\n"
-              "  a drawing knows no other units: give a length such as \"2 mm\""},
+              "  a geometry knows no other units: give a length such as \"2 mm\""},
         Fault{"boolean_parameter", "file = \"channel.geo\"", "file = \"channel.geo\"\nparameters = { a = true }",
               "scene.toml:6:20: geometry.parameters.a: found true (true or false), expected a length, an angle or a "
               "plain number\n"

@@ -52,10 +52,10 @@ TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
         "    only for fluid parts\n"
         "\n"
         "part.*.density\n"
-        "    Of the material, in space and of an area in the plane; of a strip mass_per_length says it.\n"
+        "    Of the material, in 3-D and of an area in 2-D; of a strip mass_per_length says it.\n"
         "    type:    a density such as \"1100 kg/m^3\", more than 0\n"
         "    default: none\n"
-        "    only for springs parts\n"
+        "    only for elastic parts\n"
         "\n"
         "part.*.density\n"
         "    Density of the spheres; or give their mass.\n"
@@ -79,7 +79,7 @@ TEST(ExplainKey, a_key_that_differs_between_kinds) {
               "    Rows of particles across the solid's thickness.\n"
               "    type:    a whole number, only 2\n"
               "    default: 2\n"
-              "    only for springs parts\n");
+              "    only for elastic parts\n");
 }
 
 TEST(ExplainKey, a_whole_table) {

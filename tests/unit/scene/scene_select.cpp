@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// [[select]]: faces of a drawing in space.
+// [[select]]: faces of a geometry in 3-D.
 #include <gmock/gmock.h>
 
 #include "tests/modules.hpp"
@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A pipe with this between its drawing and its particles.
+/// A pipe with this between its geometry and its particles.
 std::string pipe_with(const std::string& selections, const std::string& dimension = "3") {
     return "schema = 1\ndimension = " + dimension + "\n[geometry]\nfile = \"pipe.step\"\n" + selections +
            "[particles]\nspacing = \"0.1 mm\"\n"
@@ -49,9 +49,9 @@ TEST(SceneSelect, refusesWhatSelectsNothing) {
               "scene.toml:6:8: selection 'lid' does not say which faces\n"
               "  give a plane (x, y or z), a box (from and to), a normal, or except");
     EXPECT_THAT(fault_of(pipe_with(named + "z = 0\n", "2")),
-                HasSubstr("scene.toml:8:5: selection 'lid' gives a z, and the scene lies in the plane"));
+                HasSubstr("scene.toml:8:5: selection 'lid' gives a z, and the scene lies in 2-D"));
     EXPECT_EQ(read_text(pipe_with(inlet, "2")).selections.size(), 1U);
-    // It may be a surface of the drawing.
+    // It may be a surface of the geometry.
     EXPECT_EQ(*read_text(pipe_with(named + "except = [\"rim\"]\n")).selections[0].except,
               std::vector<std::string>{"rim"});
     EXPECT_THAT(fault_of(pipe_with(named + "from = [0, 0, 0]\n")),

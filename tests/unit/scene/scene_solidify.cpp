@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  leave out seed_part, or write a [[solidify]] for each"},
         Fault{"seeds_of_a_liquid", "seed_region = \"nidus\"", "seed_part = \"blood\"",
               "scene.toml:55:13: seed_part of solidify 'clot': part 'blood' is of kind 'fluid', expected a rigid or "
-              "springs part\n"
+              "elastic solid\n"
               "  the scene has 'wall' and 'leaflets'"},
         Fault{"region_that_is_not", "seed_region = \"nidus\"", "seed_region = \"nidos\"",
               "scene.toml:55:15: seed_region of solidify 'clot': the scene has no region 'nidos'\n"
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:56:8: solidify 'clot': the scene has [[species]], and what is dissolved in liquid that turns "
               "solid would be lost\n  species in aggregates are not there yet: leave out [[solidify]] or [[species]]"},
         Fault{"break_of_nothing", "part = \"clot\"", "part = \"wall\"",
-              "scene.toml:63:8: part of break 'tear': part 'wall' is of kind 'rigid', expected a springs part or a "
+              "scene.toml:63:8: part of break 'tear': part 'wall' is of kind 'rigid', expected an elastic solid or a "
               "[[solidify]]\n"
               "  the scene has 'leaflets' and 'clot'"},
         Fault{"two_limits", "force_above = \"1 mN\"", "force_above = \"1 mN\"\nstrain_above = 0.1",
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  leave mean_displacement out"},
         Fault{"aggregate_of_a_wall", "[[break]]",
               "[[measure]]\nname = \"size\"\nkind = \"aggregate\"\npart = \"wall\"\n\n[[break]]",
-              "scene.toml:64:8: part of measure 'size': part 'wall' is of kind 'rigid', expected a springs part or a "
+              "scene.toml:64:8: part of measure 'size': part 'wall' is of kind 'rigid', expected an elastic solid or a "
               "[[solidify]]\n"
               "  the scene has 'leaflets' and 'clot'"}}),
     name_of);

@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  leave out one of them"},
         Fault{"unit_of_its_own", "[[measure]]", "unit = \"percent\"\n[[measure]]",
               "scene.toml:41:8: species.drug.unit: found \"percent\", expected one of 'kg/m^3', 'mol/m^3' and '1'\n"
-              "  write one of these words"},
+              "  write one of these names"},
         Fault{"misspelt_key", "diffusivity =", "diffusivty =",
               "scene.toml:38:1: unknown key 'diffusivty' in [[species]]\n"
               "  did you mean 'diffusivity' in [[species]]?"},
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  give two opposite corners of a box"},
         Fault{"profile_out_of_the_plane", "[[measure]]",
               "[[measure]]\nname = \"m\"\nkind = \"profile\"\naxis = \"z\"\n[[measure]]",
-              "scene.toml:44:8: measure 'm': a scene in the plane has no axis 'z'\n"
+              "scene.toml:44:8: measure 'm': a scene in 2-D has no axis 'z'\n"
               "  take x or y"},
         Fault{"no_bins", "[[measure]]",
               "[[measure]]\nname = \"m\"\nkind = \"profile\"\naxis = \"x\"\nbins = 0\n[[measure]]",

@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
     Parts, WrongSpheres,
     testing::Values(
         Fault{"in_the_plane", "dimension = 3", "dimension = 2",
-              "scene.toml:2:13: part 'carrier' is of spheres, which live in space, and the scene has 2 dimensions\n"
+              "scene.toml:2:13: part 'carrier' is of spheres, which live in 3-D, and the scene has 2 dimensions\n"
               "  write dimension = 3"},
         Fault{"negative_stiffness", "youngs_modulus = \"63 GPa\"", "youngs_modulus = \"-63 GPa\"",
               "scene.toml:9:18: part.carrier.youngs_modulus: found \"-63 GPa\", expected more than 0\n"
@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:34:15, and as coefficients\n"
               "  give restitution, or normal_damping and tangential_damping"},
         Fault{"no_friction", "friction = 0.3\n", "",
-              "scene.toml:33:9: the contact of 'drug' and 'carrier': friction is missing, and the law 'hertz_mindlin' "
+              "scene.toml:33:9: the contact of 'drug' and 'carrier': friction is missing, and the law 'mindlin' "
               "has a tangential force\n"
               "  add friction = 0.3 (Coulomb's coefficient), or friction = 0 for spheres that slide freely"},
         Fault{"negative_friction", "friction = 0.3", "friction = -0.3",
@@ -270,8 +270,8 @@ INSTANTIATE_TEST_SUITE_P(
             "  add a [[contact_pair]] with parts = [\"drug\", \"drug\"], restitution and friction, or enabled = false"},
         Fault{"pair_with_the_wall_missing", "parts = [\"any\", \"any\"]", "parts = [\"drug\", \"any\"]",
               "scene.toml:26:8: 'carrier' and 'floor' can touch, and no [[contact_pair]] says how\n"
-              "  add a [[contact_pair]] with parts = [\"carrier\", \"floor\"], restitution and friction, or law = "
-              "\"none\""},
+              "  add a [[contact_pair]] with parts = [\"carrier\", \"floor\"], restitution and friction, or enabled = "
+              "false"},
         Fault{"adhesion_of_no_strength", "pull_off_force = \"258 nN\"\n", "",
               "scene.toml:36:12: the contact of 'drug' and 'carrier' adheres, and does not say how strongly\n"
               "  give work_of_adhesion or pull_off_force"},
@@ -297,7 +297,8 @@ INSTANTIATE_TEST_SUITE_P(
             "go together: that normal law is adhesive itself\n"
             "  leave one of them out"},
         Fault{"jkr_under_its_old_key", "adhesion = \"bradley\"", "adhesion = \"jkr\"",
-              "scene.toml:36:12: contact_pair.1.adhesion: found \"jkr\", expected one of 'none', 'bradley' and 'dmt'\n"
+              "scene.toml:36:12: contact_pair.sticky.adhesion: found \"jkr\", expected one of 'none', 'bradley' and "
+              "'dmt'\n"
               "  JKR's law is a normal law now: write normal = \"jkr\" and leave adhesion out"},
         Fault{"cut_off_too_early", "equilibrium_distance = \"0.4 nm\"",
               "equilibrium_distance = \"0.4 nm\"\nadhesion_cutoff = \"0.4 nm\"",

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// What springs parts are made of: strips in the plane, materials in space.
+// What elastic solids are made of: strips in 2-D, materials in 3-D.
 #include <gmock/gmock.h>
 
 #include "tests/modules.hpp"
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 const std::string strip =
     "bending_stiffness = \"3e-6 N*m^2\"\naxial_stiffness = \"100 N\"\nmass_per_length = \"0.42 kg/m\"";
 
-/// The test scene in space, with this for its springs part.
+/// The test scene in 3-D, with this for its elastic solid.
 std::string in_space(const std::string& springs) {
     std::string text = scene_with(strip, springs);
     text = text.substr(0, text.find("[[measure]]"));
@@ -29,9 +29,9 @@ TEST(SceneSprings, in_space_they_are_a_material) {
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"")), HasSubstr("'leaflets': youngs_modulus is missing"));
     EXPECT_THAT(fault_of(in_space("youngs_modulus = \"2 MPa\"")), HasSubstr("'leaflets': density is missing"));
     EXPECT_THAT(fault_of(in_space(strip)),
-                AllOf(HasSubstr("mass_per_length is of a strip in the plane"), HasSubstr("give density")));
+                AllOf(HasSubstr("mass_per_length is of a strip in 2-D"), HasSubstr("give density")));
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\ncross_bonds = true")),
-                HasSubstr("cross_bonds is of a strip in the plane"));
+                HasSubstr("cross_bonds is of a strip in 2-D"));
 }
 
 TEST(SceneSprings, in_the_plane_they_are_a_strip) {
@@ -48,7 +48,7 @@ TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cros
         fault_of(scene_with(strip, sheared + "\ncross_bonds = true")),
         AllOf(HasSubstr("part 'leaflets' has cross_bonds and shear_stiffness"), HasSubstr("leave out cross_bonds")));
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\nshear_stiffness = \"40 N\"")),
-                HasSubstr("shear_stiffness is of a strip in the plane"));
+                HasSubstr("shear_stiffness is of a strip in 2-D"));
 }
 
 TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {

@@ -15,7 +15,7 @@
 
 namespace dmp::tests {
 
-/// A complete small scene with a fluid, a wall, a springs part and two measures.
+/// A complete small scene with a fluid, a wall, an elastic solid and two measures.
 inline const std::string good_scene = R"(schema = 1
 title = "Test"
 

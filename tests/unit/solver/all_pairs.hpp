@@ -11,7 +11,7 @@
 namespace dmp::tests {
 
 /// A disordered crowd of all kinds of particles, fluid with a wall and two spring bodies strewn among it, all shaken by
-/// a third of a spacing: 20 x 20 of them in the plane, 8 x 8 x 8 in space.
+/// a third of a spacing: 20 x 20 of them in 2-D, 8 x 8 x 8 in 3-D.
 inline ParticleSet crowd(int dimension, std::array<bool, 3> periodic, unsigned seed = 1) {
     constexpr double spacing = 0.1;
     const int side = dimension == 3 ? 8 : 20;

@@ -1,6 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shells and solids of springs in space, alone and several in one set.
+// Shells and solids of springs in 3-D, alone and several in one set.
 #pragma once
 
 #include <array>

@@ -36,12 +36,12 @@ struct SceneAndParticles {
 inline SceneAndParticles case_of(const std::string& folder, const std::vector<std::string>& overrides) {
     SceneAndParticles made;
     made.scene = read_scene(std::string(DMP_SOURCE_DIR) + "/cases/" + folder, overrides);
-    GeometryOptions drawing;
-    drawing.file = (std::filesystem::path(made.scene.directory) / made.scene.geometry.file.value).string();
-    drawing.unit = made.scene.geometry.unit;
-    drawing.chord_error = 1e-3 * made.scene.particles.spacing;
-    for (const auto& [name, value] : made.scene.geometry.parameters) drawing.parameters[name] = value;
-    made.particles = mesh(read_geometry(drawing), made.scene).particles;
+    GeometryOptions cad_geometry;
+    cad_geometry.file = (std::filesystem::path(made.scene.directory) / made.scene.geometry.file.value).string();
+    cad_geometry.unit = made.scene.geometry.unit;
+    cad_geometry.chord_error = 1e-3 * made.scene.particles.spacing;
+    for (const auto& [name, value] : made.scene.geometry.parameters) cad_geometry.parameters[name] = value;
+    made.particles = mesh(read_geometry(cad_geometry), made.scene).particles;
     return made;
 }
 
@@ -84,7 +84,7 @@ inline SceneAndParticles endless_water(const std::string& acceleration_x = "0") 
     return made;
 }
 
-/// Adds a springs part "flags" to the scene.
+/// Adds an elastic solid "flags" to the scene.
 inline void add_flags(SceneAndParticles& made) {
     Part flags;
     flags.name = std::string("flags");

@@ -23,7 +23,7 @@ Texts bar(const std::string& arrangement, const std::string& fill, double within
                     "[[part]]\nname = \"bar\"\nkind = \"elastic\"\ndensity = \"1200 kg/m^3\"\n"
                     "youngs_modulus = \"1 MPa\"\nanchor = \"wall\"\nbonds_within = \"" +
                     std::to_string(within * spacing) + " m\"\n",
-                channel.drawing + R"(Point(10) = {1.75, 0, 0};
+                channel.cad_geometry + R"(Point(10) = {1.75, 0, 0};
 Point(11) = {2.25, 0, 0};
 Point(12) = {2.25, 2, 0};
 Point(13) = {1.75, 2, 0};

@@ -104,7 +104,7 @@ TEST(Couette, lid_may_slide_by_a_formula_of_time_and_place) {
 }
 
 TEST(Couette, is_a_straight_line_in_space_too) {
-    // Walls y = 0 and y = 1 of a slab that is periodic in x and z, made without a drawing.
+    // Walls y = 0 and y = 1 of a slab that is periodic in x and z, made without a geometry.
     constexpr int rows = 10, wide = 5;
     const WalledWater plane(wide, rows, {"wall", "lid"}, [](int column, int row) {
         return column < 0 || column >= wide ? 0 : row < 0 ? 1 : row >= rows ? 2 : 0;

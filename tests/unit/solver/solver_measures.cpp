@@ -154,7 +154,7 @@ TEST(KineticEnergy, of_uniform_flow) {
         EXPECT_NEAR(series.rows[row][0], 0.5 * 640 * std::pow(0.5 * series.time[row], 2), 1e-10);
 }
 
-/// A springs part without fluid, periodic in x with a period of 0.8 m.
+/// A elastic solid without fluid, periodic in x with a period of 0.8 m.
 SceneAndParticles flags_alone() {
     SceneAndParticles made = endless_water();
     const Box box = made.particles.box;

@@ -248,7 +248,7 @@ TEST(MonaghanViscosity, one_pair_by_hand) {
 }
 
 TEST(MonaghanViscosity, alpha_is_the_one_of_the_literature) {
-    // nu = alpha h c0 / 8 in the plane and / 10 in space, when all pairs take part.
+    // nu = alpha h c0 / 8 in 2-D and / 10 in 3-D, when all pairs take part.
     EXPECT_DOUBLE_EQ(MonaghanViscosity(scales).alpha(1e-6, 20), 8 * 1e-6 / (1.5 * 20));
     EXPECT_DOUBLE_EQ(ApproachingMonaghanViscosity(scales).alpha(1e-6, 20), 16 * 1e-6 / (1.5 * 20));
     EXPECT_DOUBLE_EQ(MonaghanViscosity({.dimension = 3, .support = 3}).alpha(1e-6, 20), 10 * 1e-6 / (1.5 * 20));

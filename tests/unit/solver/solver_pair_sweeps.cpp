@@ -172,7 +172,7 @@ Sums sums_of_all_pairs(ParticleStore& particles, const ParticleSet& set, const P
 }
 
 /// How far sums may be from those of the oracle: each of their terms, fewer than 256, is rounded to 2^-46 of the
-/// largest that is expected (sweeps/order_free.hpp), that is by half of that at most. The laws' own rounding is less.
+/// largest that is expected (sweeps/reproducible_sum.hpp), that is by half of that at most. The laws' own rounding is less.
 struct Tolerance {
     double force, density_rate, shift;
 

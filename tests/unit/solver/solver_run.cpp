@@ -304,7 +304,7 @@ TEST(Plan, limits_the_step_and_says_what_rules) {
     EXPECT_DOUBLE_EQ(plan.sound_speed, 2.2);
     EXPECT_DOUBLE_EQ(plan.largest_speed, 0.22);
     EXPECT_THAT(limits(plan),
-                testing::IsSupersetOf({"sound", "viscosity", "body force", "contact", "springs (leaflets)"}));
+                testing::IsSupersetOf({"sound", "viscosity", "body force", "contact", "elastic (leaflets)"}));
     double shortest = 1e300;
     std::string ruling;
     for (const StepLimit& limit : plan.limits)
@@ -336,7 +336,7 @@ TEST(Plan, counts_the_spring_steps_in_one_fluid_step) {
     EXPECT_EQ(substeps("implicit").spring_substeps, 1);
     const Plan plan = substeps("subcycled");
     EXPECT_EQ(plan.spring_substeps,
-              static_cast<int>(std::ceil(plan.dt / (0.5 * limit_of(plan, "springs (leaflets)")))));
+              static_cast<int>(std::ceil(plan.dt / (0.5 * limit_of(plan, "elastic (leaflets)")))));
 }
 
 TEST(Plan, models_that_are_switched_off_do_not_run_and_have_no_fields) {
@@ -387,7 +387,7 @@ TEST(Plan, plain_walls_carry_a_density) {
     const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm", "numerics.walls=plain"});
     const auto fields = Simulation(made.scene, made.particles, 1).plan().fields;
     EXPECT_THAT(fields, testing::IsSupersetOf(
-                            {"fluid: density, 8 bytes", "rigid: density, 8 bytes", "springs: density, 8 bytes"}));
+                            {"fluid: density, 8 bytes", "rigid: density, 8 bytes", "elastic: density, 8 bytes"}));
 }
 
 TEST(Setup, sound_speed_is_the_scenes_or_ten_times_the_largest_speed) {

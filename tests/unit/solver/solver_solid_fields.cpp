@@ -35,7 +35,7 @@ TEST(VirialStress, of_a_stretched_bar_is_force_over_area) {
         EXPECT_NEAR(xx, force / 2, 1e-3 * force);  // the bar is longer by force / EA, the section is not narrower
         EXPECT_NEAR(yy, 0, 1e-3 * force);
         EXPECT_NEAR(xy, 0, 1e-9);
-        EXPECT_EQ(std::abs(zz) + std::abs(yz) + std::abs(xz), 0) << "all is in the plane";
+        EXPECT_EQ(std::abs(zz) + std::abs(yz) + std::abs(xz), 0) << "all is in 2-D";
     }
     for (const auto& stress : stress_halfway({{-force, 0}})) EXPECT_NEAR(stress[0], -force / 2, 1e-3 * force);
 }

@@ -294,7 +294,7 @@ TEST_P(SpeciesSweepOf, is_the_same_along_with_density_rates) {
         for (const auto& [hydrostatic, shifting] : {std::pair(false, 0.0), {false, 4.0}, {true, 0.0}, {true, 4.0}})
             for (const VectorUnit unit : available_vector_units()) {
                 SCOPED_TRACE(std::string(to_string(unit)) + ", " + std::string(to_string(walls)) +
-                             (shifting > 0 ? ", shifted" : "") + (hydrostatic ? ", stratified" : ""));
+                             (shifting > 0 ? ", shifted" : "") + (hydrostatic ? ", hydrostatic" : ""));
                 settings.shifting = shifting;
                 settings.hydrostatic = hydrostatic;
                 settings.walls.model = walls;

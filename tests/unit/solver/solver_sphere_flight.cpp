@@ -59,7 +59,7 @@ TEST(SphereFlight, takes_those_that_nothing_acts_on) {
     EXPECT_EQ(share_flying(pushed), 0);
 }
 
-/// In space of 1 m around 0: two spheres, one of them so far out that places there are coarser than quanta.
+/// In 3-D of 1 m around 0: two spheres, one of them so far out that places there are coarser than quanta.
 TEST(SphereFlight, many_steps_are_the_same_bits_as_one_after_the_other) {
     ParticleSet space;
     space.dimension = 3;

@@ -48,7 +48,7 @@ TEST(SpringBodies, part_the_scene_does_not_know_is_an_error) {
         FAIL() << "no error";
     } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.problem()),
-                  "the particles have a springs part 'beam' that the scene does not know");
+                  "the particles have an elastic solid 'beam' that the scene does not know");
         EXPECT_EQ(error.what_to_do(), "mesh the scene again");
     }
 }

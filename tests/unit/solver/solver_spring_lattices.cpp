@@ -1,6 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lattices in space, as solids: what their spring constants are said to give, against static solves.
+// Lattices in 3-D, as solids: what their spring constants are said to give, against static solves.
 #include <Eigen/Dense>
 #include <cmath>
 #include <functional>

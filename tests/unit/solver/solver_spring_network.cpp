@@ -37,7 +37,7 @@ double dihedral_angle(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
     return std::atan2(axis.dot(to_a.cross(to_d)), to_a.dot(to_d));
 }
 
-/// A chain of nodes in space with bonds, hinges and dihedrals along it, all of them strained; one hinge rests straight,
+/// A chain of nodes in 3-D with bonds, hinges and dihedrals along it, all of them strained; one hinge rests straight,
 /// one folded, one dihedral flat.
 ParticleSet strained_chain(int nodes = 12) {
     std::mt19937 random(7);
@@ -280,7 +280,7 @@ TEST(SpringNetwork, plane_bodies_have_no_dihedrals) {
     ParticleSet set = strained_chain();
     set.dimension = 2;
     EXPECT_EQ(text_thrown<InputError>([&] { (void)SpringBody::make(set, part_with(0), 0); }),
-              "'beam' has dihedrals, and there are none in the plane\n  write dimension = 3, or leave them out");
+              "'beam' has dihedrals, and there are none in 2-D\n  write dimension = 3, or leave them out");
 }
 
 TEST(SpringNetwork, a_ring_closes_under_end_moments_in_the_plane_and_in_space) {

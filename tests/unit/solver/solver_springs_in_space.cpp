@@ -1,6 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shells and solids in space: the stress of their nodes, and contact of a body with itself.
+// Shells and solids in 3-D: the stress of their nodes, and contact of a body with itself.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Square lattices in the plane, as solids 1 m deep that are held in their depth, against static solves.
+// Square lattices in 2-D, as solids 1 m deep that are held in their depth, against static solves.
 #include <cmath>
 
 #include <gtest/gtest.h>

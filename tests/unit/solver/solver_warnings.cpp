@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
                },
                "scene.toml:7:9: region.sinus", "has no effect: 'residence_time' is not among output.fields"},
         Oddity{"average_of_nothing", [](Scene& s) { give(s.output.average_from, 1.0); },
-               "scene.toml:7:9: output.average_from", "has no effect: no springs part has 'mean_displacement'"},
+               "scene.toml:7:9: output.average_from", "has no effect: no elastic solid has 'mean_displacement'"},
         Oddity{"average_after_the_end",
                [](Scene& s) {
                    give(s.output.average_from, 4.0);

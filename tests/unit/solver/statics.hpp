@@ -15,7 +15,7 @@
 
 namespace dmp::tests {
 
-/// A set with one springs part 'beam' and nodes of these masses, and nothing between them yet.
+/// A set with one elastic solid 'beam' and nodes of these masses, and nothing between them yet.
 inline ParticleSet set_of_nodes(int dimension, const std::vector<Vec>& position, const std::vector<double>& mass) {
     ParticleSet set;
     set.dimension = dimension;

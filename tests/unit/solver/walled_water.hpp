@@ -16,7 +16,7 @@ namespace dmp::tests {
 
 inline constexpr double spacing = 0.1;
 
-/// A scene with its particles, made without a drawing: a rectangle of water from (0, 0), of density 1000 and particles
+/// A scene with its particles, made without a geometry: a rectangle of water from (0, 0), of density 1000 and particles
 /// 0.1 m apart, and three rows of wall particles around it.
 struct WalledWater {
     Scene scene;

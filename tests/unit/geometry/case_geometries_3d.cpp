@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// The cases in space: their drawings against closed forms.
+// The cases in 3-D: their geometries against closed forms.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,17 +16,17 @@ constexpr double pi = std::numbers::pi, chord_error = 5e-6;
 
 using Parameters = std::map<std::string, double>;
 
-Geometry read_case(const std::string& drawing, const Parameters& parameters = {}) {
+Geometry read_case(const std::string& cad_geometry, const Parameters& parameters = {}) {
     GeometryOptions options;
-    options.file = DMP_SOURCE_DIR "/cases/" + drawing;
+    options.file = DMP_SOURCE_DIR "/cases/" + cad_geometry;
     options.parameters = parameters;
     options.chord_error = chord_error;
     return read_geometry(options);
 }
 
-std::string error_of(const std::string& drawing, const Parameters& parameters) {
+std::string error_of(const std::string& cad_geometry, const Parameters& parameters) {
     try {
-        (void)read_case(drawing, parameters);
+        (void)read_case(cad_geometry, parameters);
     } catch (const InputError& error) {
         return error.problem();
     }
@@ -101,12 +101,12 @@ TEST(Stent, IsTheSameAsStepFile) {
 }
 
 TEST(Stent, RefusesWhatCannotBeDrawn) {
-    const std::string drawing = "stent/stent.geo", problem = "gmsh cannot read the drawing: ";
-    EXPECT_EQ(error_of(drawing, {{"strut", 2e-3}}), problem + "strut must be less than radius");
-    EXPECT_EQ(error_of(drawing, {{"struts", 2.5}}), problem + "struts must be a whole number of 1 or more");
-    EXPECT_EQ(error_of(drawing, {{"pitch", 1e-4}}), problem + "pitch must exceed width");
-    EXPECT_EQ(error_of(drawing, {{"length", 10e-3}}), problem + "the stent does not fit between 0 and length");
-    EXPECT_EQ(error_of(drawing, {{"share", 3}}), problem + "share must be 1, 2 or 4");
+    const std::string cad_geometry = "stent/stent.geo", problem = "gmsh cannot read the geometry: ";
+    EXPECT_EQ(error_of(cad_geometry, {{"strut", 2e-3}}), problem + "strut must be less than radius");
+    EXPECT_EQ(error_of(cad_geometry, {{"struts", 2.5}}), problem + "struts must be a whole number of 1 or more");
+    EXPECT_EQ(error_of(cad_geometry, {{"pitch", 1e-4}}), problem + "pitch must exceed width");
+    EXPECT_EQ(error_of(cad_geometry, {{"length", 10e-3}}), problem + "the stent does not fit between 0 and length");
+    EXPECT_EQ(error_of(cad_geometry, {{"share", 3}}), problem + "share must be 1, 2 or 4");
 }
 
 /// Of one of three leaflets: the part of a third of a circle that is half a gap from its straight sides, inclined.
@@ -144,9 +144,9 @@ TEST(TricuspidValve, ThreeLeafletsInTheBloodOfATube) {
 }
 
 TEST(TricuspidValve, RefusesWhatCannotBeDrawn) {
-    const std::string drawing = "tricuspid_valve/tricuspid_valve.geo", problem = "gmsh cannot read the drawing: ";
-    EXPECT_EQ(error_of(drawing, {{"gap", 6e-3}}), problem + "gap must be less than radius");
-    EXPECT_EQ(error_of(drawing, {{"height", 30e-3}}), problem + "downstream must exceed height");
+    const std::string cad_geometry = "tricuspid_valve/tricuspid_valve.geo", problem = "gmsh cannot read the geometry: ";
+    EXPECT_EQ(error_of(cad_geometry, {{"gap", 6e-3}}), problem + "gap must be less than radius");
+    EXPECT_EQ(error_of(cad_geometry, {{"height", 30e-3}}), problem + "downstream must exceed height");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// `dmp inspect` and `dmp new`, and drawings that another process reads.
+// `dmp inspect` and `dmp new`, and geometries that another process reads.
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -67,8 +67,8 @@ TEST_F(Geometries, WhatIsWrongIsSaidInOneMessage) {
     folder_.write("broken.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.");
     folder_.write("nan.obj", "v nan 0 0\n");
     for (const auto& [words, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-             {{"inspect", "none.step"}, "the drawing 'none.step' does not exist"},
-             {{"inspect", "."}, "the drawing '.' is a folder"},
+             {{"inspect", "none.step"}, "the geometry 'none.step' does not exist"},
+             {{"inspect", "."}, "the geometry '.' is a folder"},
              {{"inspect", "broken.step"}, "broken.step"},
              {{"inspect", "nan.obj"}, "nan.obj:1:1: corner 1 is not finite"},
              {{"inspect", "nan.obj", "--unit", "s"}, "--unit"},
@@ -99,8 +99,8 @@ TEST_F(Geometries, ANewSceneOfAStepFileRunsAsItIs) {
 }
 
 TEST_F(Geometries, ANewSceneOfAnArteryWithAStentKnowsBloodAndWhatStandsInIt) {
-    const std::string drawing = DMP_SOURCE_DIR "/cases/stent/stent.step";
-    const Outcome made = dmp({"new", "my_stent", "--from", drawing});
+    const std::string cad_geometry = DMP_SOURCE_DIR "/cases/stent/stent.step";
+    const Outcome made = dmp({"new", "my_stent", "--from", cad_geometry});
     ASSERT_EQ(made.code, 0) << made.errors;
     EXPECT_THAT(made.output,
                 AllOf(HasSubstr("'blood' is the fluid, by its name"),
@@ -154,13 +154,13 @@ TEST_F(Geometries, ASheetInTheFluidIsAShellHeldByTheWall) {
     EXPECT_EQ(run.code, 0) << run.errors;
 }
 
-/// A case's drawing as a newcomer takes it: a scene is made of it, and runs with nothing changed but fewer steps.
+/// A case's geometry as a newcomer takes it: a scene is made of it, and runs with nothing changed but fewer steps.
 class PlanarGeometries : public Geometries, public testing::WithParamInterface<const char*> {};
 
 TEST_P(PlanarGeometries, MakeAFirstSceneThatRunsAsItIs) {
     const std::string name = GetParam();
-    const std::string drawing = DMP_SOURCE_DIR "/cases/" + name + "/" + name + ".geo";
-    const Outcome made = dmp({"new", "mine", "--from", drawing});
+    const std::string cad_geometry = DMP_SOURCE_DIR "/cases/" + name + "/" + name + ".geo";
+    const Outcome made = dmp({"new", "mine", "--from", cad_geometry});
     ASSERT_EQ(made.code, 0) << made.errors;
     const Outcome run = dmp({"run", "mine", "--until", "0.2 ms", "--set", "output.pictures=false", "--threads", "1"});
     EXPECT_EQ(run.code, 0) << run.errors;
@@ -208,7 +208,7 @@ TEST_F(Geometries, AFaceOfAStepFileIsADrawingInThePlane) {
                   "Physical Surface(\"water\") = {3};\nSave \"channel.step\";\n");
     ASSERT_EQ(dmp({"inspect", "export.geo"}).code, 0);
     const Outcome shown = dmp({"inspect", "channel.step"});
-    EXPECT_THAT(shown.output, AllOf(HasSubstr("in the plane"), HasSubstr("12 x 3 x 0 mm"), HasSubstr("35.2")));
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("in 2-D"), HasSubstr("12 x 3 x 0 mm"), HasSubstr("35.2")));
     const Outcome made = dmp({"new", "channel", "--from", "channel.step"});
     ASSERT_EQ(made.code, 0) << made.errors;
     EXPECT_THAT(made.output, AllOf(HasSubstr("what leaves along x comes in again"), HasSubstr("sticks to: 'wall'")));

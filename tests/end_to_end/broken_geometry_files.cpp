@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings that are broken in each way that files are broken: every kind ends with exit code 2, says what is wrong,
+// Geometries that are broken in each way that files are broken: every kind ends with exit code 2, says what is wrong,
 // where, and what to do. What can be used all the same is in mended_drawings.cpp.
 #include <array>
 #include <chrono>
@@ -164,7 +164,7 @@ std::vector<Broken> broken_files() {
          stl,
          scene_of("body.stl", "2 mm"),
          {"'body' is smaller than a particle: it is 1 x 1 x 1 mm large, around (0.5, 0.5, 0.5) mm",
-          "one unit of the drawing is 1 mm now"}},
+          "one unit of the geometry is 1 mm now"}},
         {"AUnitThatIsFarTooSmall",
          "body.stl",
          stl,
@@ -175,12 +175,12 @@ std::vector<Broken> broken_files() {
          stl,
          scene_of("body.stl", "0.1 mm", "1 m"),
          {"1 x 1 x 1 m large and particles are 0.1 mm apart: that is a lattice of 1e+12 points",
-          "one unit of the drawing is 1 m now"}},
+          "one unit of the geometry is 1 m now"}},
         {"ABodyBeyondTheStars",
          "body.stl",
          with(stl, "vertex 1 0 0", "vertex 1e200 0 0"),
          mesh_of_stl,
-         {"further out than any drawing can mean", "unit"}},
+         {"further out than any geometry can mean", "unit"}},
         // what gmsh reads
         {"StepCutOff",
          "body.step",
@@ -237,9 +237,9 @@ TEST(BrokenGeometryFiles, OfWhichNothingIsThere) {
     const CaseFolder folder;
     std::filesystem::create_directory(folder.path() / "folder.stl");
     EXPECT_EQ(run_dmp(folder.path(), {"inspect", "folder.stl"}).errors,
-              "error: the drawing 'folder.stl' is a folder\n  Name a file in it.\n");
+              "error: the geometry 'folder.stl' is a folder\n  Name a file in it.\n");
     EXPECT_EQ(run_dmp(folder.path(), {"inspect", "none.stl"}).errors,
-              "error: the drawing 'none.stl' does not exist\n  Check the path.\n");
+              "error: the geometry 'none.stl' does not exist\n  Check the path.\n");
     EXPECT_EQ(run_dmp(folder.path(), {"inspect", "none.stl"}).code, 2);
 }
 
@@ -254,7 +254,7 @@ TEST(BrokenGeometryFiles, ThatNeverEndAreGivenUp) {
                                        {.command = {DMP_PROGRAM, dmp::cli::read_geometry_command}, .seconds = 1});
         ADD_FAILURE() << "it ended";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the drawing cannot be read: gmsh was not done "
+        EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the geometry cannot be read: gmsh was not done "
                                                      "after 1 s\n  Open it in the program that made it"));
     }
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
@@ -266,8 +266,8 @@ TEST(BrokenGeometryFiles, MakeNoFirstScene) {
     const Outcome outcome = run_dmp(folder.path(), {"new", "mine", "--from", "body.stl", "--unit", "mm"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.errors,
-              "error: body.stl: the drawing has no closed body that could hold the fluid\n"
-              "  'dmp inspect' says what is open; close it in the program that made the drawing.\n");
+              "error: body.stl: the geometry has no closed body that could hold the fluid\n"
+              "  'dmp inspect' says what is open; close it in the program that made the geometry.\n");
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "mine"));
     EXPECT_THAT(run_dmp(folder.path(), {"inspect", "body.stl"}).output,
                 testing::HasSubstr("no solid: it is not closed: 4 edges of its surface have one side only, the first"));

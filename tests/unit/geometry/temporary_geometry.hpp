@@ -40,7 +40,7 @@ class GeometryFileTest : public ::testing::Test {
 
     /// Reads a script that lies in the test's folder.
     [[nodiscard]] Geometry read(const std::string& text) const {
-        return read_geometry(options_for(write("drawing.geo", text)));
+        return read_geometry(options_for(write("domain.geo", text)));
     }
 
   private:

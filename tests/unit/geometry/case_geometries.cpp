@@ -14,9 +14,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Geometry read_case(const std::string& drawing, const std::map<std::string, double>& parameters = {}) {
+Geometry read_case(const std::string& cad_geometry, const std::map<std::string, double>& parameters = {}) {
     GeometryOptions options;
-    options.file = DMP_SOURCE_DIR "/cases/" + drawing;
+    options.file = DMP_SOURCE_DIR "/cases/" + cad_geometry;
     options.parameters = parameters;
     return read_geometry(options);
 }
@@ -36,9 +36,9 @@ double vein_valve_area(double half_width, double domain, double chamber, double 
     return 2 * half_width * (domain - chamber) + 2 * ellipse_slice(a, height, corner);
 }
 
-std::string error_of(const std::string& drawing, const std::map<std::string, double>& parameters) {
+std::string error_of(const std::string& cad_geometry, const std::map<std::string, double>& parameters) {
     try {
-        (void)read_case(drawing, parameters);
+        (void)read_case(cad_geometry, parameters);
     } catch (const InputError& error) {
         return error.problem();
     }
@@ -150,15 +150,16 @@ TEST(VeinValve, RefusesParametersThatMakeNoValve) {
     const auto error = [](const std::map<std::string, double>& parameters) {
         return error_of("vein_valve/vein_valve.geo", parameters);
     };
-    EXPECT_EQ(error({{"leaflet_length", 0.002}}),
-              "gmsh cannot read the drawing: leaflet_length is too short to reach tip_gap: it must exceed half_width - "
-              "tip_gap/2");
-    EXPECT_EQ(error({{"tip_gap", 0.009}}), "gmsh cannot read the drawing: tip_gap is wider than the vein");
-    EXPECT_EQ(error({{"tip_gap", 0}}), "gmsh cannot read the drawing: half_width and tip_gap must be positive");
+    EXPECT_EQ(
+        error({{"leaflet_length", 0.002}}),
+        "gmsh cannot read the geometry: leaflet_length is too short to reach tip_gap: it must exceed half_width - "
+        "tip_gap/2");
+    EXPECT_EQ(error({{"tip_gap", 0.009}}), "gmsh cannot read the geometry: tip_gap is wider than the vein");
+    EXPECT_EQ(error({{"tip_gap", 0}}), "gmsh cannot read the geometry: half_width and tip_gap must be positive");
     EXPECT_EQ(error({{"chamber_height", 0.004}}),
-              "gmsh cannot read the drawing: chamber_height must exceed half_width");
+              "gmsh cannot read the geometry: chamber_height must exceed half_width");
     EXPECT_EQ(error({{"domain_length", 0.04}}),
-              "gmsh cannot read the drawing: chamber_length must be positive, and domain_length must exceed it");
+              "gmsh cannot read the geometry: chamber_length must be positive, and domain_length must exceed it");
 }
 
 TEST(BentChannel, AreaIsTheCentreLineTimesTheWidth) {
@@ -207,13 +208,13 @@ TEST(BentChannel, TheFlapStandsOnTheWallAndCrossesTwoThirds) {
 }
 
 TEST(BentChannel, RefusesParametersThatMakeNoChannel) {
-    const std::string drawing = "bent_channel/bent_channel.geo";
-    EXPECT_EQ(error_of(drawing, {{"bend_radius", 0.003}}),
-              "gmsh cannot read the drawing: bend_radius must exceed half_width");
-    EXPECT_EQ(error_of(drawing, {{"domain_length", 0.04}}),
-              "gmsh cannot read the drawing: domain_length is too short for the bends and legs");
-    EXPECT_EQ(error_of(drawing, {{"flap_length", 0.007}}),
-              "gmsh cannot read the drawing: the flap does not fit into the channel");
+    const std::string cad_geometry = "bent_channel/bent_channel.geo";
+    EXPECT_EQ(error_of(cad_geometry, {{"bend_radius", 0.003}}),
+              "gmsh cannot read the geometry: bend_radius must exceed half_width");
+    EXPECT_EQ(error_of(cad_geometry, {{"domain_length", 0.04}}),
+              "gmsh cannot read the geometry: domain_length is too short for the bends and legs");
+    EXPECT_EQ(error_of(cad_geometry, {{"flap_length", 0.007}}),
+              "gmsh cannot read the geometry: the flap does not fit into the channel");
 }
 
 TEST(HeartValve, AreaAndWallAgainstTheCircle) {
@@ -242,19 +243,19 @@ TEST(HeartValve, AreaAndWallAgainstTheCircle) {
 }
 
 TEST(HeartValve, RefusesParametersThatMakeNoValve) {
-    const std::string drawing = "heart_valve/heart_valve.geo", problem = "gmsh cannot read the drawing: ";
-    EXPECT_EQ(error_of(drawing, {{"leaflet_length", 0.01}}),
+    const std::string cad_geometry = "heart_valve/heart_valve.geo", problem = "gmsh cannot read the geometry: ";
+    EXPECT_EQ(error_of(cad_geometry, {{"leaflet_length", 0.01}}),
               problem + "leaflet_length is too short to reach tip_gap: it must exceed half_width - tip_gap/2");
-    EXPECT_EQ(error_of(drawing, {{"chamber_radius", 0.0125}}), problem + "chamber_radius must exceed half_width");
-    EXPECT_EQ(error_of(drawing, {{"tip_gap", 0.026}}), problem + "tip_gap is wider than the vessel");
-    EXPECT_EQ(error_of(drawing, {{"domain_length", 0.03}}),
+    EXPECT_EQ(error_of(cad_geometry, {{"chamber_radius", 0.0125}}), problem + "chamber_radius must exceed half_width");
+    EXPECT_EQ(error_of(cad_geometry, {{"tip_gap", 0.026}}), problem + "tip_gap is wider than the vessel");
+    EXPECT_EQ(error_of(cad_geometry, {{"domain_length", 0.03}}),
               problem + "domain_length must exceed the length of the chamber, 2 sqrt(chamber_radius^2 - half_width^2)");
 }
 
 TEST(DoubleVeinValve, AreasAgainstClosedForms) {
-    const std::string drawing = "double_vein_valve/double_vein_valve.geo";
+    const std::string cad_geometry = "double_vein_valve/double_vein_valve.geo";
     for (const double channel_1 : {0.048, 0.030}) {
-        const Geometry valves = read_case(drawing, {{"channel_1", channel_1}});
+        const Geometry valves = read_case(cad_geometry, {{"channel_1", channel_1}});
         const double length = 0.080 + 0.048 + channel_1;
         EXPECT_NEAR((valves.box.low - Vec(-0.040 - channel_1, -0.0115, 0)).norm(), 0, 1e-15);
         EXPECT_NEAR((valves.box.high - Vec(0.088, 0.0115, 0)).norm(), 0, 1e-15);
@@ -297,13 +298,14 @@ TEST(DoubleVeinValve, LeafletsChannelsAndEmbolusAreWhereTheyShouldBe) {
 }
 
 TEST(DoubleVeinValve, RefusesParametersThatMakeNoValves) {
-    const std::string drawing = "double_vein_valve/double_vein_valve.geo", problem = "gmsh cannot read the drawing: ";
-    EXPECT_EQ(error_of(drawing, {{"leaflet_length", 0.02}}),
+    const std::string cad_geometry = "double_vein_valve/double_vein_valve.geo",
+                      problem = "gmsh cannot read the geometry: ";
+    EXPECT_EQ(error_of(cad_geometry, {{"leaflet_length", 0.02}}),
               problem + "leaflet_length must exceed half_width - tip_gap/2 and be below chamber_length/2");
-    EXPECT_EQ(error_of(drawing, {{"channel_1", 0.004}}), problem + "channel_1 and channel_2 must exceed 2 rim");
-    EXPECT_EQ(error_of(drawing, {{"casing", 0.008}}),
+    EXPECT_EQ(error_of(cad_geometry, {{"channel_1", 0.004}}), problem + "channel_1 and channel_2 must exceed 2 rim");
+    EXPECT_EQ(error_of(cad_geometry, {{"casing", 0.008}}),
               problem + "shell must be positive, and casing must exceed chamber_height + shell");
-    EXPECT_EQ(error_of(drawing, {{"embolus_length", 0.003}}),
+    EXPECT_EQ(error_of(cad_geometry, {{"embolus_length", 0.003}}),
               problem + "embolus_height must be positive, and embolus_length at least as large");
 }
 
@@ -320,7 +322,7 @@ TEST(Cilia, StandHalfAPitchFromTheEnds) {
         EXPECT_NEAR((cilia[k].points.front() - Vec(x, 0, 0)).norm(), 0, 1e-18);
         EXPECT_NEAR((cilia[k].points.back() - Vec(x, 5e-6, 0)).norm(), 0, 1e-18);
     }
-    const std::string problem = "gmsh cannot read the drawing: ";
+    const std::string problem = "gmsh cannot read the geometry: ";
     EXPECT_EQ(error_of("cilia/cilia.geo", {{"cilia", 2.5}}), problem + "cilia must be a whole number, at least 1");
     EXPECT_EQ(error_of("cilia/cilia.geo", {{"cilium_length", 8e-6}}),
               problem + "cilium_length must be below pcl + mucus");
@@ -335,7 +337,7 @@ TEST(PoiseuilleChannel, IsARectangle) {
     EXPECT_EQ(wall[0].points, (std::vector<Vec>{{0, 0, 0}, {4e-4, 0, 0}}));
     EXPECT_EQ(wall[1].points, (std::vector<Vec>{{0, 0.002, 0}, {4e-4, 0.002, 0}}));
     EXPECT_EQ(error_of("verification/poiseuille/channel.geo", {{"width", -1}}),
-              "gmsh cannot read the drawing: width and length must be positive");
+              "gmsh cannot read the geometry: width and length must be positive");
 }
 
 }  // namespace

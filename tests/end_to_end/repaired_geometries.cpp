@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings that are broken and can be used all the same: what was done to them is said.
+// Geometries that are broken and can be used all the same: what was done to them is said.
 #include <numbers>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// The process that reads drawings. Here stand-ins play the child; tests/end_to_end has the real one.
+// The process that reads geometries. Here stand-ins play the child; tests/end_to_end has the real one.
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include "geometry/geometry_bytes.hpp"
 #include "geometry/geometry_process.hpp"
-#include "temporary_drawing.hpp"
+#include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
@@ -72,7 +72,7 @@ TEST_F(GeometryProcesses, IsAskedForTheDrawingWithItsOptions) {
 TEST_F(GeometryProcesses, ACrashIsAnErrorWithTheFileAndWhatHappened) {
     EXPECT_EQ(fault("kill -SEGV $$"),
               geometry_file_ +
-                  ": the drawing cannot be read: gmsh crashed on it (Segmentation fault)\n"
+                  ": the geometry cannot be read: gmsh crashed on it (Segmentation fault)\n"
                   "  Open it in the program that made it, check it there, and save it again; 'gmsh " +
                   geometry_file_ + "' may tell more.");
     EXPECT_THAT(fault("kill -KILL $$"), HasSubstr("gmsh crashed on it (Killed, perhaps for want of memory)"));
@@ -109,7 +109,7 @@ TEST_F(GeometryProcesses, ErrorsComeThroughWordForWord) {
     EXPECT_THAT(text_thrown<ResourceError>([&] {
                     (void)read_geometry_in_process(options_for(geometry_file_), {.command = {"/no/such/program"}});
                 }),
-                HasSubstr("the process that reads drawings cannot be started: /no/such/program"));
+                HasSubstr("the process that reads geometries cannot be started: /no/such/program"));
 }
 
 TEST_F(GeometryProcesses, FilesOfTrianglesNeedNone) {

@@ -9,7 +9,7 @@
 
 #include <omp.h>
 
-#include "temporary_drawing.hpp"
+#include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests {
@@ -23,7 +23,7 @@ const std::string named_square =
     unit_square + "Physical Surface(\"water\") = {1};\nPhysical Curve(\"wall\") = {1, 3};\n";
 
 TEST_F(ReadGeometry, NamesScalesAndBoundsASquare) {
-    auto options = options_for(write("drawing.geo", named_square + "Physical Point(\"corner\") = {3};\n"));
+    auto options = options_for(write("domain.geo", named_square + "Physical Point(\"corner\") = {3};\n"));
     options.unit = 0.001;
     const Geometry geometry = read_geometry(options);
     EXPECT_EQ(geometry.file, options.file);
@@ -59,7 +59,7 @@ TEST_F(ReadGeometry, LoopsCloseBitForBitAndTurnLeft) {
 }
 
 TEST_F(ReadGeometry, AnArcStaysWithinTheChordErrorAndIsNotFinerThanNeeded) {
-    auto options = options_for(write("drawing.geo",
+    auto options = options_for(write("domain.geo",
                                      "Point(1) = {0, 0, 0};\nPoint(2) = {7, 0, 0};\nPoint(3) = {0, 7, 0};\n"
                                      "Circle(1) = {2, 1, 3};\nPhysical Curve(\"arc\") = {1};\n"));
     options.unit = 1e-3;
@@ -126,7 +126,7 @@ TEST_F(ReadGeometry, ParametersReplaceConstants) {
     const std::string text =
         "DefineConstant[ width = {2, Name \"width\"}, height = {3, Min 1, Max 5, Name \"Size/height\"} ];\n"
         "Point(1) = {0, 0, 0};\nPoint(2) = {width, height, 0};\nLine(1) = {1, 2};\nPhysical Curve(\"line\") = {1};\n";
-    auto options = options_for(write("drawing.geo", text));
+    auto options = options_for(write("domain.geo", text));
     EXPECT_EQ(read_geometry(options).box.high, Vec(2, 3, 0));
     options.parameters = {{"width", 0.1}, {"Size/height", 0.7}};
     EXPECT_EQ(read_geometry(options).box.high, Vec(0.1, 0.7, 0));
@@ -135,7 +135,7 @@ TEST_F(ReadGeometry, ParametersReplaceConstants) {
 }
 
 TEST_F(ReadGeometry, AParameterMayBringOthersToLight) {
-    auto options = options_for(write("drawing.geo",
+    auto options = options_for(write("domain.geo",
                                      "DefineConstant[ round = {0, Name \"round\"} ];\nr = 1;\n"
                                      "If (round)\n  DefineConstant[ radius = {2, Name \"radius\"} ];\n  r = radius;\n"
                                      "EndIf\nPoint(1) = {r, 0, 0};\nPoint(2) = {0, 0, 0};\nLine(1) = {1, 2};\n"
@@ -147,7 +147,7 @@ TEST_F(ReadGeometry, AParameterMayBringOthersToLight) {
 }
 
 TEST_F(ReadGeometry, ReadsUnrolledScriptsAndOddFileNames) {
-    EXPECT_NEAR(read_geometry(options_for(write("a drawing.geo_unrolled", named_square))).region("water")->area(), 1,
+    EXPECT_NEAR(read_geometry(options_for(write("a domain.geo_unrolled", named_square))).region("water")->area(), 1,
                 0);
     EXPECT_NEAR(read_geometry(options_for(write("DRAWING.GEO", named_square))).region("water")->area(), 1, 0);
 }
@@ -199,7 +199,7 @@ TEST_F(ReadGeometry, ReadsAgainAfterAnError) {
 }
 
 TEST_F(ReadGeometry, SeveralThreadsMayRead) {
-    const auto options = options_for(write("drawing.geo", named_square));
+    const auto options = options_for(write("domain.geo", named_square));
     std::array<double, 4> areas{};
     std::vector<std::thread> threads;
     threads.reserve(areas.size());
