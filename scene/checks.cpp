@@ -130,7 +130,7 @@ void need_terms_that_go_together(const Scene& scene) {
     const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
     throw InputError(
         numerics.walls.location,
-        "numerics.walls = \"plain\" integrates a density of the walls' own, which accuracy." + term + " does not know",
+        "numerics.walls = \"plain\" integrates a density of the walls' own, which numerics." + term + " does not know",
         "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
 }
 

@@ -148,7 +148,7 @@ std::vector<Key<Part>> part_keys() {
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
          "Dashpot along each bond and at each hinge, as a fraction of critical damping."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
-         "Drag of the resting room on each particle, force = -drag * velocity."},
+         "Linear drag in the lab frame: force = -drag * velocity on each particle."},
     };
 }
 

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:58:9: part 'wall' is of kind 'rigid', which moves as it is told and feels no force\n"
               "  give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'"},
         Fault{"shape_that_bends", "position = [\"1 mm/s * t\"", "position = [\"0.1 * x\"",
-              "scene.toml:59:9: the moving shape 'ghost': its position depends on x, y or z\n  give formulas of t"},
+              "scene.toml:59:12: the moving shape 'ghost': its position depends on x, y or z\n  give formulas of t"},
         Fault{"flat_parabola", "height = \"4 mm\"", "height = 0",
               "scene.toml:61:10: the moving shape 'ghost' is flat: its height is 0\n  give the height of its ends"},
         Fault{"radius_of_a_parabola", "height = \"4 mm\"", "height = \"4 mm\"\nradius = \"1 mm\"",

@@ -85,11 +85,11 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:2:1: unknown key 'spacing'\n"
               "  did you mean 'spacing' in [particles]?"},
         Fault{"misspelt_word", "kind = \"fluid\"", "kind = \"fluids\"",
-              "scene.toml:12:8: part.blood.kind: found \"fluids\", expected one of 'fluid', 'rigid', 'springs', "
+              "scene.toml:12:8: part.blood.kind: found \"fluids\", expected one of 'fluid', 'rigid', 'elastic', "
               "'spheres', 'plane' and 'surface'\n"
               "  did you mean \"fluid\"?"},
         Fault{"unknown_word", "kind = \"fluid\"", "kind = \"gas\"",
-              "scene.toml:12:8: part.blood.kind: found \"gas\", expected one of 'fluid', 'rigid', 'springs', "
+              "scene.toml:12:8: part.blood.kind: found \"gas\", expected one of 'fluid', 'rigid', 'elastic', "
               "'spheres', 'plane' and 'surface'\n"
               "  write one of these names"},
         Fault{"key_of_another_kind", "kind = \"rigid\"", "kind = \"rigid\"\nviscosity = \"1 Pa*s\"",
