@@ -52,7 +52,7 @@ void need_something_to_move(const Scene& scene) {
     const SourceLocation location =
         scene.parts.empty() ? SourceLocation{scene.file, 0, 0} : scene.parts.front().kind.location;
     throw InputError(first_known(scene, {&location}),
-                     "no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move",
+                     "no enabled part is of kind 'fluid', 'elastic' or 'spheres': nothing would move",
                      "add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
 }
 
@@ -304,7 +304,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
     const Part* other = scene.part_named(measure.part);
     const std::string what = other == nullptr ? "the scene has no part '" + *measure.part + "'"
                                               : "part '" + *measure.part + "' is of kind '" + to_string(*other->kind) +
-                                                    "', expected 'springs'";
+                                                    "', expected 'elastic'";
     throw InputError(measure.part.location, what,
                      nearest.empty() ? "a gap is measured between the pieces of an elastic solid; the scene has " +
                                            quoted_list(springs)

@@ -72,7 +72,7 @@ void need_pushable(const Scene& scene, const SourceLocation& location, const std
         throw InputError(location,
                          "part '" + name + "' is of kind '" + to_string(*part->kind) +
                              "', which moves as it is told and feels no force",
-                         "give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'");
+                         "give the part a velocity, or name a part of kind 'fluid', 'elastic' or 'spheres'");
     if (!*part->enabled)
         throw InputError(location, "part '" + name + "' is not enabled", "enable it, or leave out what pushes it");
 }

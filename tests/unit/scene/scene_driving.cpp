@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:48:8: the scene has no part 'leaflet'\n  did you mean 'leaflets'?"},
         Fault{"force_on_a_wall", "part = \"leaflets\"\nforce", "part = \"wall\"\nforce",
               "scene.toml:48:8: part 'wall' is of kind 'rigid', which moves as it is told and feels no force\n"
-              "  give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'"},
+              "  give the part a velocity, or name a part of kind 'fluid', 'elastic' or 'spheres'"},
         Fault{"force_out_of_the_plane", "force = [0,", "force = [0, 0, \"1 N\"] # [0,",
               "scene.toml:49:9: the force 'squeeze' has a third component in a 2-D scene\n  leave it out, or write 0"},
         Fault{"force_of_nothing", "force = [0,", "force = [0, 0] # [0,",
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a list of names such as [\"cilia\"]"},
         Fault{"shape_felt_by_a_wall", "parts = [\"leaflets\"]", "parts = [\"blood\", \"wall\"]",
               "scene.toml:58:9: part 'wall' is of kind 'rigid', which moves as it is told and feels no force\n"
-              "  give the part a velocity, or name a part of kind 'fluid', 'springs' or 'spheres'"},
+              "  give the part a velocity, or name a part of kind 'fluid', 'elastic' or 'spheres'"},
         Fault{"shape_that_bends", "position = [\"1 mm/s * t\"", "position = [\"0.1 * x\"",
               "scene.toml:59:12: the moving shape 'ghost': its position depends on x, y or z\n  give formulas of t"},
         Fault{"flat_parabola", "height = \"4 mm\"", "height = 0",

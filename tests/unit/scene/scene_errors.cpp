@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:45:8: the scene has no part 'leaflet'\n"
               "  did you mean 'leaflets'?"},
         Fault{"reference_to_another_kind", "part = \"leaflets\"", "part = \"wall\"",
-              "scene.toml:45:8: part 'wall' is of kind 'rigid', expected 'springs'\n"
+              "scene.toml:45:8: part 'wall' is of kind 'rigid', expected 'elastic'\n"
               "  a gap is measured between the pieces of an elastic solid; the scene has 'leaflets'"},
         Fault{"missing_reference", "part = \"leaflets\"", "",
               "scene.toml:42:1: missing key: measure.tip_gap.part\n"

@@ -59,7 +59,7 @@ TEST(GoodScene, has_no_fault) { EXPECT_EQ(fault_of(good_scene), "no error"); }
 
 TEST(WrongScene, without_anything_that_moves) {
     EXPECT_EQ(fault_of(good_scene, {"part.blood.enabled=false", "part.leaflets.enabled=false"}),
-              "scene.toml:12:8: no enabled part is of kind 'fluid', 'springs' or 'spheres': nothing would move\n"
+              "scene.toml:12:8: no enabled part is of kind 'fluid', 'elastic' or 'spheres': nothing would move\n"
               "  add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
 }
 
