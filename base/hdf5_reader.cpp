@@ -11,7 +11,7 @@ using hdf5::Handle;
 
 namespace {
 
-struct Dataset {
+struct FoundDataset {
     Handle handle;
     Hdf5Type type = Hdf5Type::other;
     std::uint64_t length = 0;
@@ -29,7 +29,7 @@ herr_t collect_name(hid_t /*group*/, const char* name, const H5L_info_t* info, v
 struct Hdf5Reader::State {
     std::filesystem::path path;
     Handle file;
-    std::map<std::string, Dataset> datasets;
+    std::map<std::string, FoundDataset> datasets;
     std::vector<std::string> names;
 
     [[noreturn]] void refuse(const std::string& problem) const {
@@ -50,7 +50,7 @@ struct Hdf5Reader::State {
         for (const std::string& link : links) {
             const Handle object(check(H5Oopen(file.id(), link.c_str(), H5P_DEFAULT)), H5Oclose);
             if (H5Iget_type(object.id()) != H5I_DATASET) continue;
-            Dataset dataset;
+            FoundDataset dataset;
             dataset.handle = Handle(check(H5Dopen2(file.id(), link.c_str(), H5P_DEFAULT)), H5Dclose);
             const Handle space(check(H5Dget_space(dataset.handle.id())), H5Sclose);
             const Handle type(check(H5Dget_type(dataset.handle.id())), H5Tclose);
@@ -62,21 +62,21 @@ struct Hdf5Reader::State {
         for (const auto& [name, dataset] : datasets) names.push_back(name);
     }
 
-    [[nodiscard]] const Dataset& find(const std::string& name) const {
+    [[nodiscard]] const FoundDataset& find(const std::string& name) const {
         const auto found = datasets.find(name);
         if (found == datasets.end()) refuse("has no dataset '" + name + "'");
         return found->second;
     }
 
-    [[nodiscard]] const Dataset& find(const std::string& name, Hdf5Type wanted) const {
-        const Dataset& dataset = find(name);
+    [[nodiscard]] const FoundDataset& find(const std::string& name, Hdf5Type wanted) const {
+        const FoundDataset& dataset = find(name);
         if (dataset.type != wanted)
             refuse("dataset '" + name + "' holds " + hdf5::name_of(dataset.type) + ", not " + hdf5::name_of(wanted));
         return dataset;
     }
 
-    [[nodiscard]] const Dataset& find_single(const std::string& name, Hdf5Type wanted) const {
-        const Dataset& dataset = find(name, wanted);
+    [[nodiscard]] const FoundDataset& find_single(const std::string& name, Hdf5Type wanted) const {
+        const FoundDataset& dataset = find(name, wanted);
         if (dataset.length != 1)
             refuse("dataset '" + name + "' holds " + std::to_string(dataset.length) + " elements, not one");
         return dataset;
@@ -123,7 +123,7 @@ std::uint64_t Hdf5Reader::length(const std::string& name) const { return state_-
 
 void Hdf5Reader::read(const std::string& name, Hdf5Type type, std::uint64_t offset, std::uint64_t count,
                       void* slice) const {
-    const Dataset& dataset = state_->find(name, type);
+    const FoundDataset& dataset = state_->find(name, type);
     if (offset > dataset.length || count > dataset.length - offset)
         state_->refuse("dataset '" + name + "' has " + std::to_string(dataset.length) + " elements, fewer than the " +
                        std::to_string(count) + " from number " + std::to_string(offset) + " on");
@@ -136,7 +136,7 @@ void Hdf5Reader::read(const std::string& name, Hdf5Type type, std::uint64_t offs
 }
 
 void Hdf5Reader::read_number(const std::string& name, Hdf5Type type, void* value) const {
-    const Dataset& dataset = state_->find_single(name, type);
+    const FoundDataset& dataset = state_->find_single(name, type);
     state_->check(H5Dread(dataset.handle.id(), hdf5::memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, value));
 }
 
@@ -146,7 +146,7 @@ std::string Hdf5Reader::text(const std::string& name) const {
 }
 
 std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
-    const Dataset& dataset = state_->find(name, Hdf5Type::text);
+    const FoundDataset& dataset = state_->find(name, Hdf5Type::text);
     const Handle stored(state_->check(H5Dget_type(dataset.handle.id())), H5Tclose);
     const std::size_t size = H5Tget_size(stored.id());
     std::string table(size * dataset.length, '\0');

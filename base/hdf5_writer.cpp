@@ -15,7 +15,7 @@ using hdf5::Handle;
 
 namespace {
 
-struct Dataset {
+struct NewDataset {
     Handle handle;
     Hdf5Type type;
     std::uint64_t length = 0;
@@ -40,7 +40,7 @@ Handle dataset_properties() {
 struct Hdf5Writer::State {
     std::filesystem::path path, shown;
     Handle file;
-    std::map<std::string, Dataset> datasets;
+    std::map<std::string, NewDataset> datasets;
 
     State(const std::filesystem::path& file_path, const Hdf5FileOptions& options)
         : path(file_path), shown(options.shown_as.empty() ? file_path : options.shown_as) {}
@@ -71,26 +71,26 @@ struct Hdf5Writer::State {
         return result;
     }
 
-    Dataset& add(const std::string& name, Hdf5Type type, hid_t datatype, const Handle& space,
-                 const Handle& properties) {
+    NewDataset& add(const std::string& name, Hdf5Type type, hid_t datatype, const Handle& space,
+                    const Handle& properties) {
         if (datasets.contains(name)) throw std::logic_error("dataset '" + name + "' is there already");
         Handle handle(check(H5Dcreate2(file.id(), name.c_str(), datatype, space.id(), link_properties().id(),
                                        properties.id(), H5P_DEFAULT)),
                       H5Dclose);
         const auto length = static_cast<std::uint64_t>(check(H5Sget_simple_extent_npoints(space.id())));
-        return datasets.emplace(name, Dataset{std::move(handle), type, length}).first->second;
+        return datasets.emplace(name, NewDataset{std::move(handle), type, length}).first->second;
     }
 
     /// A dataset of texts or of one number, at once.
     void add_whole(const std::string& name, Hdf5Type type, hid_t file_type, hid_t memory_type, const Handle& space,
                    const void* values) {
-        Dataset& dataset = add(name, type, file_type, space, dataset_properties());
+        NewDataset& dataset = add(name, type, file_type, space, dataset_properties());
         if (dataset.length > 0)
             check(H5Dwrite(dataset.handle.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
         dataset.written = dataset.length;
     }
 
-    Dataset& find(const std::string& name) {
+    NewDataset& find(const std::string& name) {
         const auto found = datasets.find(name);
         if (found == datasets.end()) throw std::logic_error("there is no dataset '" + name + "'");
         return found->second;
@@ -135,7 +135,7 @@ void Hdf5Writer::create(const std::string& name, Hdf5Type type, std::uint64_t le
 
 void Hdf5Writer::write(const std::string& name, Hdf5Type type, std::uint64_t offset, std::uint64_t count,
                        const void* slice) {
-    Dataset& dataset = state_->find(name);
+    NewDataset& dataset = state_->find(name);
     if (dataset.type != type)
         throw std::logic_error("dataset '" + name + "' holds " + hdf5::name_of(dataset.type) + ", not " +
                                hdf5::name_of(type));

@@ -13,7 +13,7 @@ namespace dmp::cli {
 namespace {
 
 constexpr std::array kinds{PartKind::fluid, PartKind::elastic, PartKind::rigid, PartKind::spheres};
-constexpr std::array names{"fluid", "solid", "walls", "spheres"};
+constexpr std::array group_names{"fluid", "solid", "walls", "spheres"};
 
 using Indices = std::vector<std::size_t>;
 
@@ -91,7 +91,8 @@ Frame particle_frame(const ParticleSet& particles) {
     frame.spacing = particles.spacing;
     for (const auto& part : particles.parts) frame.parts.push_back(part.name);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-        if (particles.count(kinds.at(k)) > 0) frame.groups.push_back(group_of(particles, kinds.at(k), names.at(k)));
+        if (particles.count(kinds.at(k)) > 0)
+            frame.groups.push_back(group_of(particles, kinds.at(k), group_names.at(k)));
     }
     FrameGroup walls = wall_surfaces(
         "walls", particles, particles.box, [](int) { return true; }, [](int) { return Vec(Vec::Zero()); });

@@ -69,8 +69,6 @@ std::string difference(const std::vector<std::string>& made_from, const std::vec
     return text;
 }
 
-constexpr std::array kinds{"fluid", "rigid", "elastic", "spheres"};  // by PartKind
-
 /// The same for what every particle set says of itself.
 std::string difference(const ParticleSpace& file, const Scene& scene) {
     std::vector<std::string> made_from{fmt::format("dimension = {}", file.dimension)};
@@ -89,10 +87,11 @@ std::string difference(const ParticleSpace& file, const Scene& scene) {
     const auto line = [](const std::string& name, const std::string& kind) {
         return fmt::format("part '{}' = {}", name, kind);
     };
-    for (const auto& part : file.parts)
-        made_from.push_back(line(part.name, kinds.at(static_cast<std::size_t>(part.kind))));
+    for (const auto& part : file.parts) made_from.push_back(line(part.name, to_string(part.kind)));
     for (const Part& part : scene.parts)
-        if (*part.enabled) now.push_back(line(part.name, part.is_wall_for_spheres() ? kinds[1] : to_string(*part.kind)));
+        if (*part.enabled)
+            now.push_back(
+                line(part.name, part.is_wall_for_spheres() ? to_string(PartKind::rigid) : to_string(*part.kind)));
     return difference(made_from, now);
 }
 

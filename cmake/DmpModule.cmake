@@ -36,9 +36,19 @@ function(dmp_module name)
   target_include_directories(dmp_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                 $<INSTALL_INTERFACE:include/dmp>)
   target_link_libraries(dmp_${name} PUBLIC ${MODULE_LINKS} PRIVATE $<BUILD_INTERFACE:dmp_rules> ${MODULE_PRIVATE_LINKS})
+  dmp_compile_together(dmp_${name})
   list(LENGTH MODULE_SOURCES files)
   if(files GREATER 8)
     dmp_precompile(dmp_${name} dmp::${name} ${MODULE_LINKS})
+  endif()
+endfunction()
+
+# dmp_compile_together(TARGET): several source files per compiler run, where DMP_UNITY is on.
+function(dmp_compile_together target)
+  if(DMP_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # A type of an anonymous namespace in another file's type is no error where both are compiled as one file.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 
@@ -70,26 +80,38 @@ function(dmp_use_test_headers target)
   endif()
 endfunction()
 
-# dmp_test(NAME library...) or dmp_test(NAME LABEL l TIMEOUT seconds LIBRARIES library... PROPERTIES ctest's...): one
-# GoogleTest program from NAME.cpp in the current folder.
-function(dmp_test name)
-  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "LIBRARIES;PROPERTIES" ${ARGN})
+# dmp_test_program(NAME SOURCES a.cpp ... LIBRARIES library... [LABEL l] [TIMEOUT seconds] [PROPERTIES ctest's...]): one
+# GoogleTest program test_NAME from source files in the current folder; each of its tests is a test of ctest.
+function(dmp_test_program name)
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;LIBRARIES;PROPERTIES" ${ARGN})
   if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 300)
+    set(TEST_TIMEOUT 3000)  # ten times what a busy machine needs
   endif()
   if(DMP_SANITIZE)
     math(EXPR TEST_TIMEOUT "5 * ${TEST_TIMEOUT}")  # the solver is twenty times slower with them
   endif()
-  add_executable(test_${name} ${name}.cpp)
-  target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest_main GTest::gmock ${TEST_LIBRARIES}
-                                             ${TEST_UNPARSED_ARGUMENTS})
+  add_executable(test_${name} ${TEST_SOURCES})
+  target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest_main GTest::gmock OpenMP::OpenMP_CXX
+                                             ${TEST_LIBRARIES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(test_${name} PRIVATE ${dmp_test_options})
   dmp_use_test_headers(test_${name})
+  dmp_compile_together(test_${name})
   target_compile_definitions(test_${name} PRIVATE DMP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   DMP_BUILD_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(test_${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABEL}" ${TEST_PROPERTIES}
-                       DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
+  set(properties TIMEOUT ${TEST_TIMEOUT} ${TEST_PROPERTIES})
+  if(TEST_LABEL)  # an empty value would take the next property's name for its own
+    list(APPEND properties LABELS ${TEST_LABEL})
+  endif()
+  gtest_discover_tests(test_${name} PROPERTIES ${properties} DISCOVERY_TIMEOUT 600 NO_PRETTY_VALUES)
+endfunction()
+
+# dmp_test(NAME library...) or dmp_test(NAME [LIBRARIES library...] [what dmp_test_program takes]): a test program from
+# NAME.cpp alone.
+function(dmp_test name)
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "LIBRARIES;PROPERTIES" ${ARGN})
+  dmp_test_program(${name} SOURCES ${name}.cpp LABEL "${TEST_LABEL}" TIMEOUT "${TEST_TIMEOUT}"
+                   LIBRARIES ${TEST_LIBRARIES} ${TEST_UNPARSED_ARGUMENTS} PROPERTIES ${TEST_PROPERTIES})
 endfunction()
 
 # dmp_mpi_test(NAME RANKS 1 2 ... LIBRARIES library...): one GoogleTest program from NAME.cpp and mpi_main.cpp in the
@@ -97,13 +119,21 @@ endfunction()
 function(dmp_mpi_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT" "RANKS;LIBRARIES" ${ARGN})
   if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 60)
+    set(TEST_TIMEOUT 600)
   endif()
   if(DMP_SANITIZE)
     math(EXPR TEST_TIMEOUT "5 * ${TEST_TIMEOUT}")
   endif()
-  add_executable(test_${name} ${name}.cpp mpi_main.cpp)
-  target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest GTest::gmock MPI::MPI_C ${TEST_LIBRARIES})
+  if(NOT TARGET dmp_mpi_main)
+    add_library(dmp_mpi_main OBJECT mpi_main.cpp)
+    target_link_libraries(dmp_mpi_main PRIVATE dmp_rules GTest::gtest MPI::MPI_C OpenMP::OpenMP_CXX)
+    target_compile_options(dmp_mpi_main PRIVATE ${dmp_test_options})
+    target_include_directories(dmp_mpi_main PRIVATE ${PROJECT_SOURCE_DIR})
+    dmp_use_test_headers(dmp_mpi_main)
+  endif()
+  add_executable(test_${name} ${name}.cpp $<TARGET_OBJECTS:dmp_mpi_main>)
+  target_link_libraries(test_${name} PRIVATE dmp_rules GTest::gtest GTest::gmock MPI::MPI_C OpenMP::OpenMP_CXX
+                                             ${TEST_LIBRARIES})
   target_compile_options(test_${name} PRIVATE ${dmp_test_options})
   dmp_use_test_headers(test_${name})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})

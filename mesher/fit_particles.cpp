@@ -24,7 +24,7 @@ namespace {
 /// A particle nearer than this stands on the surface: the surface, not the particle's place, tells its side [spacings].
 constexpr double on_surface = 1e-6;
 /// The surface is looked for this far [spacings].
-constexpr double reach = 2;
+constexpr double relative_reach = 2;
 /// A particle no further away than this is brought to its place at a corner or an edge [spacings].
 constexpr double fetched_from = 1.5;
 /// Places nearer to another than this are left out, as at ends of edges shorter than it [spacings].
@@ -48,12 +48,12 @@ class Surfaces {
         for (std::size_t part = 0; part < set.parts.size(); ++part)
             for (const Part* each : fitted)
                 if (*each->name == set.parts[part].name)
-                    borders_[part].emplace(geometry, scene, set, *each, reach * set.spacing);
+                    borders_[part].emplace(geometry, scene, set, *each, relative_reach * set.spacing);
     }
 
     [[nodiscard]] std::optional<SurfaceHold> hold_of(std::size_t i, const Vec& position) const {
         const auto found = bounds_.nearest_wall(position);
-        const bool at_wall = found.wall >= 0 && found.distance <= reach * set_.spacing;
+        const bool at_wall = found.wall >= 0 && found.distance <= relative_reach * set_.spacing;
         // Where a fluid ends at another one, which counts where no wall is nearer.
         const auto& border = borders_[static_cast<std::size_t>(set_.part[i])];
         const auto other = border ? border->nearest(position) : std::nullopt;

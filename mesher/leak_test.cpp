@@ -10,7 +10,7 @@ namespace dmp::mesher {
 
 namespace {
 
-constexpr std::uint8_t wall = 1, fluid = 2, body = 4, occupied = 8, flooded = 16;
+constexpr std::uint8_t wall_cell = 1, fluid_cell = 2, body_cell = 4, occupied = 8, flooded = 16;
 constexpr double reach_of_walls = 0.6, reach_of_others = 0.5;  // of a particle's cube, from its centre [spacings]
 constexpr int margin_cells = 4;                                // around the outermost particles
 constexpr int room_cells = 2;  // how far a room is from the cubes of particles: a spacing
@@ -38,7 +38,9 @@ class Flood {
         cell_.assign(cells, 0);
         for (std::size_t i = 0; i < set.size(); ++i) {
             const PartKind kind = set.kind(i);
-            const std::uint8_t mark = kind == PartKind::rigid ? wall : kind == PartKind::fluid ? fluid : body;
+            const std::uint8_t mark = kind == PartKind::rigid   ? wall_cell
+                                      : kind == PartKind::fluid ? fluid_cell
+                                                                : body_cell;
             for_each_cell(i, [&](std::uint8_t& cell) { cell |= mark; });
         }
     }
@@ -139,10 +141,10 @@ class Flood {
 
     void visit(std::size_t k) {
         std::uint8_t& cell = cell_[k];
-        if ((cell & (wall | flooded)) != 0) return;
+        if ((cell & (wall_cell | flooded)) != 0) return;
         cell |= flooded;
         ++line_.cells;
-        if ((cell & fluid) == 0) front_.push_back(k);
+        if ((cell & fluid_cell) == 0) front_.push_back(k);
     }
 
     const ParticleSet& set_;

@@ -13,16 +13,16 @@
 
 namespace dmp::models {
 
-/// What a law says of itself, for scenes, messages and the reference: each law of a registry has one, called `facts`.
+/// The description of a law for scenes, messages and the reference. Each law of a registry has one, called `facts`.
 struct LawFacts {
     std::string_view key;       ///< its name in a scene
     std::string_view citation;  ///< equation and paper
     std::string_view meaning;   ///< one clause for the reference page
 };
 
-/// The laws among which a scene chooses one: a type each. A new law is a file with the law and its facts, and a row
-/// here. Names, schema, dispatch, `dmp explain` and the reference page follow from the row; a law that lacks something
-/// that they need does not compile.
+/// The laws from which a scene chooses one, each a type. To add a law, write a file with the law and its facts, and
+/// add a row here. Names, schema, dispatch, `dmp explain` and the reference page follow from the row; a law that
+/// lacks something they need does not compile.
 template <class... Laws>
 struct Registry {
     static constexpr std::size_t size = sizeof...(Laws);
@@ -100,7 +100,7 @@ inline constexpr auto law_names = [] {
 
 namespace dmp {
 
-/// Choices of laws have names as enumerations do.
+/// Choices of laws have names, as enumerations do.
 template <class Laws>
 inline constexpr auto enum_names<models::Choice<Laws>> = models::law_names<Laws>;
 

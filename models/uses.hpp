@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The modules whose names this one uses without qualification (docs/architecture.md).
+// The modules whose names are used here without qualification (docs/architecture.md).
 namespace dmp::simd {}
 
 namespace dmp::models {

@@ -24,7 +24,8 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
         text.replace(at, from.size(), to);
 }
 
-/// All of an axis' numbers alike: as many decimals as the step asks for, one power of ten where that saves zeros.
+/// The same format for all numbers of an axis: as many decimals as the step requires, and a power of ten where that
+/// saves zeros.
 std::string tick_text(double value, double step, double largest) {
     if (value == 0) return "0";
     const auto digits_to = [step](double power) {

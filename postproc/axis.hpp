@@ -6,7 +6,7 @@
 
 namespace dmp::postproc {
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) in [low, high], about `about` of them, and their texts.
+/// Round numbers in [low, high], spaced by 1, 2 or 5 times a power of ten, about `about` of them, and their texts.
 struct Ticks {
     std::vector<double> value;
     std::vector<std::string> text;
@@ -14,10 +14,10 @@ struct Ticks {
 };
 Ticks round_ticks(double low, double high, int about);
 
-/// The largest of 1, 2, 5 times a power of ten that is not above `length`; 0 unless length > 0 and finite.
+/// The largest number not above `length` that is 1, 2 or 5 times a power of ten; 0 unless length > 0 and finite.
 double round_below(double length);
 
-/// A length [m] among others of about `size` [m], in their unit: -0.0025 among 0.01 -> "-2.5 mm".
+/// A length [m] in the unit that suits `size` [m]: -0.0025 with size 0.01 -> "-2.5 mm".
 std::string printed_length(double length, double size);
 
 /// "m^2/s" -> "m²/s"; "1" and "" -> "".

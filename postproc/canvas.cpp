@@ -16,12 +16,13 @@ void set_colour(cairo_t* context, Colour colour) {
     cairo_set_source_rgb(context, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 
-/// DejaVu Sans where the system has it (Debian: fonts-dejavu-core, which fontconfig brings), else its standard font.
+/// DejaVu Sans if installed (Debian: fonts-dejavu-core, a dependency of fontconfig), otherwise the system's default
+/// font.
 void set_font(cairo_t* context, const Canvas::TextStyle& style) {
     cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                            style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context, style.size);
-    // whatever the desktop's settings are
+    // independent of the desktop's settings
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
@@ -36,7 +37,7 @@ double advance(cairo_t* context, const std::string& words) {
     return extents.x_advance;
 }
 
-/// Draws on and reads the image's own pixels.
+/// A surface that uses the image's pixels directly.
 cairo_surface_t* surface_on(Image& image) {
     auto* pixels = reinterpret_cast<unsigned char*>(image.pixels.data());
     return cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, image.width, image.height, 4 * image.width);
@@ -66,8 +67,8 @@ Canvas::Canvas(int width, int height)
     cairo_surface_destroy(surface);  // the context keeps it
     if (const cairo_status_t status = cairo_status(context_.get()); status != CAIRO_STATUS_SUCCESS)
         throw ResourceError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels cannot be drawn: " + cairo_status_to_string(status),
-                            "Ask for a smaller picture.");
+                                " pixels cannot be created: " + cairo_status_to_string(status),
+                            "Choose a smaller picture.");
     cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
 }
@@ -82,7 +83,7 @@ void Canvas::fill(double x, double y, double width, double height, Colour colour
 void Canvas::line(const std::vector<std::array<double, 2>>& points, Colour colour, double thickness) {
     set_colour(context_.get(), colour);
     cairo_set_line_width(context_.get(), thickness);
-    constexpr std::size_t piece = 64;  // of points: Cairo is slow with long curves that cross themselves
+    constexpr std::size_t piece = 64;  // points; Cairo is slow for long curves that cross themselves
     for (std::size_t first = 0; first < points.size(); first += piece) {
         const std::size_t end = std::min(first + piece + 1, points.size());
         for (std::size_t i = first; i < end; ++i) cairo_line_to(context_.get(), points[i][0], points[i][1]);
@@ -98,7 +99,7 @@ void Canvas::triangle(const std::array<std::array<double, 2>, 3>& corners, Colou
 }
 
 void Canvas::text(double x, double y, const std::string& words, const TextStyle& style) {
-    constexpr double capitals = 0.73;  // of DejaVu Sans [sizes]
+    constexpr double capitals = 0.73;  // height of the capitals of DejaVu Sans [font sizes]
     set_font(context_.get(), style);
     const double shift = style.align == Align::left ? 0 : style.align == Align::centre ? 0.5 : 1;
     set_colour(context_.get(), style.colour);
@@ -124,7 +125,7 @@ void Canvas::paste(Image image, int x, int y) {
     cairo_save(context_.get());
     cairo_set_source_surface(context_.get(), surface, x, y);
     cairo_paint(context_.get());
-    cairo_restore(context_.get());  // lets go of the image
+    cairo_restore(context_.get());  // releases the image
     cairo_surface_destroy(surface);
 }
 

@@ -21,17 +21,17 @@ struct Image {
     [[nodiscard]] Colour at(int x, int y) const;
 };
 
-/// How many colours there are, counted up to `at_most`: a picture of one colour shows nothing.
+/// Number of different colours, counted up to `at_most`: a picture with one colour is blank.
 std::size_t distinct_colours(const Image& image, std::size_t at_most = 4096);
 
 enum class Align { left, centre, right };
 
-/// A white sheet to draw on with Cairo: x to the right, y down, in pixels from the top left corner. Needs no display.
+/// A white drawing surface (Cairo): x to the right, y down, in pixels from the top left corner. Needs no display.
 class Canvas {
   public:
     static constexpr int largest = 32'000;  ///< width and height [pixels]; Cairo's limit is 32767
 
-    /// Throws ResourceError when Cairo cannot draw on a sheet of this size.
+    /// Throws ResourceError if Cairo cannot create a surface of this size.
     Canvas(int width, int height);
 
     struct TextStyle {
@@ -42,12 +42,12 @@ class Canvas {
     };
 
     void fill(double x, double y, double width, double height, Colour colour);
-    /// A line through the points, with round ends; a dot where there is one point only.
+    /// A line through the points, with round ends; a dot if there is only one point.
     void line(const std::vector<std::array<double, 2>>& points, Colour colour, double thickness);
     void triangle(const std::array<std::array<double, 2>, 3>& corners, Colour colour);
-    /// One line of text, the middle of its capitals at y, its left end, centre or right end at x.
+    /// One line of text with the middle of its capitals at y, and its left end, centre or right end at x.
     void text(double x, double y, const std::string& words, const TextStyle& style);
-    /// The same, smaller where it would be wider than `room` pixels.
+    /// The same in a smaller font if it would be wider than `room` pixels.
     void text_within(double room, double x, double y, const std::string& words, TextStyle style);
     void paste(Image image, int x, int y);
 
@@ -55,7 +55,7 @@ class Canvas {
     [[nodiscard]] static double text_width(const std::string& words, const TextStyle& style);
 
     [[nodiscard]] const Image& image() const { return image_; }
-    /// Writes a PNG. Throws ResourceError when the disk does not take it.
+    /// Writes a PNG file. Throws ResourceError if it cannot be written.
     void save(const std::filesystem::path& file) const;
 
   private:

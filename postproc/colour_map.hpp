@@ -17,19 +17,20 @@ inline constexpr Colour ink{34, 34, 40};       ///< text
 inline constexpr Colour frame{120, 120, 128};  ///< axes and outlines
 inline constexpr Colour grid{226, 226, 230};
 inline constexpr Colour wall{168, 170, 174};
-inline constexpr Colour body{92, 96, 108};       ///< rigid, among walls
+inline constexpr Colour body{92, 96, 108};       ///< rigid bodies, to distinguish them from walls
 inline constexpr Colour solid{196, 18, 48};      ///< stands out on the sequential map
 inline constexpr Colour dark_solid{40, 12, 36};  ///< stands out on the diverging map
 inline constexpr Colour plain_fluid{70, 125, 190};
 inline constexpr Colour not_a_number{255, 0, 255};
 }  // namespace colours
 
-/// Colours for the values from low to high. Values beyond the ends get the ends' colours, NaN a glaring one.
+/// Colours for the values from low to high. Values out of this range get the colour of the nearer end, NaN magenta.
 class ColourMap {
   public:
-    /// viridis (van der Walt and Smith, 2015): even steps of value look like even steps of colour.
+    /// viridis (van der Walt and Smith, 2015): perceptually uniform.
     static ColourMap sequential(double low, double high);
-    /// Cool to warm (Moreland, 2009), the middle at `middle`, the same span on both sides: |value - middle| <= span.
+    /// Cool to warm (Moreland, 2009), centred at `middle`, with the same span on both sides: |value - middle| <=
+    /// span.
     static ColourMap diverging(double middle, double span);
 
     [[nodiscard]] Colour operator()(double value) const;

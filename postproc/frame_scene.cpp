@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A disc of radius sqrt(1/2) spacings covers the corners of its cell in a square lattice; moving fluid is less regular,
-// and where discs overlap the nearest particle shows.
+// A disc of radius sqrt(1/2) spacings covers the corners of its cell in a square lattice. Moving fluid is less
+// regular; where discs overlap, the nearest particle is visible.
 constexpr double covering_radius_of_lattice = 0.72;
 constexpr double covering_radius_of_fluid = 0.95;
 
-/// One number a particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
+/// One number per particle: the value, or the magnitude of a vector (v . v)^(1/2) or symmetric tensor (s : s)^(1/2).
 std::vector<float> scalars(const FrameField& field) {
     if (field.components == 1) return field.values;
     const auto components = static_cast<std::size_t>(field.components);
@@ -72,8 +72,8 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     std::sort(times_.begin(), times_.end());
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
     if (times_.empty())
-        throw InputError("'" + folder_.string() + "' holds no frames (no fluid.pvd, no solid.pvd, no spheres.pvd)",
-                         "Name the output folder of a run.");
+        throw InputError("'" + folder_.string() + "' contains no frames (no fluid.pvd, solid.pvd or spheres.pvd)",
+                         "Give the output folder of a run.");
     title_ = read_frame((!fluid_.empty() ? fluid_ : !solid_.empty() ? solid_ : spheres_).back().file, "any").title;
     if (fs::exists(folder_ / "walls.vtp")) {
         walls_ = std::move(read_frame(folder_ / "walls.vtp", "walls").frame.groups[0]);
@@ -94,8 +94,8 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
     include(area_, last.spheres, &limit);
     include(area_, last.moving_walls, &limit);
     if (is_empty(area_))
-        throw InputError("'" + folder_.string() + "': no particle of the first frame has a place",
-                         "The run diverged at once or the files are broken; run the simulation again.");
+        throw InputError("'" + folder_.string() + "': no particle of the first frame has a finite position",
+                         "The run diverged at the start, or the files are damaged; run the simulation again.");
     flat_ = area_.extent().z() <= 4 * first.spacing;
     const Vec margin = Vec::Constant(std::max(first.spacing, 1e-3 * area_.extent().maxCoeff()));
     area_ = {area_.low - margin, area_.high + margin};

@@ -16,14 +16,14 @@ namespace dmp::postproc {
 /// The field of that name, or nullptr.
 [[nodiscard]] const FrameField* find_field(const FrameGroup& group, const std::string& name);
 
-/// A box around nothing, which include() makes grow.
+/// An empty box, to be extended by include().
 [[nodiscard]] Box empty_box();
 [[nodiscard]] bool is_empty(const Box& box);
-/// In the axes x and y, or in all three (`dimension` 2 or 3).
+/// Tests the axes x and y, or all three (`dimension` 2 or 3).
 [[nodiscard]] bool contains(const Box& box, const Vec& position, int dimension);
 void include(Box& box, const Vec& position);
-/// Grows the box around the group's particles, spheres with their radius; with a limit, only around those inside it.
-/// Particles that are nowhere do not count.
+/// Extends the box to the group's particles, including the radius of spheres; with a limit, only to those inside it.
+/// Particles without a finite position are ignored.
 void include(Box& box, const std::optional<FrameGroup>& group, const Box* limit = nullptr);
 
 }  // namespace dmp::postproc

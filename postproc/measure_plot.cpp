@@ -22,7 +22,7 @@ struct Range {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    /// With some air above and below; a constant gets a range that shows it as one.
+    /// Adds a margin above and below; a constant gets a range in which it appears constant.
     void widen(double share) {
         if (low > high) low = 0, high = 1;
         double air = share * (high - low);
@@ -32,7 +32,7 @@ struct Range {
     }
 };
 
-/// Where a panel's curve lies on the sheet [pixels].
+/// Position of a panel's curve on the sheet [pixels].
 struct Frame2d {
     double left, top, width, height;
 };

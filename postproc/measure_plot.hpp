@@ -7,8 +7,9 @@
 
 namespace dmp::postproc {
 
-/// One panel a measure over a common time axis, `width` pixels wide; narrower where more than a hundred measures would
-/// be taller than a canvas can be. Missing values leave a gap in the curve. The series must hold a measure and a row.
+/// One panel per measure over a common time axis, `width` pixels wide, or narrower if more than a hundred measures
+/// would exceed the largest height of a canvas. Missing values leave a gap in the curve. The series must have at
+/// least one measure and one row.
 Canvas draw_measures(const MeasureSeries& measures, const std::string& title, int width);
 
 }  // namespace dmp::postproc

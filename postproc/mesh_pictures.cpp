@@ -18,8 +18,8 @@ namespace {
 
 using Kind = MeshView::Kind;
 
-constexpr double disc = 0.5;          // radius of what stands in slices [spacings]
-constexpr double least_span = 0.005;  // of kernel sums: smaller differences look alike
+constexpr double disc = 0.5;          // radius of discs in slices [spacings]
+constexpr double least_span = 0.005;  // smallest half-range of kernel sums: smaller differences look alike
 
 Box around(const MeshView& mesh, const Viewpoint& view, const std::vector<std::size_t>& members) {
     Box box{Vec::Constant(std::numeric_limits<double>::infinity()),
@@ -54,7 +54,7 @@ ParticleLayer layer(const MeshView& mesh, const Viewpoint& view, const std::vect
     return layer;
 }
 
-/// About `middle`, as wide as the values that come; at least `least`.
+/// A scale around `middle` that covers the values, with a half-range of at least `least`.
 ColourScale scale_about(double middle, double least, const std::vector<float>& values,
                         const std::vector<std::size_t>& members, const std::string& label) {
     std::vector<double> away;
@@ -106,7 +106,7 @@ class Painter {
         const auto shown = members(mesh_, [&](std::size_t i) { return std::isfinite(mesh_.surface_error[i]); });
         if (shown.empty()) return;
         const ColourScale scale =
-            scale_about(0, 0.05, mesh_.surface_error, shown, "distance to the drawn surface less 1/2 [spacings]");
+            scale_about(0, 0.05, mesh_.surface_error, shown, "distance to the CAD surface less 1/2 [spacings]");
         const Viewpoint view = mesh_.dimension == 3 ? aslant(along(0, 2)) : along(0, 1);
         const auto colour = [&](std::size_t i) { return scale.map(mesh_.surface_error[i]); };
         std::vector<ParticleLayer> layers;
@@ -186,7 +186,7 @@ class Painter {
               const std::string& file) {
         Sheet sheet(area, 1, width_, mesh_.title);
         const Image image = view_.draw(layers, area, sheet.panel_width(), sheet.panel_height());
-        if (distinct_colours(image, 2) < 2) warn(file + " came out blank");
+        if (distinct_colours(image, 2) < 2) warn(file + " is blank");
         sheet.add(image, "");
         finish(sheet, scale, file);
     }
@@ -214,7 +214,7 @@ Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshView
     painter.slices();
     painter.surface_error();
     painter.valence();
-    if (!messages.text().empty()) painter.warn("while drawing: " + messages.text());
+    if (!messages.text().empty()) painter.warn("message of VTK: " + messages.text());
     return painter.pictures();
 }
 

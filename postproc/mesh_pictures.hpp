@@ -11,7 +11,7 @@
 
 namespace dmp::postproc {
 
-/// Particles before they move, and what is known of each.
+/// The initial particles and their properties.
 struct MeshView {
     enum class Kind : std::uint8_t { fluid, wall, solid };
 
@@ -19,21 +19,21 @@ struct MeshView {
     int dimension = 2;
     double spacing = 0;                   ///< [m]
     std::vector<Vec> position;            ///< [m]
-    std::vector<Kind> kind;               ///< one a particle, as the next three
+    std::vector<Kind> kind;               ///< one per particle, as are the next three
     std::vector<float> kernel_sum;        ///< [-]
-    std::vector<float> surface_error;     ///< of those next to a surface [spacings]; NaN: others
-    std::vector<int> valence;             ///< bonds of each
-    std::vector<std::int32_t> bond_ends;  ///< two particles a bond; none across a period
+    std::vector<float> surface_error;     ///< for particles next to a surface [spacings]; NaN for others
+    std::vector<int> valence;             ///< number of bonds
+    std::vector<std::int32_t> bond_ends;  ///< two particles per bond; no bonds across a period
 };
 
-/// Draws what a mesh is like:
-///   slices.png         the fluid's kernel sums among walls and solids; in 3-D three slices through the middle of the
-///                      fluid, a spacing thick
-///   surface_error.png  the particles next to a drawn surface by how far they are from where they should be; in 3-D
-///                      seen aslant
-///   valence.png        nodes by their number of bonds, in 3-D seen aslant; not without bonds
-/// Without a display and Xvfb nothing is drawn, and the warning says so. Throws ResourceError when the disk does not
-/// take them.
+/// Writes pictures of a mesh:
+///   slices.png         kernel sums of the fluid, with walls and solids; in 3-D three slices through the middle of the
+///                      fluid, one spacing thick
+///   surface_error.png  particles next to a CAD surface, coloured by their distance from the ideal position; in 3-D an
+///                      oblique view
+///   valence.png        nodes coloured by their number of bonds, in 3-D an oblique view; only if there are bonds
+/// Without a display and Xvfb nothing is drawn, and the warning says so. Throws ResourceError if a file cannot be
+/// written.
 Pictures write_mesh_pictures(const std::filesystem::path& folder, const MeshView& mesh, int width = 1600);
 
 }  // namespace dmp::postproc

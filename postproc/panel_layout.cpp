@@ -10,13 +10,13 @@ namespace dmp::postproc {
 
 namespace {
 
-// in widths of the panel
-constexpr double gap = 0.03;
+// in panel widths
+constexpr double relative_gap = 0.03;
 constexpr double caption_room = 0.03;
-constexpr double letter_width = 0.009;     // of a caption, on average
-constexpr double most_height = 0.7;        // that the choice of rows counts with; a single tall drawing may take more
-constexpr double magnified_height = 0.45;  // of a row
-constexpr double worth_a_row = 1.3;        // as large, at least, for one more row
+constexpr double letter_width = 0.009;     // average, in a caption
+constexpr double assumed_height = 0.7;     // used to choose the rows; a single tall picture may be taller
+constexpr double magnified_height = 0.45;  // of a magnified row
+constexpr double worth_a_row = 1.3;        // minimum enlargement that justifies one more row
 
 constexpr std::array magnifications{10.0, 5.0, 4.0, 3.0, 2.0};
 
@@ -28,12 +28,12 @@ struct PanelLayout::Rows {
     double width = 0, height = 0, caption_height = 0;
     int count = 0;
 
-    /// Pixels per metre on a panel one pixel wide, the geometric mean of the first drawing's and all pictures', less
-    /// what more rows than one have to be worth.
+    /// Pixels per metre on a panel one pixel wide, as the geometric mean for the first picture and for all pictures,
+    /// with a penalty for each additional row.
     [[nodiscard]] double merit() const {
         const double mean = std::accumulate(magnification.begin(), magnification.end(), 0.0) /
                             static_cast<double>(magnification.size());
-        return std::sqrt(mean) * std::min(1 / width, most_height / height) / std::pow(worth_a_row, count - 1);
+        return std::sqrt(mean) * std::min(1 / width, assumed_height / height) / std::pow(worth_a_row, count - 1);
     }
 };
 
@@ -50,7 +50,7 @@ PanelLayout::PanelLayout(std::vector<PanelActors> drawings) : panels_(std::move(
             panels_[k].caption += ", " + std::to_string(times) + " : 1";
 }
 
-/// The bits of `breaks` tell after which pictures a new row begins.
+/// The bits of `breaks` mark the pictures after which a new row begins.
 PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
     struct Row {
         std::size_t first = 0, last = 0;
@@ -73,7 +73,7 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
     for (const Row& row : rows) {
         const auto fits = [&](double times) {
             if (times * row.height > magnified_height * result.width) return false;
-            double width = gap * result.width * static_cast<double>(row.last - row.first);
+            double width = relative_gap * result.width * static_cast<double>(row.last - row.first);
             for (std::size_t k = row.first; k <= row.last; ++k) width += room_of(k, times, result.width);
             return width <= result.width * (1 + 1e-9);
         };
@@ -81,32 +81,32 @@ PanelLayout::Rows PanelLayout::in_rows(unsigned breaks) const {
         if (row.first > 0 && captions)
             if (const auto* largest = std::ranges::find_if(magnifications, fits); largest != magnifications.end())
                 times = *largest;
-        if (row.first > 0) result.height += gap * result.width;
+        if (row.first > 0) result.height += relative_gap * result.width;
         double x = 0;
         for (std::size_t k = row.first; k <= row.last; ++k) {
             const Vec size = times * panels_[k].area.extent();
             result.positions[k] = {x, result.height + result.caption_height, size.x(), size.y()};
             result.magnification[k] = times;
-            x += room_of(k, times, result.width) + gap * result.width;
+            x += room_of(k, times, result.width) + relative_gap * result.width;
         }
         result.height += result.caption_height + times * row.height;
     }
     return result;
 }
 
-/// The width that a picture and its caption take on a panel of some width.
+/// The width of a picture with its caption on a panel of the given width.
 double PanelLayout::room_of(std::size_t k, double times, double panel_width) const {
     const double caption = letter_width * panel_width * static_cast<double>(panels_[k].caption.size());
     return std::max(times * panels_[k].area.extent().x(), caption);
 }
 
-/// The least width of a panel with room for these pictures beside each other.
+/// The smallest width of a panel on which these pictures fit side by side.
 double PanelLayout::least_width(std::size_t first, std::size_t last) const {
     double width = 0;
     for (std::size_t k = first; k <= last; ++k) width += panels_[k].area.extent().x();
-    // captions take a share of the width: wider panels leave more to the pictures, until all have room
+    // captions take a fraction of the width: widen the panel until everything fits
     for (int k = 0; k < 100; ++k) {
-        double taken = gap * width * static_cast<double>(last - first);
+        double taken = relative_gap * width * static_cast<double>(last - first);
         for (std::size_t d = first; d <= last; ++d) taken += room_of(d, 1, width);
         if (taken <= width) break;
         width *= 1.02;
@@ -120,7 +120,7 @@ Image PanelLayout::draw(int panel_width, int panel_height, const Draw& draw) con
     Canvas panel(panel_width, panel_height);
     const double scale = std::min(panel_width / width_, panel_height / height_);
     const auto pixels = [scale](double length) { return std::max(1, static_cast<int>(std::lround(scale * length))); };
-    // all captions of one size: that at which each is as wide as its drawing, at most
+    // the same size for all captions: the largest at which none is wider than its picture
     Canvas::TextStyle style{0.5 * scale * caption_height_, Align::left};
     const double full_size = style.size;
     for (std::size_t k = 0; k < panels_.size(); ++k)

@@ -11,23 +11,23 @@
 
 namespace dmp::postproc {
 
-/// One of several pictures that belong together.
+/// One of several pictures on a panel.
 struct PanelActors {
-    Box area;             ///< what it shows [m]
-    std::string caption;  ///< over it; may be empty
+    Box area;             ///< area shown [m]
+    std::string caption;  ///< above the picture; may be empty
 };
 
-/// Where several pictures stand on one panel: in rows, at one scale, as large as a page lets them. Where there are
-/// captions, rows below the first are magnified by a round number if there is room, and the captions say so.
+/// Layout of several pictures on one panel: in rows, at one scale, as large as fits on a page. If there are captions,
+/// the rows below the first are magnified by a round number where possible, and the captions state it.
 class PanelLayout {
   public:
     explicit PanelLayout(std::vector<PanelActors> drawings);
 
-    /// The panel, in metres of the first drawing's scale.
+    /// The panel, in metres at the scale of the first picture.
     [[nodiscard]] Box area() const;
     [[nodiscard]] const PanelActors& operator[](std::size_t k) const { return panels_[k]; }
 
-    /// Draws drawing k at a width and height in pixels.
+    /// Draws picture k with the given width and height in pixels.
     using Draw = std::function<Image(std::size_t k, int width, int height)>;
     [[nodiscard]] Image draw(int panel_width, int panel_height, const Draw& draw) const;
 

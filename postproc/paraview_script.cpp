@@ -30,13 +30,13 @@ def show_particles(name, colour, height):
     display.ShaderPreset = "Plain circle"
     display.AmbientColor = display.DiffuseColor = colour
     display.ColorArrayName = ["POINTS", ""]
-    display.Position = [0, 0, height]  # flat scenes: which one is seen where they touch
+    display.Position = [0, 0, height]  # 2-D: which group is visible where they overlap
     return source, display
 
 
 def show_spheres(name, colour):
     shown = show_particles(name, colour, 0)
-    if shown:  # each as large as it is
+    if shown:  # in their own size
         display = shown[1]
         display.ShaderPreset = "Sphere"
         display.ScaleByArray = 1
@@ -89,7 +89,7 @@ if coloured and coloured[0].PointData.GetArray("velocity"):
     bar.Title, bar.ComponentTitle = "speed [m/s]", ""
 
 GetAnimationScene().GoToLast()
-view.ResetCamera(True)  # as close as it goes
+view.ResetCamera(True)  # closest view
 Render(view)
 )python";
 

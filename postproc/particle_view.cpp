@@ -32,14 +32,14 @@ namespace dmp::postproc {
 
 namespace {
 
-constexpr double least_line_width = 2.2;  // [pixels], so that thin solids stay visible on large domains
+constexpr double least_line_width = 2.2;  // [pixels], so that thin solids remain visible in large domains
 constexpr double wall_opacity = 0.4;
-constexpr int oversampling = 2;  // drawn larger and averaged: smooth edges on every driver
+constexpr int oversampling = 2;  // rendered larger and averaged: smooth edges with every driver
 
-constexpr double disc_depth = 0.02;  // from a disc's centre to its rim [depths of the picture]
+constexpr double disc_depth = 0.02;  // from a disc's centre to its rim [depth ranges of the picture]
 
-/// A filled disc. The depth grows from its centre, so that where discs overlap the nearest centre wins
-/// and a dense set shows no scales and no gaps.
+/// A filled disc. The depth increases from its centre, so that where discs overlap the nearest centre is visible and
+/// dense particles show no gaps or overlapping rims.
 std::string disc_shader() {
     std::array<char, 256> text{};
     std::snprintf(text.data(), text.size(), R"(
@@ -52,8 +52,8 @@ gl_FragDepth = gl_FragCoord.z + %.3f * disc_distance2;
     return text.data();
 }
 
-/// A sphere's front, seen along parallel rays and lit from the upper left. The radius in pixels is the inverse of how
-/// fast the offset, 1 at the rim, changes.
+/// The front of a sphere in parallel projection, lit from the upper left. The radius in pixels is the inverse of the
+/// gradient of the offset, which is 1 at the rim.
 std::string sphere_shader(double depth_per_pixel) {
     std::array<char, 640> text{};
     std::snprintf(text.data(), text.size(), R"(
@@ -70,7 +70,7 @@ ambientColor *= 0.4 + 0.6 * max(0.0, dot(vec3(sphere_offset, sphere_height), vec
     return text.data();
 }
 
-/// All at one height, or where they are.
+/// All points at one height, or at their own z.
 vtkSmartPointer<vtkPoints> points_at(const std::vector<float>& position, std::optional<float> height) {
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetNumberOfComponents(3);
@@ -105,7 +105,7 @@ vtkSmartPointer<vtkUnsignedCharArray> colours_of(const ParticleLayer& layer) {
     return colours;
 }
 
-/// Spheres as discs that bulge: shaded by the way they face, as deep as they are.
+/// Spheres as discs with the shading and the depth of a sphere.
 void add_spheres(vtkRenderer* renderer, const ParticleLayer& layer, double depth_per_pixel) {
     vtkNew<vtkFloatArray> radii;
     radii->SetName("radius");
@@ -147,8 +147,8 @@ void add_triangles(vtkRenderer* renderer, const ParticleLayer& layer) {
     renderer->AddActor(actor);
 }
 
-/// Discs at a height above the last layer's. Those that stand before or behind the plane z = 0 lie as deep as their
-/// distance would be on a disc: all along the plane the nearest particle in 3-D shows.
+/// Discs at a height above the last layer. A particle in front of or behind the plane z = 0 is lowered as much as a
+/// disc is at that distance from its centre: at every point of the plane, the nearest particle in 3-D is visible.
 void add_discs(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<float> height, double depth) {
     vtkNew<vtkPolyData> data;
     const auto points = points_at(layer.position, height);
@@ -195,7 +195,7 @@ void add_lines(vtkRenderer* renderer, const ParticleLayer& layer, std::optional<
     renderer->AddActor(actor);
 }
 
-/// The lowest and the highest z of all there is, spheres counted with their radius.
+/// The smallest and the largest z of all layers, including the radius of spheres.
 std::pair<double, double> depth_of(const std::vector<ParticleLayer>& layers) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const ParticleLayer& layer : layers)
@@ -208,7 +208,7 @@ std::pair<double, double> depth_of(const std::vector<ParticleLayer>& layers) {
     return low > high ? std::pair(0.0, 0.0) : std::pair(low, high);
 }
 
-/// Averages squares of pixels; VTK counts rows from below.
+/// Averages squares of pixels; VTK numbers rows from the bottom.
 Image shrink(const unsigned char* pixels, int width, int height) {
     Image image{width, height,
                 std::vector<std::uint32_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
@@ -242,7 +242,7 @@ ParticleView::~ParticleView() = default;
 Image ParticleView::draw(const std::vector<ParticleLayer>& layers, const Box& area, int width, int height) {
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
-    const double step = area.extent().y();  // between layers: any length will do, this one has the right magnitude
+    const double step = area.extent().y();  // between layers; any length of the right magnitude
     const double pixels_per_metre = oversampling * height / area.extent().y();
     const bool in_space = std::ranges::any_of(layers, [](const ParticleLayer& layer) { return !layer.radii.empty(); });
     double bottom = 0, z = 0;

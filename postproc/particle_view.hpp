@@ -11,21 +11,21 @@
 
 namespace dmp::postproc {
 
-/// Particles drawn alike: discs, and lines between them. Layers are drawn over one another in their order, and of a
-/// layer's discs the particle nearest to each place of the plane z = 0 shows; unless a layer has spheres: then all
-/// stand where they are, and the nearer hides the farther.
+/// Particles drawn in the same way: as discs, with lines between them. Layers are drawn in order, each over the
+/// previous ones; within a layer the particle nearest to each point of the plane z = 0 is visible. If any layer has
+/// spheres, everything is drawn at its own z, and nearer objects hide farther ones.
 struct ParticleLayer {
     std::vector<float> position;          ///< x, y, z of each particle [m]
-    std::vector<Colour> colour;           ///< one a particle
+    std::vector<Colour> colour;           ///< one per particle
     double radius = 0;                    ///< of the discs [m]
-    std::vector<float> radii;             ///< one a particle: shaded spheres instead of discs [m]
-    std::vector<std::int32_t> triangles;  ///< three particles a triangle, seen through, instead of discs
-    std::vector<std::int32_t> lines;      ///< two particles a line
+    std::vector<float> radii;             ///< one per particle: shaded spheres instead of discs [m]
+    std::vector<std::int32_t> triangles;  ///< three particles per triangle: transparent triangles instead of discs
+    std::vector<std::int32_t> lines;      ///< two particles per line
     Colour line_colour;
     double line_width = 0;  ///< [m]
 };
 
-/// Draws particles off the screen with OpenGL, seen along z. Needs a usable VirtualDisplay that outlives it.
+/// Renders particles off-screen with OpenGL, viewed along z. Needs a usable VirtualDisplay that outlives it.
 class ParticleView {
   public:
     ParticleView();
@@ -33,7 +33,7 @@ class ParticleView {
     ParticleView(const ParticleView&) = delete;
     ParticleView& operator=(const ParticleView&) = delete;
 
-    /// The part `area` of the plane on width x height pixels of the same aspect ratio, on white.
+    /// Draws the area of the plane on width x height pixels of the same aspect ratio, on white.
     [[nodiscard]] Image draw(const std::vector<ParticleLayer>& layers, const Box& area, int width, int height);
 
   private:

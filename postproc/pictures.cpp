@@ -29,7 +29,7 @@ void warn(std::string& warning, const std::string& words) {
     warning += words;
 }
 
-/// `count` of the run's frames, evenly spaced, the last one among them, the first (at rest) only when all are taken.
+/// `count` of the run's frames, evenly spaced, including the last; the first (initial state) only if all are chosen.
 std::vector<std::size_t> spread(std::size_t frames, int count) {
     std::vector<std::size_t> chosen;
     const std::size_t taken = std::min(frames, static_cast<std::size_t>(std::max(count, 1)));
@@ -38,19 +38,19 @@ std::vector<std::size_t> spread(std::size_t frames, int count) {
     return chosen;
 }
 
-/// Draws the frames of one run one after the other; holds one at a time.
+/// Draws the frames of one run one after the other, with one in memory at a time.
 class RunPainter {
   public:
     RunPainter(const RunFolder& run, const PictureOptions& options) : run_(run), options_(options) {}
 
-    /// The chosen frames on one sheet with one colour range, each seen in all these ways.
+    /// Draws the chosen frames in all views on one sheet with one colour range.
     void write(const std::vector<std::size_t>& frames, const std::vector<View>& views, const std::string& file,
                Pictures& pictures) {
         FieldRange range;
         for (const std::size_t number : frames) range.include(run_.read(number), options_.field);
         std::vector<PanelActors> drawings;
         drawings.reserve(views.size());
-        // panels of several frames have a caption of their own
+        // with several frames, the caption of a panel is its time
         for (const View& view : views) drawings.push_back({view.area, frames.size() == 1 ? view.caption : ""});
         const PanelLayout layout(drawings);
         Sheet sheet(layout.area(), frames.size(), options_.width, run_.title());
@@ -64,9 +64,9 @@ class RunPainter {
                     view_.draw(layers_of(views[k], shown, options_.field, scale), views[k].area, width, height);
                 if (views[k].shows == View::Shows::slice && frame.fluid && !shown.frame.fluid)
                     warn(pictures.warning, file + ": no fluid at t = " + time + " in the slice with " +
-                                               views[k].caption + "; see all of it with open_in_paraview.py");
+                                               views[k].caption + "; open open_in_paraview.py to view all of it");
                 else if (distinct_colours(image, 3) < 3)
-                    warn(pictures.warning, file + ": the drawing of t = " + time + " came out blank");
+                    warn(pictures.warning, file + ": the picture of t = " + time + " is blank");
                 return image;
             };
             sheet.add(layout.draw(sheet.panel_width(), sheet.panel_height(), draw), "t = " + time);
@@ -76,7 +76,7 @@ class RunPainter {
                      file + ": " + std::to_string(outside) + " particles at t = " + time + " lie outside the picture");
         }
         if (range.missing())
-            warn(pictures.warning, "the frames hold no field '" + options_.field + "' to colour the particles with");
+            warn(pictures.warning, "the frames contain no field '" + options_.field + "' to colour the particles with");
         sheet.finish(scale);
         sheet.save(run_.folder() / file);
         pictures.files.push_back(file);
@@ -88,7 +88,7 @@ class RunPainter {
     ParticleView view_;
 };
 
-/// Slices alone where there are any: small panels show no more.
+/// If there are slices, only these: small panels show no more detail.
 std::vector<View> views_of_many(std::vector<View> views) {
     if (views.size() > 1) std::erase_if(views, [](const View& view) { return view.shows == View::Shows::opened; });
     return views;
@@ -106,7 +106,7 @@ void write_frames(const RunFolder& run, const PictureOptions& options, Pictures&
     painter.write({run.frames() - 1}, views, "last_frame.png", pictures);
     if (run.frames() > 1)
         painter.write(spread(run.frames(), options.sheet_frames), views_of_many(views), "cycle.png", pictures);
-    if (!messages.text().empty()) warn(pictures.warning, "while drawing: " + messages.text());
+    if (!messages.text().empty()) warn(pictures.warning, "message of VTK: " + messages.text());
 }
 
 }  // namespace

@@ -9,24 +9,25 @@
 namespace dmp::postproc {
 
 struct PictureOptions {
-    std::string field = "velocity";  ///< what colours the fluid; of vectors the magnitude
+    std::string field = "velocity";  ///< colours the fluid; for vectors the magnitude
     int width = 1600;                ///< [pixels]
-    int sheet_frames = 8;            ///< frames on cycle.png, evenly over the run
-    /// By axis, low and high: whether the scene is mirrored on that side of its box; slices in 3-D lie there.
+    int sheet_frames = 8;            ///< frames on cycle.png, evenly spaced over the run
+    /// For each axis, low and high: whether that side of the box is a plane of symmetry; in 3-D, slices are placed
+    /// there.
     std::array<std::array<bool, 2>, 3> mirrored{};
 };
 
 struct Pictures {
     std::vector<std::string> files;  ///< written, relative to the folder
-    std::string warning;             ///< what could not be drawn and why, one a line; empty when all went well
+    std::string warning;             ///< pictures that could not be drawn and why, one per line; empty on success
 };
 
-/// Draws a finished run from what its folder holds (fluid.pvd, solid.pvd, walls.vtp, measures.csv):
+/// Writes pictures of a finished run from the files in its folder (fluid.pvd, solid.pvd, walls.vtp, measures.csv):
 ///   last_frame.png  the last frame
-///   cycle.png       several frames with one colour range; not for a single frame
-///   measures.png    the measures over time; not without measures
-/// Without a display and Xvfb only measures.png is drawn, and the warning says so.
-/// Throws InputError when the folder holds no frames or broken ones, ResourceError when the disk does not take it.
+///   cycle.png       several frames with one colour range; only if there are several
+///   measures.png    the measures over time; only if there are measures
+/// Without a display and Xvfb only measures.png is written, and the warning says so. Throws InputError if the folder
+/// has no frames or damaged ones, ResourceError if a file cannot be written.
 Pictures write_pictures(const std::filesystem::path& folder, const PictureOptions& options);
 
 }  // namespace dmp::postproc

@@ -33,7 +33,7 @@ vtkSmartPointer<VtkArray> named_array(const std::string& name, int components, c
     array->SetNumberOfComponents(components);
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
     std::copy(values.begin(), values.end(), array->GetPointer(0));
-    // Names and order of symmetric tensors as ParaView has them.
+    // Component names and order of symmetric tensors as in ParaView.
     const std::vector<const char*> axes{"x", "y", "z"}, pairs{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
     if (components == 3 || components == 6)
         for (int c = 0; c < components; ++c) array->SetComponentName(c, (components == 3 ? axes : pairs)[c]);
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkStringArray> named_strings(const std::string& name, const std
     return array;
 }
 
-/// Cells of `corners` points each, with 32 bit numbers: half the bytes.
+/// Cells of `corners` points each, with 32-bit numbers, which halves the size.
 vtkSmartPointer<vtkCellArray> cells(const std::vector<std::int32_t>& points, int corners) {
     auto array = vtkSmartPointer<vtkCellArray>::New();
     array->SetData(corners, named_array<vtkTypeInt32Array>("connectivity", 1, points));
@@ -103,7 +103,7 @@ std::vector<T> values_of(vtkDataArray* array) {
     return values;
 }
 
-/// The float arrays are the fields; id, part and is_bond are whole numbers.
+/// The float arrays are the fields; id, part and is_bond are integers.
 std::vector<FrameField> fields_of(vtkFieldData& arrays, vtkFieldData& label, vtkIdType skipped_tuples) {
     std::vector<FrameField> fields;
     for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) {

@@ -25,7 +25,7 @@ std::vector<SeriesEntry> read_series(const fs::path& pvd) {
     root.TakeReference(vtkXMLUtilities::ReadElementFromFile(pvd.c_str()));
     vtkXMLDataElement* collection = root != nullptr ? root->FindNestedElementWithName("Collection") : nullptr;
     if (collection == nullptr)
-        throw InputError(SourceLocation{pvd.string(), 0, 0}, "not a whole ParaView collection (.pvd)",
+        throw InputError(SourceLocation{pvd.string(), 0, 0}, "not a complete ParaView collection (.pvd)",
                          "Run the simulation again, or restore the file.");
     std::vector<SeriesEntry> series;
     for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
@@ -34,7 +34,7 @@ std::vector<SeriesEntry> read_series(const fs::path& pvd) {
         const char* file = element->GetAttribute("file");
         if (file == nullptr || element->GetScalarAttribute("timestep", entry.time) != 1)
             throw InputError(SourceLocation{pvd.string(), 0, 0},
-                             "entry " + std::to_string(i + 1) + " lacks its time or file",
+                             "entry " + std::to_string(i + 1) + " has no time or no file",
                              "Run the simulation again, or restore the file.");
         entry.file = pvd.parent_path() / file;
         series.push_back(std::move(entry));
@@ -49,9 +49,10 @@ FrameFile read_frame(const fs::path& vtp, const std::string& group_name) {
     reader->Update();
     vtkPolyData* data = reader->GetOutput();
     if (!messages.text().empty() || reader->GetErrorCode() != 0 || data->GetNumberOfPoints() == 0)
-        throw InputError(SourceLocation{vtp.string(), 0, 0},
-                         "cannot be read as VTK particles" + (messages.text().empty() ? "" : ": " + messages.text()),
-                         "The file is missing or broken; run the simulation again.");
+        throw InputError(
+            SourceLocation{vtp.string(), 0, 0},
+            "cannot be read as VTK particle data" + (messages.text().empty() ? "" : ": " + messages.text()),
+            "The file is missing or damaged; run the simulation again.");
     return {to_frame(*data, group_name), text_of(*data->GetFieldData(), "title")};
 }
 

@@ -13,20 +13,20 @@ namespace dmp::postproc {
 /// One entry of a .pvd.
 struct SeriesEntry {
     double time = 0;             ///< [s]
-    std::filesystem::path file;  ///< ready to open
+    std::filesystem::path file;  ///< includes the folder
 };
 
-/// The entries of a .pvd in its order; empty when there is no such file.
-/// Throws InputError when the file is not a ParaView collection.
+/// The entries of a .pvd in order; empty if there is no such file. Throws InputError if the file is not a ParaView
+/// collection.
 std::vector<SeriesEntry> read_series(const std::filesystem::path& pvd);
 
-/// A frame file as one group called `group_name`, with its frame's time, step, spacing and parts.
+/// A frame file as one group named `group_name`, with the time, step, spacing and parts of its frame.
 struct FrameFile {
     Frame frame;
     std::string title;  ///< of the scene
 };
 
-/// Throws InputError naming the file when it is missing or broken.
+/// Throws InputError with the file name if it is missing or damaged.
 FrameFile read_frame(const std::filesystem::path& vtp, const std::string& group_name);
 
 }  // namespace dmp::postproc

@@ -10,19 +10,19 @@ namespace dmp::postproc {
 
 namespace {
 
-// all in pixels of a sheet 1600 wide
+// all in pixels for a sheet 1600 pixels wide
 constexpr double margin = 40;
 constexpr double gap = 32;  // between columns
 constexpr double title_height = 84;
-constexpr double caption_height = 44;  // over each panel of several
-constexpr double panel_gap = 14;       // under each panel
+constexpr double caption_height = 44;  // above each panel, if there are several
+constexpr double panel_gap = 14;       // below each panel
 constexpr double foot_height = 120;
-constexpr double least_width = 760;   // the foot needs room
+constexpr double least_width = 760;   // space for the foot
 constexpr double most_height = 1500;  // of all panels together
 
 }  // namespace
 
-/// Sizes in pixels, found before anything is drawn.
+/// Sizes in pixels, computed before drawing.
 struct Sheet::Layout {
     double unit;
     int columns, rows, panel_width, panel_height, width, height;
@@ -31,7 +31,7 @@ struct Sheet::Layout {
 
 namespace {
 
-/// The largest panels that fit: tries every number of columns.
+/// The largest panels that fit; compares all numbers of columns.
 struct Panels {
     int columns = 1;
     double width = 0, height = 0;
@@ -139,7 +139,7 @@ void Sheet::draw_colours(const ColourScale& scale, double top) {
         const double value = map.low() + (map.high() - map.low()) * (column + 0.5) / width;
         canvas_.fill(left + column, y, 1, height, map(value));
     }
-    // points at the ends: some values lie beyond
+    // triangles at the ends: there are values beyond them
     const double reach = 16 * unit_;
     if (scale.beyond_low)
         canvas_.triangle({{{left, y}, {left, y + height}, {left - reach, y + height / 2}}}, map(map.low()));

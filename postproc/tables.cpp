@@ -24,19 +24,19 @@ void check(const MeasureSeries& measures) {
     const auto fits = [&](const std::vector<double>& row) { return row.size() == measures.names.size(); };
     if (measures.units.size() != measures.names.size() || measures.time.size() != measures.rows.size() ||
         !std::all_of(measures.rows.begin(), measures.rows.end(), fits))
-        throw std::invalid_argument("measures: names, units, times and rows do not fit together");
+        throw std::invalid_argument("measures: the numbers of names, units, times and values do not match");
 }
 
 void append_number(std::string& text, double value) {
     if (std::isnan(value)) {
-        text += "nan";  // whatever the sign bit
+        text += "nan";  // regardless of the sign bit
         return;
     }
     std::array<char, 32> buffer{};
     text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }
 
-/// A cell as RFC 4180 wants it: in quotes when it holds a comma, a quote or a line break.
+/// A cell according to RFC 4180: in quotes if it contains a comma, a quote or a line break.
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";

@@ -9,9 +9,8 @@
 
 namespace dmp::postproc {
 
-/// A VTP file of triangles for ParaView, as text: those of a picture that are to blame for something, say. Corners in
-/// metres; each triangle has its number as the cell value "triangle". Throws ResourceError when the disk does not take
-/// it.
+/// Writes triangles to a VTP text file for ParaView, for example those that cause an error. Corners in metres; each
+/// triangle has its number as the cell value "triangle". Throws ResourceError if the file cannot be written.
 void write_triangles(const std::filesystem::path& file, std::span<const Vec> corners,
                      std::span<const std::array<int, 3>> triangles);
 

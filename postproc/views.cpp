@@ -12,15 +12,15 @@ namespace dmp::postproc {
 
 namespace {
 
-constexpr double half_slice = 0.75;      // [spacings]: at least one of a lattice's layers, wherever it is cut
-constexpr double reach_of_body = 1.5;    // [spacings] out of the fluid's box; walls of two layers reach further
-constexpr double alike = 1.1;            // ratio of lengths
-constexpr double radius_in_space = 0.6;  // [spacings]: spheres of a lattice overlap
+constexpr double half_slice = 0.75;      // [spacings]; contains at least one layer of a lattice, at any position
+constexpr double reach_of_body = 1.5;    // [spacings] out of the fluid's box; walls of two layers extend further
+constexpr double alike = 1.1;            // largest ratio of lengths that count as equal
+constexpr double radius_in_space = 0.6;  // [spacings]; spheres of a lattice overlap
 
 using Mirrored = std::array<std::array<bool, 2>, 3>;
 using Groups = std::vector<const std::optional<FrameGroup>*>;
 
-/// Rigid parts that do not reach out of the fluid's box.
+/// Rigid parts that do not extend out of the fluid's box.
 std::vector<std::int32_t> bodies_in(const Box& fluid, const Groups& rigid, double spacing) {
     std::map<std::int32_t, bool> inside;
     const Vec reach = Vec::Constant(reach_of_body * spacing);
@@ -41,7 +41,8 @@ bool is_body(const View& view, const FrameGroup& group, std::size_t particle) {
     return std::ranges::binary_search(view.bodies, group.part[particle]);
 }
 
-/// The particles to keep with their fields, as seen, and the bonds that have both ends.
+/// Adds the particles selected by `keep` with their fields, in view coordinates, and the bonds whose two ends are
+/// kept.
 template <class Keep>
 void add_seen(std::optional<FrameGroup>& to, const FrameGroup& group, const Viewpoint& from, const Keep& keep) {
     std::vector<std::int32_t> position(group.size(), -1);
@@ -70,7 +71,7 @@ void add_seen(std::optional<FrameGroup>& to, const FrameGroup& group, const View
     if (kept.size() > 0) to = std::move(kept);
 }
 
-/// The rest of a group that is there already.
+/// Appends particles to a group, or creates it.
 void append(std::optional<FrameGroup>& to, std::optional<FrameGroup>&& more) {
     if (!more) return;
     if (!to) {
@@ -82,7 +83,7 @@ void append(std::optional<FrameGroup>& to, std::optional<FrameGroup>&& more) {
     to->part.insert(to->part.end(), more->part.begin(), more->part.end());
 }
 
-/// Chooses the looks at a fluid in 3-D.
+/// Chooses the views of a fluid in 3-D.
 class Chooser {
   public:
     Chooser(const RunFolder& run, const Mirrored& mirrored)
@@ -105,7 +106,7 @@ class Chooser {
         const Vec middle = in_round_numbers(middle_of_whole(longest));
         const int across = axis_to_cut(longest, middle);
         const int other = 3 - longest - across;
-        // x to the right, z up, as far as they are in 2-D
+        // x to the right, z up, where possible in 2-D
         const int right = std::min(longest, other), up = std::max(longest, other);
         std::vector<View> views;
         const auto slice = [&](int to_right, int upward, const Vec& origin) {
@@ -125,7 +126,8 @@ class Chooser {
     }
 
   private:
-    /// Half-way along the axis; in the others too, or at a plane of symmetry, half a spacing from the particles.
+    /// The middle along the axis; along the other axes the middle or, if there is one, a plane of symmetry, half a
+    /// spacing from the particles.
     [[nodiscard]] Vec middle_of_whole(int longest) const {
         Vec middle = (fluid_.low + fluid_.high) / 2;
         for (int axis = 0; axis < 3; ++axis) {
@@ -138,14 +140,14 @@ class Chooser {
         return middle;
     }
 
-    /// The cut with the fluid behind it: at a plane of symmetry with all fluid in front of it its mirror image.
+    /// The cut with the fluid behind it: mirrored if all fluid would be in front of it, at a plane of symmetry.
     [[nodiscard]] Viewpoint behind(Viewpoint cut, int across) const {
         const bool towards_high = cut.axes(2, across) > 0;
         if (mirrored_[across][0] ? towards_high : mirrored_[across][1] && !towards_high) cut.axes.row(2) *= -1;
         return cut;
     }
 
-    /// Not a hundredth of a spacing beside 0; planes of symmetry are known less well.
+    /// Rounded, to avoid positions a hundredth of a spacing from 0; planes of symmetry are known less accurately.
     [[nodiscard]] Vec in_round_numbers(Vec position) const {
         for (int axis = 0; axis < 3; ++axis) {
             const double unit = first_.spacing / (mirrored_[axis][0] || mirrored_[axis][1] ? 4 : 20);
@@ -154,8 +156,8 @@ class Chooser {
         return position;
     }
 
-    /// Of the two planes along the longest axis the larger one; of two alike the one that cuts what stands in the fluid
-    /// into more pieces, struts across and not along, or more of it.
+    /// Of the two planes along the longest axis the larger one. If they are equally large, the one that cuts the
+    /// objects in the fluid into more pieces (across struts, not along them), or cuts more of them.
     [[nodiscard]] int axis_to_cut(int longest, const Vec& middle) const {
         const int a = longest == 1 ? 0 : 1, b = 3 - longest - a;
         const Vec extent = fluid_.extent();
@@ -166,13 +168,13 @@ class Chooser {
         return static_cast<double>(of_b.particles) > alike * static_cast<double>(of_a.particles) ? b : a;
     }
 
-    /// What a slice across an axis cuts of what stands in the fluid: its particles, and the pieces of four particles or
-    /// more that are three spacings apart.
+    /// The section of the objects in the fluid by a slice perpendicular to an axis: the number of particles, and of
+    /// pieces of four or more particles that are three spacings apart.
     struct Section {
         std::size_t particles = 0, pieces = 0;
     };
     [[nodiscard]] Section section(int axis, const Vec& middle) const {
-        constexpr double cell = 1.5;  // [spacings]: neighbours are in one or in adjacent ones
+        constexpr double cell = 1.5;  // [spacings]; neighbours are in the same cell or in adjacent ones
         Section result;
         std::map<std::array<long, 2>, std::size_t> cells;
         for (const Vec& position : standing_) {
@@ -205,7 +207,8 @@ class Chooser {
 
     [[nodiscard]] bool in_slice(double distance) const { return std::abs(distance) <= half_slice * first_.spacing; }
 
-    /// Where a slice across the axis cuts most of what stands in the fluid; of many such places the middle one.
+    /// Position at which a slice perpendicular to the axis cuts most of the objects in the fluid; of several such
+    /// positions the middle one.
     [[nodiscard]] double fullest_position(int axis, const Vec& middle) const {
         Box around = empty_box();
         for (const Vec& position : standing_) include(around, position);
@@ -221,9 +224,9 @@ class Chooser {
         return low + first_.spacing * static_cast<double>(full[full.size() / 2]);
     }
 
-    /// What stands in the fluid, with half as much of the fluid before and behind it as the fluid is wide.
+    /// The objects in the fluid, with fluid before and behind them for half the width of the fluid.
     [[nodiscard]] View opened(const Viewpoint& cut, int longest) const {
-        View view{View::Shows::opened, cut, aslant(cut), empty_box(), "cut open and seen aslant", bodies_};
+        View view{View::Shows::opened, cut, aslant(cut), empty_box(), "cut open, oblique view", bodies_};
         Box around = empty_box();
         for (const Vec& position : standing_) include(around, position);
         include(around, last_.solid, &run_.area());
@@ -236,7 +239,7 @@ class Chooser {
         view.low = std::max(around.low[longest] - margin[longest], whole.low[longest]);
         view.high = std::min(around.high[longest] + margin[longest], whole.high[longest]);
         view.axis = longest;
-        const Box limit = view.from(whole);  // however far a stray particle may be
+        const Box limit = view.from(whole);  // excludes particles far away
         for (const RunFrame* frame : {&first_, &last_}) {
             const Seen shown = seen(view, *frame, run_.walls());
             for (const auto* group :
@@ -253,7 +256,7 @@ class Chooser {
     const RunFrame first_, last_;
     Box fluid_;
     std::vector<std::int32_t> bodies_;
-    std::vector<Vec> standing_;  ///< in the fluid: spring bodies and rigid parts
+    std::vector<Vec> standing_;  ///< objects in the fluid: elastic bodies and rigid parts
 };
 
 }  // namespace
@@ -276,7 +279,7 @@ Seen seen(const View& view, const RunFrame& frame, const std::optional<FrameGrou
     Seen result;
     result.frame.time = frame.time;
     result.frame.spacing = frame.spacing;
-    // opened, the fluid is cut a little deeper, so that what stands in the cut stands out
+    // in an opened view the fluid is cut slightly deeper, so that objects in the cut protrude
     const auto of_fluid = [&](const Vec& position) {
         return of_surroundings(position) && (!opened || view.cut(position).z() <= -0.25 * frame.spacing);
     };

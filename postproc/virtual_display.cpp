@@ -20,9 +20,9 @@ namespace dmp::postproc {
 
 namespace {
 
-constexpr int patience_ms = 30'000;  // a loaded machine may take seconds to start a server
+constexpr int patience_ms = 30'000;  // starting a server may take seconds on a loaded machine
 
-/// A display forwarded from elsewhere ("localhost:10.0") seldom draws OpenGL 3, and slowly.
+/// A display forwarded from another machine ("localhost:10.0") rarely supports OpenGL 3, and is slow.
 bool is_local(const std::string& display) { return display.starts_with(":") || display.starts_with("unix:"); }
 
 bool can_draw(const std::string& display) {
@@ -34,7 +34,7 @@ bool can_draw(const std::string& display) {
     return has_opengl;
 }
 
-/// Full path of a program in $PATH, empty when there is none.
+/// Full path of a program in $PATH; empty if there is none.
 std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
@@ -45,11 +45,12 @@ std::string find_program(const std::string& name) {
     return {};
 }
 
-/// Becomes the server; only calls that are safe between fork and exec. Its number comes through `number_pipe`.
+/// Replaces this process by the server; only calls that are safe between fork and exec. The server writes its display
+/// number to `number_pipe`.
 [[noreturn]] void become_server(const char* program, int number_pipe, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(127);
-    setpgid(0, 0);  // Ctrl-C is for dmp, which then ends the server itself
+    setpgid(0, 0);  // Ctrl-C must reach dmp only, which then ends the server itself
     std::signal(SIGXFSZ, SIG_DFL);
     std::signal(SIGPIPE, SIG_DFL);
     sigset_t none;
@@ -65,7 +66,7 @@ std::string find_program(const std::string& name) {
     _exit(127);
 }
 
-/// The line the server sends once it is ready: its display's number; empty when it fails.
+/// The line that the server sends when it is ready, its display number; empty if it fails.
 std::string read_number(int pipe) {
     std::string text;
     const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_ms);
@@ -93,7 +94,8 @@ VirtualDisplay::VirtualDisplay() {
     }
     const std::string program = find_program("Xvfb");
     if (program.empty()) {
-        problem_ = "no display to draw pictures on and no Xvfb to make one; install it (Debian: apt install xvfb)";
+        problem_ =
+            "there is no display, and Xvfb, which provides a virtual one, is not installed (Debian: apt install xvfb)";
         return;
     }
     start_server(program);
@@ -102,7 +104,7 @@ VirtualDisplay::VirtualDisplay() {
 void VirtualDisplay::start_server(const std::string& program) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        problem_ = "no display to draw pictures on: out of file descriptors";
+        problem_ = "no virtual display could be started: out of file descriptors";
         return;
     }
     const pid_t parent = getpid();
@@ -116,8 +118,9 @@ void VirtualDisplay::start_server(const std::string& program) {
         return;
     }
     stop_server();
-    problem_ = "no display to draw pictures on: '" + program +
-               "' did not start or cannot draw OpenGL; try it by hand (xvfb-run -a true), check that /tmp is writable";
+    problem_ =
+        "no virtual display could be started: '" + program +
+        "' did not start or does not support OpenGL; test it with xvfb-run -a true, and check that /tmp is writable";
 }
 
 void VirtualDisplay::stop_server() {

@@ -8,11 +8,12 @@
 
 namespace dmp::postproc {
 
-/// A display to draw pictures on: the one of $DISPLAY where it is on this machine and can draw OpenGL, otherwise an
-/// invisible one (Xvfb) started for this object's lifetime. VTK aborts the program on a display it cannot open,
-/// so it must not be asked to draw without `usable()`.
+/// A display for rendering: that of $DISPLAY if it is on this machine and supports OpenGL, otherwise a virtual one
+/// (Xvfb) that runs during this object's lifetime. VTK aborts the program if it cannot open a display, so nothing may
+/// be rendered unless `usable()`.
 ///
-/// Sets DISPLAY while it lives, and puts it back. The server ends with this object, or with the program.
+/// Sets DISPLAY during its lifetime and restores it afterwards. The server ends with this object, or with the
+/// program.
 class VirtualDisplay {
   public:
     VirtualDisplay();
@@ -21,9 +22,9 @@ class VirtualDisplay {
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
     [[nodiscard]] bool usable() const { return problem_.empty(); }
-    /// Why nothing can be drawn and what to do about it; empty when usable.
+    /// Why nothing can be rendered and what to do about it; empty if usable.
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    /// Process id of the server started here, -1 where the given display serves.
+    /// Process id of the server started here, -1 if the existing display is used.
     [[nodiscard]] pid_t server() const { return server_; }
 
   private:

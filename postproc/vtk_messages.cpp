@@ -13,7 +13,7 @@ namespace dmp::postproc {
 
 namespace {
 
-/// The "window" VTK prints to: keeps errors and warnings, drops debugging chatter.
+/// VTK's output "window": keeps errors and warnings, discards debug messages.
 class KeepingWindow : public vtkOutputWindow {
   public:
     vtkTypeMacro(KeepingWindow, vtkOutputWindow) static KeepingWindow* New();
@@ -50,7 +50,7 @@ struct VtkMessages::Keeper {
 };
 
 VtkMessages::VtkMessages() : keeper_(std::make_unique<Keeper>()) {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // a second road to the terminal; for good
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // VTK's second way to print to the terminal; stays off
     vtkOutputWindow::SetInstance(keeper_->window);
 }
 

@@ -6,8 +6,8 @@
 
 namespace dmp::postproc {
 
-/// While it lives, what VTK would print on the terminal is kept here instead.
-/// One at a time, or nested like a stack; not for several threads at once.
+/// Collects the messages that VTK would print to the terminal during this object's lifetime. Only one at a time, or
+/// nested like a stack; not for several threads at once.
 class VtkMessages {
   public:
     VtkMessages();
@@ -15,7 +15,7 @@ class VtkMessages {
     VtkMessages(const VtkMessages&) = delete;
     VtkMessages& operator=(const VtkMessages&) = delete;
 
-    /// Errors and warnings since the start, one a line; empty when all went well.
+    /// Errors and warnings since construction, one per line; empty if there were none.
     [[nodiscard]] std::string text() const;
 
   private:

@@ -41,8 +41,8 @@ std::string frame_file(const std::string& group, long number) {
     return std::string(frames_folder) + "/" + group + digits.data();
 }
 
-/// Without the ranges that VTK notes for arrays and cannot read back: those of values that are no numbers, as the last
-/// frame of a run that diverged may hold.
+/// Removes array ranges that VTK writes but cannot read back: those with NaN or infinity, which the last frame of a
+/// diverged run may contain.
 void drop_ranges_without_numbers(std::string& text) {
     constexpr std::string_view begin = "<InformationKey name=\"L2_NORM_", end = "</InformationKey>";
     for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
@@ -55,8 +55,9 @@ void drop_ranges_without_numbers(std::string& text) {
     }
 }
 
-/// The file's text. VTK writes it to memory: when the disk fills up under it, VTK 9.1 misses errors or crashes.
-/// Inline and not appended: ParaView 5.11 of Debian 12 cannot read appended data with that system's libexpat.
+/// The text of the file. VTK writes it to memory because VTK 9.1 misses errors or crashes when the disk becomes full.
+/// The data are inline, not appended: ParaView 5.11 of Debian 12 cannot read appended data with that system's
+/// libexpat.
 std::string vtp_text(vtkPolyData* data, const fs::path& file) {
     const VtkMessages messages;
     vtkNew<vtkXMLPolyDataWriter> writer;
@@ -81,7 +82,7 @@ bool is_own_frame(const fs::path& file) {
            });
 }
 
-/// Series first: no .pvd may name a file that is gone.
+/// Series first: a .pvd must not list a file that no longer exists.
 void remove_earlier_run(const fs::path& folder) {
     std::error_code failed;
     for (const char* name : series_names) fs::remove(folder / (std::string(name) + ".pvd"), failed);
@@ -113,23 +114,25 @@ void VtkSink::go_on(long frames) {
             }
             if (!fs::exists(folder_ / frame))
                 throw InputError({(folder_ / frame).string()}, "a frame of the run is missing",
-                                 "A run can only go on where its frames are; start it anew in another folder.");
+                                 "A run can only be continued in the folder of its frames; otherwise start it again in "
+                                 "another folder.");
             series_[name].push_back({std::stod(match[1]), frame});
         }
-        // There may be no solids at first; all others are there from the beginning.
+        // Solids may appear later; all other groups exist from the beginning.
         const auto& entries = series_.contains(name) ? series_[name] : std::vector<Entry>{};
         const long first = frames - static_cast<long>(entries.size());
         bool complete = entries.empty() || first == 0 || (first > 0 && std::string_view(name) == "solid");
         for (std::size_t k = 0; complete && k < entries.size(); ++k)
             complete = entries[k].file == frame_file(name, first + static_cast<long>(k));
         if (!complete)
-            throw InputError({(folder_ / (std::string(name) + ".pvd")).string()},
-                             "the series names fewer frames than the run has written",
-                             "A run can only go on where its frames are; start it anew in another folder.");
+            throw InputError(
+                {(folder_ / (std::string(name) + ".pvd")).string()},
+                "the series lists fewer frames than the run has written",
+                "A run can only be continued in the folder of its frames; otherwise start it again in another folder.");
     }
     if (frames > 0 && series_.empty())
-        throw InputError({folder_.string()}, "the run to go on with wrote no ParaView files",
-                         "Go on with the same --frames as it was started with.");
+        throw InputError({folder_.string()}, "the run to be continued has written no ParaView files",
+                         "Continue it with the same --frames with which it was started.");
     frames_ = frames;
     walls_written_ = fs::exists(folder_ / "walls.vtp");
 }

@@ -15,22 +15,23 @@ namespace dmp::postproc {
 /// Writes frames for ParaView into one folder:
 ///
 ///     fluid.pvd, solid.pvd, spheres.pvd   the series, rewritten after each frame
-///     frames/fluid_000012.vtp        particles as vertex cells
-///     frames/solid_000012.vtp        particles as vertex cells, bonds as line cells
-///     frames/spheres_000012.vtp      spheres as vertex cells, with their radius
-///     walls.vtp                      once, those of spheres as triangles; walls that move: moving_walls.pvd and a
-///     frame each open_in_paraview.py            opens them all with sensible settings
+///     moving_walls.pvd                    the same for walls that move
+///     frames/fluid_000012.vtp             particles as vertex cells
+///     frames/solid_000012.vtp             particles as vertex cells, bonds as line cells
+///     frames/spheres_000012.vtp           spheres as vertex cells, with their radius
+///     walls.vtp                           walls at rest, written once; walls for spheres as triangles
+///     open_in_paraview.py                 opens all of them with suitable settings
 ///
-/// A folder holds one run: the first frame removes the frames an earlier run left there.
-/// A .pvd never names a file that is not whole, so a killed run opens up to its last frame.
+/// A folder contains one run: the first frame removes frames of an earlier run in that folder. A .pvd lists only
+/// complete files, so a run that was killed can be opened up to its last frame.
 class VtkSink : public FrameSeries {
   public:
-    /// Makes the folder if need be. Throws InputError when it cannot be made or written to.
+    /// Creates the folder if necessary. Throws InputError if it cannot be created or written to.
     VtkSink(std::filesystem::path folder, RunLabel label);
 
     void go_on(long frames) override;
 
-    /// Throws ResourceError when the disk does not take it. Empty groups are skipped.
+    /// Throws ResourceError if a file cannot be written. Empty groups are skipped.
     void write(const Frame& frame) override;
 
     [[nodiscard]] long frames() const { return frames_; }

@@ -20,17 +20,12 @@ namespace dmp::scene {
 
 namespace {
 
-/// The first of the places that points somewhere, else the scene file as a whole.
+/// The first known location, otherwise the scene file.
 SourceLocation first_known(const Scene& scene, std::initializer_list<const SourceLocation*> places) {
     for (const SourceLocation* location : places) {
         if (location != nullptr && location->known()) return *location;
     }
     return {scene.file, 0, 0};
-}
-
-const SourceLocation* position_of(const TomlNode& document, const char* path) {
-    const TomlNode* node = document.find(path);
-    return node == nullptr ? nullptr : &node->location;
 }
 
 template <class Item>
@@ -53,17 +48,17 @@ void need_something_to_move(const Scene& scene) {
         scene.parts.empty() ? SourceLocation{scene.file, 0, 0} : scene.parts.front().kind.location;
     throw InputError(first_known(scene, {&location}),
                      "no enabled part is of kind 'fluid', 'elastic' or 'spheres': nothing would move",
-                     "add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
+                     "add a [[part]] with kind = \"fluid\", \"elastic\" or \"spheres\"");
 }
 
-/// What is drawn needs a geometry, and particles of one spacing.
+/// Parts other than spheres and their walls need a geometry and a particle spacing.
 void check_parts_with_geometry(const Scene& scene, const TomlNode& document) {
     const auto has_geometry = [](const Part& part) {
         return *part.kind != PartKind::spheres && !part.is_wall_for_spheres();
     };
     const auto need = [&](bool given, const char* section, const std::string& key) {
         if (given) return;
-        const SourceLocation* table = position_of(document, section);
+        const SourceLocation* table = document.location_of(section);
         const auto facts = schema().facts();
         const auto found = std::ranges::find(facts, key, &KeyFacts::path);
         throw InputError(first_known(scene, {table}), "missing key: " + key,
@@ -73,7 +68,7 @@ void check_parts_with_geometry(const Scene& scene, const TomlNode& document) {
         need(!scene.geometry.file->empty(), "geometry", "geometry.file");
         need(*scene.particles.spacing > 0, "particles", "particles.spacing");
     } else if (scene.geometry.file.given()) {
-        throw InputError(scene.geometry.file.location, "geometry.file: no part of the scene is drawn",
+        throw InputError(scene.geometry.file.location, "geometry.file: no part of the scene uses a geometry",
                          "leave [geometry] out");
     }
 }
@@ -81,38 +76,37 @@ void check_parts_with_geometry(const Scene& scene, const TomlNode& document) {
 void need_largest_speed(const Scene& scene, const TomlNode& document) {
     const bool automatic = *scene.numerics.sound_speed == 0;
     if (!automatic || *scene.flow.largest_speed > 0 || scene.parts_of(PartKind::fluid).empty()) return;
-    throw InputError(first_known(scene, {&scene.numerics.sound_speed.location, position_of(document, "flow")}),
-                     "flow.largest_speed is missing: numerics.sound_speed = \"auto\" is 10 times that speed",
+    throw InputError(first_known(scene, {&scene.numerics.sound_speed.location, document.location_of("flow")}),
+                     "flow.largest_speed is missing: numerics.sound_speed = \"auto\" depends on it",
                      "add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed");
 }
 
-/// Implicit viscosity is one linear, symmetric system of the fluid and the springs in it.
+/// Implicit viscosity solves one linear, symmetric system for the fluid and its elastic solids.
 void need_what_implicit_viscosity_solves(const Scene& scene) {
     const auto& numerics = scene.numerics;
     if (*numerics.viscosity_stepping != ViscosityStepping::implicitly) return;
     if (!numerics.viscous_law->visit([]<class Law>() { return Law::linear; }))
-        throw InputError(
-            first_known(scene, {&numerics.viscous_law.location}),
-            "numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities, and "
-            "numerics.viscous_law = \"" +
-                to_string(*numerics.viscous_law) + "\" is none",
-            "write viscous_law = \"monaghan\" or \"morris\"");
+        throw InputError(first_known(scene, {&numerics.viscous_law.location}),
+                         "numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities; "
+                         "numerics.viscous_law = \"" +
+                             to_string(*numerics.viscous_law) + "\" is not",
+                         "write viscous_law = \"monaghan\" or \"morris\"");
     if (*numerics.spring_stepping == SpringStepping::subcycled && scene.may_have_elastic())
         throw InputError(
             first_known(scene, {&numerics.spring_stepping.location, &numerics.viscosity_stepping.location}),
-            "numerics.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, which "
-            "numerics.spring_stepping = \"subcycled\" moves apart from it",
+            "numerics.viscosity_stepping = \"implicit\" solves for fluid and elastic solids together; "
+            "numerics.spring_stepping = \"subcycled\" integrates the solids separately",
             "write spring_stepping = \"implicit\"");
 }
 
-/// Terms that exclude each other: the one that was written is an error, a default gives way.
+/// Terms that exclude each other: an error if both are given; a default is turned off instead.
 void need_terms_that_go_together(const Scene& scene) {
     const auto& numerics = scene.numerics;
     const bool summation = *numerics.density == DensityModel::summation;
     if (summation && numerics.density_diffusion.given() && *numerics.density_diffusion > 0)
         throw InputError(numerics.density_diffusion.location,
-                         "numerics.density_diffusion smooths a density that is integrated, and numerics.density = "
-                         "\"summation\" integrates none",
+                         "numerics.density_diffusion smooths an integrated density; numerics.density = "
+                         "\"summation\" does not integrate it",
                          "leave density_diffusion out, or write density = \"continuity\"");
     if (*numerics.transport_velocity && numerics.shifting.given() && *numerics.shifting > 0)
         throw InputError(numerics.shifting.location,
@@ -123,22 +117,22 @@ void need_terms_that_go_together(const Scene& scene) {
             if (wall->slip || wall->moves())
                 throw InputError(
                     first_known(scene, {&numerics.gradient_correction.location}),
-                    "numerics.gradient_correction does not know walls that move or let the fluid slip, as '" +
-                        *wall->name + "' does",
+                    "numerics.gradient_correction does not support walls that move or let the fluid slip, such as '" +
+                        *wall->name + "'",
                     "leave out gradient_correction");
     if (*numerics.walls != WallModel::plain || (!summation && !*numerics.gradient_correction)) return;
     const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
-    throw InputError(
-        numerics.walls.location,
-        "numerics.walls = \"plain\" integrates a density of the walls' own, which numerics." + term + " does not know",
-        "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
+    throw InputError(numerics.walls.location,
+                     "numerics.walls = \"plain\" integrates the density of wall particles, which numerics." + term +
+                         " does not support",
+                     "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
 }
 
 void need_lattice_for_disorder(const Scene& scene) {
     if (!(*scene.particles.disorder > 0) || *scene.particles.fill == FillKind::lattice) return;
     throw InputError(scene.particles.disorder.location,
-                     "particles.disorder displaces particles from their lattice, and particles.fill = \"" +
-                         to_string(*scene.particles.fill) + "\" leaves none",
+                     "particles.disorder displaces particles from a lattice, which particles.fill = \"" +
+                         to_string(*scene.particles.fill) + "\" does not keep",
                      "leave out disorder or fill");
 }
 
@@ -154,7 +148,7 @@ void need_axis_in_space(const Scene& scene) {
                      "give 'x' and 'y' only, or write dimension = 3");
 }
 
-/// A fluid particle at the wall must not see past the wall's last row.
+/// The kernel of a fluid particle at the wall must not reach beyond the wall's last row.
 void need_thick_walls(const Scene& scene) {
     if (scene.parts_of(PartKind::fluid).empty()) return;
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
@@ -187,7 +181,7 @@ void need_plane_walls(const Scene& scene) {
     }
 }
 
-/// A rigid part moves as a whole, and only walls that continue the fluid can let it slip.
+/// A rigid part moves as a whole, and slip needs extrapolated walls.
 void check_walls(const Scene& scene) {
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
         const bool bends = std::ranges::any_of(wall->velocity.value, &Expression::depends_on_position);
@@ -195,25 +189,26 @@ void check_walls(const Scene& scene) {
             throw InputError((bends ? wall->velocity.location : wall->spin.location),
                              std::string(bends ? "velocity" : "spin") + " of the rigid part '" + *wall->name +
                                  "' depends on x, y or z: it would not stay rigid",
-                             "give formulas of t; a surface that slides within itself has a surface_velocity");
+                             "give formulas of t; for a surface that slides along itself use surface_velocity");
         if (wall->slip && *scene.numerics.walls == WallModel::plain)
             throw InputError(first_known(scene, {&wall->slip.location, &scene.numerics.walls.location}),
                              "the wall '" + *wall->name + "' has slip = true, and plain walls cannot let a fluid slip",
                              "write numerics.walls = \"extrapolated\", or leave out slip");
         if (wall->slip && wall->slides())
-            throw InputError(
-                first_known(scene, {&wall->surface_velocity.location, &wall->slip.location}),
-                "the surface of '" + *wall->name + "' slides, and lets the fluid slip: it would not be felt",
-                "leave out surface_velocity, or slip");
+            throw InputError(first_known(scene, {&wall->surface_velocity.location, &wall->slip.location}),
+                             "the surface of '" + *wall->name +
+                                 "' slides, but the fluid slips on it: the motion would have no effect",
+                             "leave out surface_velocity, or slip");
     }
 }
 
-/// An axis either repeats itself or has planes of symmetry, across which nothing may be driven.
+/// An axis is either periodic or has planes of symmetry, and no force may act across such a plane.
 void check_symmetry(const Scene& scene) {
     if (!scene.flow.symmetry->empty() && *scene.numerics.gradient_correction)
         throw InputError(
             first_known(scene, {&scene.numerics.gradient_correction.location, &scene.flow.symmetry.location}),
-            "numerics.gradient_correction does not know planes of symmetry (flow.symmetry)", "leave out one of them");
+            "numerics.gradient_correction does not support planes of symmetry (flow.symmetry)",
+            "leave out one of them");
     for (const BoxSide side : *scene.flow.symmetry) {
         const int axis = axis_of(side);
         if (axis == 2 && scene.dimension == 2)
@@ -222,8 +217,8 @@ void check_symmetry(const Scene& scene) {
                              "give sides across x and y only, or write dimension = 3");
         if (*scene.flow.periodic[axis])
             throw InputError(first_known(scene, {&scene.flow.symmetry.location, &scene.flow.periodic[axis].location}),
-                             "flow.symmetry: '" + to_string(side) + "' lies across an axis that is periodic",
-                             "take the axis out of flow.periodic, or the side out of flow.symmetry");
+                             "flow.symmetry: '" + to_string(side) + "' is perpendicular to a periodic axis",
+                             "remove the axis from flow.periodic, or the side from flow.symmetry");
         const Expression& across = scene.flow.acceleration[axis];
         if (!across.is_zero() && !across.depends_on_position())
             throw InputError(first_known(scene, {&scene.flow.symmetry.location}),
@@ -233,12 +228,12 @@ void check_symmetry(const Scene& scene) {
     }
 }
 
-/// What a scene starts from is taken once.
+/// Initial values must not depend on time.
 void need_start_without_time(const Scene& scene) {
     const auto need = [](const std::string& key, const Expression& formula, const SourceLocation& location) {
         if (!formula.depends_on_time()) return;
         throw InputError(location, key + " depends on t: \"" + formula.text() + "\"",
-                         "write a formula of x, y and z; a start has no time");
+                         "write a formula of x, y and z: initial values do not depend on time");
     };
     for (const Expression& axis : *scene.flow.initial_velocity)
         need("flow.initial_velocity", axis, scene.flow.initial_velocity.location);
@@ -264,13 +259,14 @@ void check_region(const Scene& scene, const ResidenceRegion& region) {
     }
 }
 
-/// Residence times are of regions.
+/// Residence times need a region.
 void need_regions(const Scene& scene, const TomlNode& document) {
     const bool pictured = *scene.output.picture_field == FluidField::residence_time;
     if (pictured && scene.regions.size() > 1) {
         throw InputError(first_known(scene, {&scene.output.picture_field.location}),
-                         "output.picture_field = \"residence_time\": there are several regions, and one array for each",
-                         "leave one [[region]], or picture another field");
+                         "output.picture_field = \"residence_time\": there are several regions, each with its own "
+                         "field",
+                         "keep only one [[region]], or choose another field");
     }
     if (!scene.regions.empty() || !(pictured || scene.asks_for(FluidField::residence_time))) return;
     const SourceLocation* of_probe = nullptr;
@@ -278,8 +274,8 @@ void need_regions(const Scene& scene, const TomlNode& document) {
         if (*measure.field == FluidField::residence_time) of_probe = &measure.field.location;
     }
     throw InputError(
-        first_known(scene, {of_probe, position_of(document, "output.fields"), &scene.output.picture_field.location}),
-        "'residence_time' is asked for, and the scene has no region in which to follow it",
+        first_known(scene, {of_probe, document.location_of("output.fields"), &scene.output.picture_field.location}),
+        "'residence_time' needs a region, and the scene has none",
         "add a [[region]] with a name and the corners from and to");
 }
 
@@ -311,12 +307,12 @@ void check_measure(const Scene& scene, const Measure& measure) {
                                      : "did you mean '" + nearest + "'?");
 }
 
-/// Faces, or curves of the plane, are selected by something.
+/// A selection of faces, in 2-D of curves, needs at least one criterion.
 void check_selection(const Scene& scene, const Selection& selection) {
     const std::string name = "selection '" + *selection.name + "'";
     if (scene.dimension == 2 && selection.z.given())
-        throw InputError(selection.z.location, name + " gives a z, and the scene lies in 2-D",
-                         "take z out, or write dimension = 3");
+        throw InputError(selection.z.location, name + " gives z, but the scene is 2-D",
+                         "remove z, or write dimension = 3");
     if (selection.from.given() != selection.to.given())
         throw InputError(first_known(scene, {&selection.from.location, &selection.to.location}),
                          name + " has one corner of a box only", "give from and to");
@@ -325,17 +321,16 @@ void check_selection(const Scene& scene, const Selection& selection) {
     if (!by_position && !selection.normal.given() && !selection.except.given())
         throw InputError(selection.name.location, name + " does not say which faces",
                          "give a plane (x, y or z), a box (from and to), a normal, or except");
-    // The default angle may stand there: resolved scenes say it.
+    // The default angle is allowed, because resolved scenes contain it.
     const bool own_angle = selection.angle.given() && std::abs(selection.angle - std::numbers::pi / 18) > 1e-9;
     if (own_angle && !selection.normal.given())
-        throw InputError(selection.angle.location, name + " has an angle, and no normal that it is from",
-                         "give normal");
-    // What is no selection may be a surface or curve of the geometry.
+        throw InputError(selection.angle.location, name + " has an angle but no normal", "give normal");
+    // Other names may be those of surfaces or curves of the geometry.
     for (const std::string& other : *selection.except) {
         const auto found = std::ranges::find(scene.selections, other, [](const Selection& one) { return *one.name; });
         if (found == scene.selections.end() || &*found < &selection) continue;
         throw InputError(selection.except.location, name + ": there is no selection '" + other + "' before it",
-                         "give [[select]] of '" + other + "' first, or correct the name");
+                         "define [[select]] '" + other + "' first, or correct the name");
     }
 }
 

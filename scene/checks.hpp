@@ -6,12 +6,12 @@
 
 namespace dmp::scene {
 
-/// Checks between keys: names, references, what one key asks of another. `document` tells where things stand.
-/// Throws InputError.
+/// Checks that involve several keys: names, references, keys that require or exclude others. `document` supplies the
+/// locations of tables. Throws InputError.
 void check_scene(const Scene& scene, const TomlNode& document);
 
-/// Sets defaults to 0 that stand against what the scene asks for: density diffusion beside summed densities, shifting
-/// beside a transport velocity.
+/// Sets defaults to 0 that the scene's choices exclude: density diffusion with density = "summation", shifting with a
+/// transport velocity.
 void switch_off_what_gives_way(Scene& scene);
 
 }  // namespace dmp::scene

@@ -14,23 +14,23 @@
 
 namespace dmp::scene {
 
-/// Sets what trades accuracy for speed together, where the scene does not say otherwise (docs/accuracy.md).
+/// Trades accuracy for speed: sets the defaults of several keys together (docs/accuracy.md).
 enum class Quality { draft, standard, fine };
-/// Whether a force is that on a whole part or on each of its particles.
+/// Whether a force acts on a part as a whole or on each of its particles.
 enum class ForceAmount { total, per_particle };
 enum class ShapeKind { parabola, circle };
-/// From which side of a shape it pushes particles away.
+/// Side of a moving shape on which particles belong.
 enum class PushedSide { both, inside, outside };
-/// In 3-D: cubic, hexagonal close-packed, face-centred cubic.
+/// In 3-D these are cubic, hexagonal close-packed and face-centred cubic lattices.
 enum class Arrangement { square, hexagonal, fcc };
-/// How far up the ladder of repairs a surface that is not closed may be taken (docs/repair.md).
+/// Largest repair allowed for a surface that is not closed; each level includes the previous ones (docs/repair.md).
 enum class RepairKind { none, weld, fill, vote, wrap };
-/// Whether particles stay on the lattice or are moved until they follow the surfaces.
+/// Whether particles stay on the lattice or are moved until they follow the surfaces (docs/meshing.md).
 enum class FillKind { lattice, relaxed, sampled };
 enum class KernelKind { wendland_c2, wendland_c4, lucy, cubic_spline, quintic_spline };
 /// A side of the box around the fluid.
 enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };
-/// The axis that a side of the box lies across, and which of the two it is.
+/// Axis perpendicular to a side of the box, and whether it is the side at the axis' high end.
 [[nodiscard]] inline int axis_of(BoxSide side) { return static_cast<int>(side) / 2; }
 [[nodiscard]] inline bool is_high(BoxSide side) { return static_cast<int>(side) % 2 != 0; }
 enum class WallModel { extrapolated, plain };
@@ -39,7 +39,7 @@ enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
 enum class ViscosityStepping { explicitly, implicitly };
 enum class SpeciesStepping { explicitly, implicitly };
-/// What the amount of a species is counted in, per volume: mass, moles, or nothing (a marker).
+/// Unit of the amount of a species per volume: mass, moles, or none (a marker).
 enum class SpeciesUnit { mass, moles, none };
 enum class MeasureKind {
     flux,
@@ -54,7 +54,7 @@ enum class MeasureKind {
     spread,
     wall_flux,
     peclet,
-    velocity,  // of spheres, as the next three
+    velocity,  // this and the next three are of spheres
     spin,
     wall_force,
     detached,
@@ -72,15 +72,15 @@ enum class FluidField {
     concentration
 };
 enum class Axis { x, y, z };
-/// Which liquid within reach of a seed turns solid, and when a seed looks for it (solver/models/solidify/).
+/// What the random trials of an event are made for (docs/solidify.md).
 enum class SolidifyRule { per_pair, per_candidate, mutually_closest };
-/// What a particle that turns solid is bonded to: the seed that turned it, or all of the aggregate within reach.
+/// What a solidifying particle is bonded to: its seed, or all particles of the aggregate within reach.
 enum class BondTo { seed, neighbours };
 enum class SolidField { velocity, displacement, mean_displacement, stress, von_mises, strain, force };
 
 }  // namespace dmp::scene
 
-/// Their names in scene files, by number.
+/// Names of the enumerators in scene files, in the order of their values.
 namespace dmp {
 
 template <>

@@ -12,42 +12,50 @@ namespace dmp::scene {
 
 std::vector<Key<ForceOnPart>> force_keys() {
     return {
-        {"name", &ForceOnPart::name, name(), required, "What the force is called."},
-        {"part", &ForceOnPart::part, name(), required, "The part it acts on: of fluid, springs or spheres."},
-        {"force", &ForceOnPart::force, formulas("1 mN"), required, "The force along x and y, by formulas of t, x, y; in 2-D on 1 m of depth."},
+        {"name", &ForceOnPart::name, name(), required, "Name of the force."},
+        {"part", &ForceOnPart::part, name(), required,
+         "Part on which the force acts: a fluid, an elastic solid or spheres."},
+        {"force", &ForceOnPart::force, formulas("1 mN"), required,
+         "Force, as formulas of t, x, y, z; in 2-D the part is 1 m deep."},
         {"amount", &ForceOnPart::amount, one_of<ForceAmount>(), required,
-         "What the force is of: \"total\", the whole part, spread evenly over its particles, or \"per_particle\", each of them."},
-        {"from", &ForceOnPart::from, quantity("1 s", not_negative), "0", "When it starts."},
-        {"until", &ForceOnPart::until, quantity("2 s", positive), not_given, "When it ends; without it never."},
+         "\"total\": the force on the whole part, spread evenly over its particles; \"per_particle\": the force on "
+         "each particle."},
+        {"from", &ForceOnPart::from, quantity("1 s", not_negative), "0", "Time at which the force starts."},
+        {"until", &ForceOnPart::until, quantity("2 s", positive), not_given,
+         "Time at which the force ends; never by default."},
         {"period", &ForceOnPart::period, quantity("4 s", positive), not_given,
-         "Time after which the schedule begins anew; without it once."},
+         "Period after which the schedule repeats; no repetition by default."},
     };
 }
 
 std::vector<Key<MovingShape>> moving_shape_keys() {
     const Kinds all, parabola = {"parabola"}, circle = {"circle"};
     return {
-        {"name", all, &MovingShape::name, name(), required, "What the shape is called."},
+        {"name", all, &MovingShape::name, name(), required, "Name of the shape."},
         {"kind", all, &MovingShape::kind, one_of<ShapeKind>(), required,
-         "An arc of a parabola about an axis along y, or a circle; both are the same all along z."},
+         "Shape: an arc of a parabola whose axis is parallel to y, or a circle; in 3-D it is the same for all z."},
         {"parts", all, &MovingShape::parts, names(), required,
-         "The parts that feel it, of fluid, springs or spheres; for all others it is not there."},
+         "Parts that the shape pushes: fluids, elastic solids or spheres. It does not affect other parts."},
         {"position", all, &MovingShape::position, formulas("1 mm"), required,
-         "Where its vertex or centre is, by formulas of t; along periodic axes its nearest image counts."},
+         "Position of the parabola's vertex or the circle's centre, as formulas of t; along periodic axes its "
+         "nearest image acts."},
         {"half_width", parabola, &MovingShape::half_width, quantity("1 mm", positive), required,
-         "From the parabola's axis to its ends."},
+         "Distance from the parabola's axis to its ends."},
         {"height", parabola, &MovingShape::height, quantity("1 mm"), required,
-         "Of the ends above the vertex; less than 0 for a parabola that opens downward."},
+         "Height of the parabola's ends above its vertex; negative if it opens downward."},
         {"radius", circle, &MovingShape::radius, quantity("1 mm", positive), required, "Radius of the circle."},
         {"strength", all, &MovingShape::strength, quantity("1 uN", positive), required,
-         "K of the force K (1 + cos(pi d / range)) on each particle at the distance d."},
-        {"range", all, &MovingShape::range, quantity("0.2 mm", positive), required, "Distance at which the force ends."},
+         "Strength K of the force K (1 + cos(pi d / range)) on each particle at distance d."},
+        {"range", all, &MovingShape::range, quantity("0.2 mm", positive), required,
+         "Distance beyond which there is no force."},
         {"side", all, &MovingShape::side, one_of<PushedSide>(), "both",
-         "Where particles belong: on either side, from where they are pushed away, or inside (where the focus is) or outside, to where they are pushed back from behind."},
-        {"from", all, &MovingShape::from, quantity("1 s", not_negative), "0", "When it comes."},
-        {"until", all, &MovingShape::until, quantity("2 s", positive), not_given, "When it goes; without it never."},
+         "Side of the shape on which particles belong: \"both\" pushes them away from it on either side; \"inside\" "
+         "(where the focus or centre is) and \"outside\" push particles on the wrong side back."},
+        {"from", all, &MovingShape::from, quantity("1 s", not_negative), "0", "Time at which the shape appears."},
+        {"until", all, &MovingShape::until, quantity("2 s", positive), not_given,
+         "Time at which the shape disappears; never by default."},
         {"period", all, &MovingShape::period, quantity("4 s", positive), not_given,
-         "Time after which the schedule begins anew; without it once."},
+         "Period after which the schedule repeats; no repetition by default."},
     };
 }
 // clang-format on
@@ -71,7 +79,7 @@ void need_pushable(const Scene& scene, const SourceLocation& location, const std
     if (std::ranges::find(can, name) == can.end())
         throw InputError(location,
                          "part '" + name + "' is of kind '" + to_string(*part->kind) +
-                             "', which moves as it is told and feels no force",
+                             "', whose motion is prescribed: no force acts on it",
                          "give the part a velocity, or name a part of kind 'fluid', 'elastic' or 'spheres'");
     if (!*part->enabled)
         throw InputError(location, "part '" + name + "' is not enabled", "enable it, or leave out what pushes it");
@@ -82,10 +90,9 @@ void check_schedule(const Driver& driver, const std::string& what) {
     if (driver.until.given() && *driver.until <= *driver.from)
         throw InputError(driver.until.location, what + " ends before it starts", "give an until that is after from");
     if (!driver.period.given()) return;
-    if (!driver.until.given())
-        throw InputError(driver.period.location, what + " has a period, and never ends within it", "add until");
+    if (!driver.until.given()) throw InputError(driver.period.location, what + " has a period but no end", "add until");
     if (*driver.period < *driver.until - *driver.from)
-        throw InputError(driver.period.location, what + " begins anew before it has ended",
+        throw InputError(driver.period.location, what + " repeats before it has ended",
                          "give a period of at least until - from");
 }
 

@@ -7,11 +7,11 @@
 
 namespace dmp::scene {
 
-/// The schema's rows of [[force]] and [[moving_shape]].
+/// Rows of the schema for [[force]] and [[moving_shape]].
 std::vector<Key<ForceOnPart>> force_keys();
 std::vector<Key<MovingShape>> moving_shape_keys();
 
-/// Checks of them: parts that can be pushed, schedules, forces that leave the plane. Throws InputError.
+/// Checks the parts, schedules and components of forces and moving shapes. Throws InputError.
 void check_driving(const Scene& scene);
 
 }  // namespace dmp::scene

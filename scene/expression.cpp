@@ -10,7 +10,7 @@
 
 namespace dmp::scene {
 
-/// muParser and the variables it is bound to; the variables' addresses must not change.
+/// muParser with its variables, whose addresses must not change.
 struct Expression::Parser {
     mu::Parser parser;
     std::array<double, 4> values{};  // t, x, y, z
@@ -23,11 +23,11 @@ struct Expression::Parser {
             parser.DefineVar("y", &values[2]);
             parser.DefineVar("z", &values[3]);
             parser.SetExpr(formula);
-            // Asked once: muParser compiles the formula anew after it.
+            // Only once: GetUsedVar() makes muParser compile the formula again.
             const auto used = parser.GetUsedVar();
             uses_time = used.contains("t");
             uses_position = used.contains("x") || used.contains("y") || used.contains("z");
-            parser.Eval();  // muParser compiles at the first evaluation: faults show here
+            parser.Eval();  // muParser compiles and reports errors at the first evaluation
         } catch (const mu::Parser::exception_type& error) {
             throw std::invalid_argument(error.GetMsg());
         }
@@ -49,7 +49,7 @@ Expression::Expression(std::string formula, std::string as_written, std::string 
       in_si_(in_si.empty() ? as_written_ : std::move(in_si)),
       parser_(std::make_unique<Parser>(formula_)) {}
 
-// a copy compiles its own parser, so that no two share variables
+// A copy compiles its own parser, so that copies do not share variables.
 Expression::Expression(const Expression& other)
     : formula_(other.formula_),
       as_written_(other.as_written_),

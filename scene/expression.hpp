@@ -12,8 +12,8 @@ class Expression {
   public:
     /// The constant 0.
     Expression();
-    /// `formula` in muParser's grammar, every literal already in SI; `in_si` is the same with units, every literal in
-    /// SI base units (empty: `as_written`). Throws std::invalid_argument with muParser's words.
+    /// `formula` follows muParser's grammar, with all literals in SI units; `in_si` is the same with units, all
+    /// literals in SI base units (empty: `as_written`). Throws std::invalid_argument with muParser's message.
     Expression(std::string formula, std::string as_written, std::string in_si = {});
     Expression(const Expression& other);
     Expression(Expression&& other) noexcept;
@@ -25,11 +25,11 @@ class Expression {
 
     [[nodiscard]] bool depends_on_time() const;
     [[nodiscard]] bool depends_on_position() const;
-    /// Whether it is 0 at any time and place.
+    /// Whether it is 0 at all times and positions.
     [[nodiscard]] bool is_zero() const { return !depends_on_time() && !depends_on_position() && (*this)(0) == 0; }
     /// As the user wrote it, with units.
     [[nodiscard]] const std::string& text() const { return as_written_; }
-    /// With units, literals in SI base units; the same for every way to write the same formula in other units.
+    /// With units, literals in SI base units: the same text for the same formula in any units.
     [[nodiscard]] const std::string& si_text() const { return in_si_; }
 
   private:

@@ -18,17 +18,17 @@ namespace {
 
 using namespace formula_names;
 
-/// A part of the formula that has been read.
+/// A subexpression of the formula.
 struct Term {
-    std::size_t begin = 0;  ///< where it starts in the text
-    std::string formula;    ///< for muParser, in SI, every operation in parentheses
+    std::size_t begin = 0;  ///< its first character in the text
+    std::string formula;    ///< for muParser, in SI units, every operation in parentheses
     std::string in_si;      ///< the same with units
     Dimension dimension;
-    bool zero = false;               ///< a bare 0, which goes with any dimension
-    std::optional<double> constant;  ///< its value where it needs no variable
+    bool zero = false;               ///< a bare 0, which has any dimension
+    std::optional<double> constant;  ///< its value if it contains no variable
 };
 
-/// Recursive descent over the grammar in the header, one function a level.
+/// Recursive-descent parser for the grammar in the header, one function per precedence level.
 class FormulaReader {
   public:
     explicit FormulaReader(const WrittenText& text) : text_(text), all_(text.text) {}
@@ -85,8 +85,7 @@ class FormulaReader {
             const auto sign = take_one_of({"<=", ">=", "==", "!=", "<", ">"});
             if (sign.empty()) return left;
             const Term right = sum();
-            static_cast<void>(
-                common(left, right, location, "'" + std::string(sign) + "'"));  // only their being alike matters
+            static_cast<void>(common(left, right, location, "'" + std::string(sign) + "'"));  // for the check only
             left = joined(left, sign, right, {});
         }
     }
@@ -205,7 +204,7 @@ class FormulaReader {
         return term;
     }
 
-    /// After a number stands an operator, a parenthesis or the end.
+    /// Throws if a number is not followed by an operator, a parenthesis or the end.
     void refuse_missing_operator(const std::string& digits, bool with_unit) const {
         const std::size_t next = at();
         const std::size_t name_end = end_of_name(all_, next);
@@ -245,7 +244,7 @@ class FormulaReader {
         if (unit_symbol(word)) fail(begin, "the unit '" + word + "' stands without a number", "write 1 " + word);
         const auto nearest = nearest_name(word, known_names());
         fail(begin, "unknown name '" + word + "'",
-             nearest.empty() ? "known are t, x, y, z, pi and functions such as sin, exp, sqrt, min"
+             nearest.empty() ? "use t, x, y, z, pi or functions such as sin, exp, sqrt, min"
                              : "did you mean '" + nearest + "'?");
     }
 
@@ -259,7 +258,7 @@ class FormulaReader {
             }
             const auto nearest = nearest_name(word, known_names());
             fail(begin, "unknown function '" + word + "'",
-                 nearest.empty() ? "known are sin, cos, tan, exp, ln, sqrt, abs, min, max, tanh and others"
+                 nearest.empty() ? "use sin, cos, tan, exp, ln, sqrt, abs, min, max, tanh or other functions"
                                  : "did you mean '" + nearest + "'?");
         }
         position_ = end;
@@ -308,7 +307,7 @@ class FormulaReader {
         return result;
     }
 
-    /// The dimension two terms share. Throws when they differ and neither is a bare 0.
+    /// The common dimension of two terms. Throws if their dimensions differ and neither is a bare 0.
     [[nodiscard]] Dimension common(const Term& a, const Term& b, std::size_t location, const std::string& by) const {
         if (a.zero) return b.dimension;
         if (b.zero || a.dimension == b.dimension) return a.dimension;
@@ -338,7 +337,7 @@ class FormulaReader {
         }
     }
 
-    /// Where the next word starts.
+    /// Start of the next token.
     [[nodiscard]] std::size_t at() const { return skip_spaces(all_, position_); }
 
     bool take(std::string_view sign) {
@@ -355,19 +354,20 @@ class FormulaReader {
         return {};
     }
 
-    /// The word at `offset`, for a message.
+    /// The token at `offset`, for a message.
     [[nodiscard]] std::string shown(std::size_t offset) const {
         if (offset >= all_.size()) return "the end";
         const std::size_t end = std::max({end_of_number(all_, offset), end_of_name(all_, offset), offset + 1});
         return "'" + std::string(all_.substr(offset, end - offset)) + "'";
     }
 
-    /// Counts how deep the grammar has descended, so that ten thousand parentheses are an error and no crash.
+    /// Limits the recursion depth, so that ten thousand parentheses are an error instead of a stack overflow.
     class Nesting {
       public:
         explicit Nesting(FormulaReader& reader) : reader_(reader) {
             if (++reader_.depth_ > 200) {
-                reader_.fail(reader_.at(), "more than 200 parentheses and signs inside each other", "write it flatter");
+                reader_.fail(reader_.at(), "more than 200 parentheses and signs inside each other",
+                             "use fewer levels of parentheses");
             }
         }
         Nesting(const Nesting&) = delete;

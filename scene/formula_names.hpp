@@ -10,10 +10,10 @@
 
 #include "scene/units.hpp"
 
-// The functions, variables and constants a formula knows; only formula.cpp needs them.
+// Functions, variables and constants of formulas, for formula.cpp only.
 namespace dmp::scene::formula_names {
 
-/// What a function asks of its arguments' dimensions and gives back.
+/// Dimensions of a function's arguments and of its result.
 enum class Rule { number_to_number, keeps, to_number, square_root, like_to_same, like_to_number };
 
 struct Function {

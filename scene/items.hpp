@@ -15,113 +15,111 @@
 
 namespace dmp::scene {
 
-/// [[force]]: a force on a part, while its schedule lasts.
+/// [[force]]: a force on a part, according to a schedule.
 struct ForceOnPart {
     Value<std::string> name;
-    Value<std::string> part;                 ///< of fluid, springs or spheres
+    Value<std::string> part;                 ///< a fluid, an elastic solid or spheres
     Value<std::array<Expression, 3>> force;  ///< as functions of t, x, y, z [N]
     Value<ForceAmount> amount;               ///< total: spread evenly over the part's particles
     Value<double> from = 0.0;                ///< when it starts [s]
     Value<double> until;                     ///< when it ends [s]; not given: never
-    Value<double> period = 0.0;              ///< of a schedule that begins anew [s]; 0: once
+    Value<double> period = 0.0;              ///< after which the schedule repeats [s]; 0: no repetition
 };
 
-/// [[moving_shape]]: a curve that moves through the scene and softly pushes the parts that feel it, and no others.
+/// [[moving_shape]]: a curve that moves through the scene and repels the particles of the parts that it names only.
 struct MovingShape {
     Value<std::string> name;
     Value<ShapeKind> kind;
-    Value<std::vector<std::string>> parts;      ///< that feel it: of fluid, springs or spheres
+    Value<std::vector<std::string>> parts;      ///< that it pushes: fluids, elastic solids or spheres
     Value<std::array<Expression, 3>> position;  ///< of the vertex or centre, as functions of t [m]
     Value<double> half_width;                   ///< parabola: from its axis to its ends [m]
-    Value<double> height;    ///< parabola: of its ends above the vertex; below 0: it opens downward [m]
+    Value<double> height;    ///< parabola: of its ends above the vertex; negative: it opens downward [m]
     Value<double> radius;    ///< circle [m]
     Value<double> strength;  ///< K of f = K (1 + cos(pi d / r*)) on each particle [N]
     Value<double> range;     ///< r* [m]
     Value<PushedSide> side = PushedSide::both;
-    Value<double> from = 0.0;    ///< when it comes [s]
-    Value<double> until;         ///< when it goes [s]; not given: never
-    Value<double> period = 0.0;  ///< of a schedule that begins anew [s]; 0: once
+    Value<double> from = 0.0;    ///< when it appears [s]
+    Value<double> until;         ///< when it disappears [s]; not given: never
+    Value<double> period = 0.0;  ///< after which the schedule repeats [s]; 0: no repetition
 };
 
-/// One value for all parts, or values by the names of parts.
+/// One value for all parts, or a value for each named part.
 template <class T>
 struct ByPart {
     std::optional<Value<T>> all;
     std::map<std::string, Value<T>> parts;
 
     [[nodiscard]] bool empty() const { return !all && parts.empty(); }
-    /// Null where the part has none.
+    /// The value for a part; null if it has none.
     [[nodiscard]] const Value<T>* of(const std::string& part) const {
         const auto found = parts.find(part);
         return found != parts.end() ? &found->second : all ? &*all : nullptr;
     }
 };
 
-/// [[species]]: something dissolved that diffuses, and goes along with the fluid. Concentrations are per volume of the
-/// liquid at rest, in the species' unit.
+/// [[species]]: a dissolved substance that diffuses and moves with the fluid. Concentrations are per volume of the
+/// fluid at rest, in the species' unit.
 struct Species {
     Value<std::string> name;
     Value<SpeciesUnit> unit = SpeciesUnit::mass;
-    ByPart<double> diffusivity;             ///< of the fluids, or by part, solids that conduct included [m^2/s]
-    ByPart<Expression> concentration;       ///< at the start, as functions of x, y, z
+    ByPart<double> diffusivity;             ///< in all fluids, or by part, with solids that conduct [m^2/s]
+    ByPart<Expression> concentration;       ///< initially, as functions of x, y, z
     ByPart<Expression> wall_concentration;  ///< at the surface of rigid parts, as functions of t, x, y, z
     ByPart<Expression> wall_flux;           ///< out of rigid parts into the fluid, per area, as functions of t, x, y, z
 
-    /// "kg", "mol" or "m^3": of an amount.
+    /// Unit of an amount: "kg", "mol" or "m^3".
     [[nodiscard]] std::string amount_unit() const;
-    /// "kg/m^3", "mol/m^3" or "1"
+    /// "kg/m^3", "mol/m^3" or "1".
     [[nodiscard]] std::string concentration_unit() const;
-    /// Of a part, null where it does not carry the species.
+    /// Diffusivity in a part; null if the part does not carry the species.
     [[nodiscard]] const Value<double>* diffusivity_in(const Part& part) const;
 };
 
-/// [[measure]]: one number followed over time.
+/// [[measure]]: a quantity that is recorded over time.
 struct Measure {
     Value<std::string> name;
     Value<MeasureKind> kind;
     Value<Vec> from{Vec::Zero()};                    ///< flux: the line's start [m]
     Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
-    Value<Vec> point{Vec::Zero()};                   ///< probe: where [m]
-    Value<FluidField> field = FluidField::velocity;  ///< probe: what
-    Value<std::string>
-        part;  ///< gap: between the pieces of this elastic solid; wall_flux: into this rigid part;
-               ///< velocity, spin, detached: the spheres; aggregate: of this [[solidify]] or elastic solid
-    Value<std::string> species;          ///< of measures of a species; empty: the only one
-    Value<Axis> axis = Axis::x;          ///< profile, spread: along which
-    Value<int> bins = 20;                ///< profile: how many
-    Value<double> about = 0.0;           ///< spread: where the variance is taken about, if given; else the mean [m]
-    Value<double> length = 0.0;          ///< peclet, wall_flux: of the Peclet and Sherwood numbers [m]; 0: not given
-    Value<double> area = 0.0;            ///< wall_flux: of the wall, for the Sherwood number [m^2]
-    Value<Vec> direction{Vec::UnitZ()};  ///< detached: to the upper half
+    Value<Vec> point{Vec::Zero()};                   ///< probe: its position [m]
+    Value<FluidField> field = FluidField::velocity;  ///< probe: field to measure
+    Value<std::string> part;     ///< gap: elastic solid; wall_flux: rigid part; velocity, spin, detached: spheres;
+                                 ///< aggregate: [[solidify]] or elastic solid
+    Value<std::string> species;  ///< measures of species: its name; empty: the only one
+    Value<Axis> axis = Axis::x;  ///< profile, spread: along this axis
+    Value<int> bins = 20;        ///< profile: number of bins
+    Value<double> about = 0.0;   ///< spread: centre of the variance; not given: the mean [m]
+    Value<double> length = 0.0;  ///< peclet, wall_flux: of the Peclet or Sherwood number [m]; 0: not given
+    Value<double> area = 0.0;    ///< wall_flux: of the wall, for the Sherwood number [m^2]
+    Value<Vec> direction{Vec::UnitZ()};  ///< detached: direction to the upper half
 };
 
-/// [[solidify]]: liquid that turns solid near seeds, and its bonds (docs/solidify.md).
+/// [[solidify]]: fluid that solidifies near seeds, and its bonds (docs/solidify.md).
 struct Solidify {
-    Value<std::string> name;    ///< of what comes into being
-    Value<std::string> liquid;  ///< the fluid part that turns solid
+    Value<std::string> name;    ///< of the resulting solid
+    Value<std::string> liquid;  ///< the fluid part that solidifies
 
-    Value<std::string> seed_part;           ///< all particles of this rigid or elastic solid are seeds; empty: none
-    Value<std::string> seed_region;         ///< liquid in this region becomes seeds; empty: anywhere
-    Value<double> seed_stress_above = 0.0;  ///< liquid with more shear stress becomes a seed [Pa]; 0: not asked
-    Value<double> seed_residence_above =
-        0.0;  ///< liquid that was longer in seed_region becomes a seed [s]; 0: not asked
+    Value<std::string> seed_part;              ///< all particles of this rigid or elastic part are seeds; empty: none
+    Value<std::string> seed_region;            ///< fluid in this region becomes seeds; empty: anywhere
+    Value<double> seed_stress_above = 0.0;     ///< fluid with more shear stress becomes a seed [Pa]; 0: not used
+    Value<double> seed_residence_above = 0.0;  ///< fluid that was longer in seed_region becomes a seed [s]; 0: not used
 
-    Value<std::string> region;            ///< only liquid in this region turns solid; empty: anywhere
-    Value<double> stress_above = 0.0;     ///< only liquid with more shear stress [Pa]; 0: any
-    Value<double> residence_above = 0.0;  ///< only liquid that was longer in the region [s]; 0: any
+    Value<std::string> region;            ///< only fluid in this region solidifies; empty: anywhere
+    Value<double> stress_above = 0.0;     ///< only fluid with more shear stress [Pa]; 0: any
+    Value<double> residence_above = 0.0;  ///< only fluid that was longer in the region [s]; 0: any
 
     Value<SolidifyRule> rule = SolidifyRule::per_candidate;
-    Value<double> reach;        ///< R_max, from a seed [m]
-    Value<double> probability;  ///< of the rule, in one event [-]
+    Value<double> reach;        ///< R_max, largest distance from a seed [m]
+    Value<double> probability;  ///< that a random trial succeeds [-]
     Value<double> from = 0.0;   ///< time of the first event [s]
     Value<double> interval;     ///< between events [s]
     Value<SeedActivity> active = SeedActivity::always;
     Value<int> one_in = 0;              ///< with active = one_in: N
-    Value<bool> spreads = true;         ///< particles that turned solid become seeds
-    Value<int> most_bonds = 0;          ///< of one particle, of this rule; 0: any number
+    Value<bool> spreads = true;         ///< solidified particles become seeds
+    Value<int> most_bonds = 0;          ///< largest number that a particle gets from this rule; 0: any
     Value<double> bond_stiffness;       ///< k_b [N/m]
     Value<double> rest_length = 0.0;    ///< r0 [m]; 0 = "auto": the distance when the bond is made
-    Value<double> bond_damping = 0.01;  ///< dashpot, fraction of critical [-]
+    Value<double> bond_damping = 0.01;  ///< dashpot, fraction of critical damping [-]
     Value<BondTo> bond_to = BondTo::seed;
     Value<int> seed = 1;  ///< of the random numbers
 };
@@ -129,35 +127,35 @@ struct Solidify {
 /// [[break]]: bonds that break under tension.
 struct Breaking {
     Value<std::string> name;
-    Value<std::string> part;           ///< whose bonds: an elastic solid's, a [[solidify]]'s or a [[join]]'s
-    Value<double> force_above = 0.0;   ///< [N]; 0: not by force
-    Value<double> strain_above = 0.0;  ///< [-]; 0: not by strain
-    Value<double> interval = 0.0;      ///< between looks [s]; 0: every step
+    Value<std::string> part;           ///< elastic solid, [[solidify]] or [[join]] whose bonds break
+    Value<double> force_above = 0.0;   ///< [N]; 0: no limit by force
+    Value<double> strain_above = 0.0;  ///< [-]; 0: no limit by strain
+    Value<double> interval = 0.0;      ///< between checks [s]; 0: every step
 };
 
-/// [[join]]: bonds between the particles of two parts, or between pieces of one, as they are drawn (docs/elastic.md).
+/// [[join]]: bonds between the particles of two parts, or of one part, in their initial positions (docs/elastic.md).
 struct Join {
     Value<std::string> name;
-    Value<std::array<std::string, 2>> parts;  ///< two elastic solids, the same twice, or a springs and a rigid part
+    Value<std::array<std::string, 2>> parts;  ///< two elastic solids, one twice, or an elastic and a rigid part
     Value<double> within;                     ///< longest bond [m]; not given: 1.5 spacings
-    Value<double> stiffness = 0.0;            ///< k_b [N/m]; 0 = "auto": as stiff as the parts' own bonds, in series
-    Value<double> damping = 0.01;             ///< dashpot, fraction of critical [-]
+    Value<double> stiffness = 0.0;            ///< k_b [N/m]; 0 = "auto": half bonds of both parts in series
+    Value<double> damping = 0.01;             ///< dashpot, fraction of critical damping [-]
 };
 
-/// [[select]]: faces of a geometry in 3-D by where they lie, for what the geometry gives no name. All that is given
-/// must hold at once.
+/// [[select]]: names faces of a geometry (in 2-D pieces of curves) by their position. A face must meet all criteria
+/// that are given.
 struct Selection {
-    Value<std::string> name;                 ///< of the surface that they make up
-    Value<std::string> of;                   ///< the geometry's volume or surface whose faces they are
-    Value<double> x, y, z;                   ///< if given: they lie in this plane [m]
-    Value<Vec> from{Vec::Zero()};            ///< if given: they lie in a box with this corner [m]
-    Value<Vec> to{Vec::Zero()};              ///< and the opposite one [m]
-    Value<Vec> normal{Vec::Zero()};          ///< if given: where they face, any length
-    Value<double> angle = 0.0;               ///< largest one between `normal` and where a face faces [rad]
-    Value<std::vector<std::string>> except;  ///< if given: they are in none of these selections
+    Value<std::string> name;                 ///< of the surface that the faces form
+    Value<std::string> of;                   ///< volume or surface of the geometry whose faces are selected
+    Value<double> x, y, z;                   ///< if given: faces in this plane [m]
+    Value<Vec> from{Vec::Zero()};            ///< if given: faces in a box with this corner [m]
+    Value<Vec> to{Vec::Zero()};              ///< and this opposite one [m]
+    Value<Vec> normal{Vec::Zero()};          ///< if given: direction of the outward normal, any length
+    Value<double> angle = 0.0;               ///< largest angle between `normal` and a face's normal [rad]
+    Value<std::vector<std::string>> except;  ///< if given: faces in none of these selections
 };
 
-/// [[region]]: a box along the axes, whose residence time is followed.
+/// [[region]]: a box along the axes, for residence times and seeds.
 struct ResidenceRegion {
     Value<std::string> name;
     Value<Vec> from{Vec::Zero()};  ///< one corner [m]

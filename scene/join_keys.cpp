@@ -10,22 +10,25 @@ namespace dmp::scene {
 
 std::vector<Key<Join>> join_keys() {
     return {
-        {"name", &Join::name, name(), required, "What the join is called, in [[break]] too."},
+        {"name", &Join::name, name(), required, "Name of the join, also used by [[break]]."},
         {"parts", &Join::parts, two_names(), required,
-         "Which particles are bonded to which: those of two elastic solids, of an elastic solid and a rigid one that rests, or of one elastic solid, named twice."},
+         "Parts whose particles are bonded to each other: two elastic solids, an elastic solid and a rigid part at "
+         "rest, or one elastic solid, named twice."},
         {"within", &Join::within, quantity("0.15 mm", positive), not_given,
-         "Longest bond; without it 1.5 spacings. None is made across a gap: where a particle of another part stands in its middle."},
+         "Length of the longest bond; 1.5 spacings by default. No bond is made across a gap, where a particle of "
+         "another part lies near its midpoint."},
         {"stiffness", &Join::stiffness, quantity_or_auto("10 N/m"), "auto",
-         "k_b of each bond, of energy k_b (r - r0)^2, with r0 the distance as drawn; \"auto\": of half a bond of each part, one behind the other."},
+         "Stiffness k_b of each bond, whose energy is k_b (r - r0)^2, with the initial distance r0. \"auto\": half "
+         "a bond of each part in series."},
         {"damping", &Join::damping, number(between(0, 1)), "0.01",
-         "Dashpot along each bond, as a fraction of critical damping."},
+         "Dashpot of each bond, as a fraction of critical damping."},
     };
 }
 // clang-format on
 
 namespace {
 
-/// The part, which must be one that bonds can hold on to.
+/// The part called `name`; throws InputError unless bonds can join it.
 const Part& joined_part(const Scene& scene, const Join& join, const std::string& name) {
     const std::string whose = "join '" + *join.name + "': ";
     const Part* part = scene.part_named(name);
@@ -39,12 +42,12 @@ const Part& joined_part(const Scene& scene, const Join& join, const std::string&
     if (*part->kind != PartKind::elastic && *part->kind != PartKind::rigid)
         throw InputError(join.parts.location,
                          whose + "part '" + name + "' is of kind '" + to_string(*part->kind) +
-                             "', and bonds join springs, or springs and a wall",
-                         "name elastic solids, or an elastic solid and a rigid one");
+                             "'; bonds join elastic solids, or an elastic solid and a rigid part",
+                         "name elastic solids, or an elastic solid and a rigid part");
     if (part->moves())
         throw InputError(join.parts.location,
-                         whose + "part '" + name + "' moves, and bonds to walls hold at places that stay",
-                         "take a part that rests, or make it of springs");
+                         whose + "part '" + name + "' moves; a rigid part with bonds must be at rest",
+                         "name a part at rest, or make it an elastic solid");
     return *part;
 }
 
@@ -55,8 +58,7 @@ void check_joins(const Scene& scene) {
         const Part& one = joined_part(scene, join, (*join.parts)[0]);
         const Part& other = joined_part(scene, join, (*join.parts)[1]);
         if (*one.kind == PartKind::rigid && *other.kind == PartKind::rigid)
-            throw InputError(join.parts.location,
-                             "join '" + *join.name + "' is of two rigid parts, and neither of them moves",
+            throw InputError(join.parts.location, "join '" + *join.name + "' joins two rigid parts, which do not move",
                              "name at least one elastic solid");
         if (const Part* same = scene.part_named(join.name))
             throw InputError(join.name.location,

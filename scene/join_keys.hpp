@@ -7,11 +7,10 @@
 
 namespace dmp::scene {
 
-/// The schema's rows of [[join]].
+/// Rows of the schema for [[join]].
 std::vector<Key<Join>> join_keys();
 
-/// Whether each [[join]] is of parts that bonds can join: elastic solids, or one and a rigid part that rests. Throws
-/// InputError.
+/// Checks that each [[join]] names two elastic solids, or an elastic solid and a rigid part at rest. Throws InputError.
 void check_joins(const Scene& scene);
 
 }  // namespace dmp::scene

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// The names of keys: patterns, how they are shown, and the nearest right one for a wrong one.
+// Names of keys: patterns, their form in messages, and suggestions for unknown ones.
 #include <algorithm>
 #include <utility>
 
@@ -69,7 +69,7 @@ std::string nearest_key(const std::string& pattern) {
     }
     if (const auto nearest = nearest_name(name, names_in(section)); !nearest.empty()) return joined(section, nearest);
 
-    // the right name in the wrong table, then a near name in any table
+    // the right name in the wrong table, then a similar name in any table
     std::vector<std::string> names;
     for (const auto& other : known_sections) {
         for (const auto& candidate : names_in(other)) {
@@ -95,7 +95,7 @@ std::string shown_key(const std::string& pattern) {
 std::string advice_for_unknown_key(const std::string& pattern) {
     if (std::string advice = advice_for_renamed_key(pattern); !advice.empty()) return advice;
     const auto [section, name] = split_at_last_dot(pattern);
-    if (section.empty()) {  // perhaps a whole table is misspelt
+    if (section.empty()) {  // the name of a table may be misspelt
         std::vector<std::string> tables;
         for (const auto& known : sections()) {
             if (!known.empty()) tables.push_back(known.substr(0, known.find('.')));

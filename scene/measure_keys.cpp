@@ -21,23 +21,26 @@ std::vector<Key<Species>> species_keys() {
     const auto fluxes = [](const Species& species) { return by_part(flux_formula(species.unit)); };
     const std::string concentration = by_part(concentration_formula(SpeciesUnit::mass)).description;
     return {
-        {"name", &Species::name, name(), required, "What the species is called."},
-        {"unit", &Species::unit, one_of<SpeciesUnit>(), "kg/m^3", "Unit of its concentrations."},
+        {"name", &Species::name, name(), required, "Name of the species."},
+        {"unit", &Species::unit, one_of<SpeciesUnit>(), "kg/m^3", "Unit of the concentrations of the species."},
         {"diffusivity", &Species::diffusivity, by_part(diffusivity_type()), required,
-         "Diffusivity in all fluids, or by part; solids in the table conduct, others are closed to the species."},
+         "Diffusivity in all fluids, or a table by part. Solids in the table conduct the species, all others are "
+         "closed to it."},
         {"concentration", {}, &Species::concentration, concentrations, concentration, not_given,
-         "Concentration at the start, as a formula of x, y, or by part; where none is given it is 0."},
+         "Initial concentration, as a formula of x, y, z, or a table by part; 0 by default."},
         {"wall_concentration", {}, &Species::wall_concentration, concentrations, concentration, not_given,
-         "Concentration that the surfaces of rigid parts are held at, by formulas of t, x, y; other walls let nothing through."},
+         "Concentration at the surface of rigid parts: a table by part of formulas of t, x, y, z. Other walls are "
+         "closed."},
         {"wall_flux", {}, &Species::wall_flux, fluxes, by_part(flux_formula(SpeciesUnit::mass)).description, not_given,
-         "What comes out of rigid parts into the fluid, per area and time, by formulas of t, x, y."},
+         "Flux out of rigid parts into the fluid, per area and time: a table by part of formulas of t, x, y, z."},
     };
 }
 
 std::vector<Key<ResidenceRegion>> region_keys() {
     return {
-        {"name", &ResidenceRegion::name, name(), required, "What the region is called; residence_time is of fluid in it."},
-        {"from", &ResidenceRegion::from, point(), required, "One corner of a box along the axes."},
+        {"name", &ResidenceRegion::name, name(), required,
+         "Name of the region; residence_time is the time that fluid spends in it."},
+        {"from", &ResidenceRegion::from, point(), required, "One corner of the region, a box along the axes."},
         {"to", &ResidenceRegion::to, point(), required, "The opposite corner."},
     };
 }
@@ -50,33 +53,41 @@ std::vector<Key<Measure>> measure_keys() {
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
-         "What is followed: flux through a line, gap between a part's pieces, largest speed, density, kinetic energy, "
-         "a probe's field; of a species its amount, mean concentration, profile, spread, flux into a wall, Peclet number; "
-         "of spheres velocity, spin, the walls' force, or how many are detached from one; or size, pieces and bonds of an aggregate."},
-        {"from", flux, &Measure::from, point(), required, "Where the line starts."},
-        {"to", flux, &Measure::to, point(), required, "Where the line ends."},
-        {"point", probe, &Measure::point, point(), required, "Where the probe stands."},
-        {"field", probe, &Measure::field, one_of<FluidField>(), "velocity", "What the probe reads."},
+         "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
+         "kinetic energy, field at a probe; of a species its amount, mean concentration, profile, spread, flux into "
+         "a wall, Peclet number; of spheres their velocity, spin, force on the walls, number detached from a "
+         "sphere; size, pieces and bonds of an aggregate."},
+        {"from", flux, &Measure::from, point(), required, "Start of the line."},
+        {"to", flux, &Measure::to, point(), required, "End of the line."},
+        {"point", probe, &Measure::point, point(), required, "Position of the probe."},
+        {"field", probe, &Measure::field, one_of<FluidField>(), "velocity", "Field that the probe measures."},
         {"part", of_part, &Measure::part, name(), required,
-         "The elastic solid whose pieces' smallest distance is followed; of spheres the part whose mean velocity or spin it is, or the one sphere that others may detach from."},
+         "gap: the elastic solid between whose pieces the smallest distance is measured. velocity, spin: the part "
+         "of spheres over which the mean is taken. detached: the part of the one sphere from which others may "
+         "detach."},
         {"direction", detached, &Measure::direction, direction(), "[0, 0, 1]",
-         "Points to the half of the sphere that is counted as the upper one, as drawn."},
-        {"species", of_species, &Measure::species, name(), not_given, "Which species; not needed where there is one."},
-        {"from", boxes, &Measure::from, point(), not_given, "One corner of a box along the axes; without it all the fluid counts."},
+         "Initial direction to the half of the sphere that counts as the upper one."},
+        {"species", of_species, &Measure::species, name(), not_given,
+         "Species to measure; may be left out if there is only one."},
+        {"from", boxes, &Measure::from, point(), not_given,
+         "One corner of a box along the axes in which the fluid is measured; all of the fluid by default."},
         {"to", boxes, &Measure::to, point(), not_given, "The opposite corner."},
-        {"axis", along, &Measure::axis, one_of<Axis>(), required, "Along which axis."},
+        {"axis", along, &Measure::axis, one_of<Axis>(), required, "Axis of the profile or spread."},
         {"bins", {"profile"}, &Measure::bins, integer(Range{1, 1000, false, {}}), "20",
-         "Equal parts of the box along the axis, each with a column for its mean."},
+         "Number of equal parts of the box along the axis; the mean of each is a column."},
         {"about", {"spread"}, &Measure::about, quantity("1 mm"), not_given,
-         "Place that the variance is taken about; without it the mean place."},
-        {"part", wall_flux, &Measure::part, name(), required, "The rigid part whose uptake is followed."},
+         "Coordinate about which the variance is taken; the mean one by default."},
+        {"part", wall_flux, &Measure::part, name(), required, "Rigid part into which the flux is measured."},
         {"length", {"peclet"}, &Measure::length, quantity("1 mm", positive), required,
-         "L of the Peclet number U L / D, U the fluid's largest speed."},
+         "Length L of the Peclet number U L / D, with the fluid's largest speed U."},
         {"length", wall_flux, &Measure::length, quantity("1 mm", positive), not_given,
-         "L of a column with the Sherwood number J L / (area D dc), dc the fluid's mean concentration less the wall's."},
-        {"area", wall_flux, &Measure::area, quantity("1 mm^2", positive), not_given, "The wall's, for the Sherwood number; 1 m deep in 2-D."},
+         "Length L of the Sherwood number J L / (area D dc), which adds a column; dc is the fluid's mean "
+         "concentration minus that of the wall."},
+        {"area", wall_flux, &Measure::area, quantity("1 mm^2", positive), not_given,
+         "Area of the wall, for the Sherwood number; in 2-D the wall is 1 m deep."},
         {"part", aggregate, &Measure::part, name(), required,
-         "The [[solidify]] or elastic solid whose particles, mass, pieces, largest piece and bonds are followed."},
+         "[[solidify]] or elastic part whose number of particles, mass, pieces, largest piece and bonds are "
+         "measured."},
     };
 }
 // clang-format on

@@ -7,7 +7,7 @@
 
 namespace dmp::scene {
 
-/// The schema's rows of [[species]], [[region]] and [[measure]]: what is followed.
+/// Rows of the schema for [[species]], [[region]] and [[measure]].
 std::vector<Key<Species>> species_keys();
 std::vector<Key<ResidenceRegion>> region_keys();
 std::vector<Key<Measure>> measure_keys();

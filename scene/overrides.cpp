@@ -60,7 +60,7 @@ TomlNode& find_item(TomlNode& document, const std::string& list, const std::stri
         nearest.empty() ? "its " + list + "s are " + quoted_list(names) : "did you mean '" + nearest + "'?");
 }
 
-/// The table called `name` in `table`, made if it is not there.
+/// The table called `name` in `table`; creates it if necessary.
 TomlNode& table_in(TomlNode& table, const std::string& name, const SourceLocation& location) {
     TomlNode* child = table.child(name);
     if (child == nullptr) {

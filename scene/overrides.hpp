@@ -8,9 +8,9 @@
 
 namespace dmp::scene {
 
-/// Puts "key=value" texts, as given to --set, into the scene's document; later ones win. A part or measure is addressed
-/// by its name: `part.leaflets.enabled=false`. The place of such a value is "--set KEY=VALUE".
-/// Throws InputError for a text without '=', an unknown key, or a part or measure the document does not have.
+/// Writes "key=value" texts, as given to --set, into the scene's document; later ones override earlier ones. An entry
+/// of a list is selected by its name: `part.leaflets.enabled=false`. The location of such a value is "--set KEY=VALUE".
+/// Throws InputError for a text without '=', an unknown key, or a list entry that is not in the document.
 void apply_overrides(TomlNode& document, std::span<const std::string> overrides);
 
 }  // namespace dmp::scene

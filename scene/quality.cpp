@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Defaults that follow from the scene's quality, and how a default is told to the user.
+// Defaults that depend on the scene's quality, and the origin of a default for the user.
 #include <algorithm>
 
 #include "scene/read_scene.hpp"

@@ -23,7 +23,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 Unit joined(const Unit& a, char sign, const Unit& b) { return a * (sign == '*' ? b : power(b, -1)); }
 
-/// A symbol and its exponent at `begin`; nothing when no unit stands there.
+/// A symbol and its exponent at `begin`; nullopt if there is no unit.
 std::optional<UnitReading> read_factor(const WrittenText& text, std::size_t begin, bool (*not_unit)(std::string_view)) {
     const std::string_view all = text.text;
     const std::size_t name_end = end_of_name(all, begin);
@@ -114,7 +114,7 @@ double in_si(std::string_view number, const Unit& unit, const SourceLocation& lo
         held = std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec == std::errc{};
     }
     double value = 0;
-    if (held) {  // the unit's power of ten goes into the decimal exponent: one rounding, "0.2 mm" is exactly 0.0002
+    if (held) {  // add the unit's power of ten to the decimal exponent: rounded once, "0.2 mm" is the double 0.0002
         const std::string text =
             std::string(number.substr(0, exponent_at)) + "e" + std::to_string(exponent + unit.power_of_ten);
         held = std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc{};
@@ -147,7 +147,7 @@ Quantity parse_quantity(const WrittenText& text, const Dimension* wanted) {
         const auto unit = read_factor(text, at, none_reserved);
         if (unit && skip_spaces(all, unit->end) == all.size())
             fail(text.at(at), "found the unit \"" + text.text + "\" without a number",
-                 "write how many, such as \"1 " + std::string(all.substr(at, unit->end - at)) + "\"");
+                 "write a number before it, such as \"1 " + std::string(all.substr(at, unit->end - at)) + "\"");
         fail(text.at(at), "expected a number in \"" + text.text + "\"",
              "write a number and its unit, such as \"0.1 mm\"");
     }

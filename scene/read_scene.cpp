@@ -34,7 +34,7 @@ std::string scene_file(const std::string& path) {
 std::string contents_of(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream contents;
-    const bool empty = stream.peek() == std::ifstream::traits_type::eof();  // a folder opens, but fails here
+    const bool empty = stream.peek() == std::ifstream::traits_type::eof();  // a folder can be opened, but fails here
     if (!stream.is_open() || stream.bad()) {
         throw InputError({file, 0, 0}, "the file cannot be read", "check that it is a file and its permissions");
     }
@@ -42,7 +42,7 @@ std::string contents_of(const std::string& file) {
     return contents.str();
 }
 
-// ---- unknown keys and misplaced tables; first, as a misspelt key explains a missing one
+// ---- unknown keys and misplaced tables; checked first, because a misspelt key explains a missing one
 
 [[noreturn]] void refuse_unknown(const TomlNode& node, const std::string& pattern, const std::string& where) {
     throw InputError(node.key_location, "unknown key '" + node.key + "'" + where, advice_for_unknown_key(pattern));
@@ -94,7 +94,7 @@ void check_keys(const TomlNode& document) {
 
 // ---- values
 
-/// Reads one key, or its default where `node` is null. `path` names it in messages.
+/// Reads one key, or its default if `node` is null. `path` is its name in messages.
 template <class Owner>
 void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const std::string& path,
               const SourceLocation& table, Quality quality) {
@@ -107,7 +107,7 @@ void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const s
     }
 }
 
-/// Throws if the item has a key that is for other kinds of parts or measures.
+/// Throws if the key of `node` does not apply to the item's kind.
 template <class Item>
 void need_fitting_key(const Item& item, const TomlNode& node, const std::string& what,
                       const std::vector<Key<Item>>& keys) {
@@ -127,7 +127,7 @@ void need_fitting_key(const Item& item, const TomlNode& node, const std::string&
 template <class Item>
 Item read_item(const TomlNode& table, const std::string& what, const std::vector<Key<Item>>& keys, Quality quality) {
     Item item;
-    std::string prefix = what;  // "part", and "part.blood" once the name is known
+    std::string prefix = what;  // "part", then "part.blood" once the name is known
     for (const auto& key : keys) {
         const bool first_two = key.facts.name() == "name" || key.facts.name() == "kind";
         if (!first_two && !key.facts.is_for(kind_of(item))) continue;
@@ -182,7 +182,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
         const bool in_table = section != nullptr && !key.facts.section().empty();
         const SourceLocation table = in_table ? section->location : SourceLocation{scene.file, 0, 0};
         read_key(scene, key, document.find(key.facts.path), key.facts.path, table,
-                 *scene.quality);  // the quality itself comes before what depends on it
+                 *scene.quality);  // it is read before the keys that depend on it
     }
     scene.selections = read_items(document, "select", schema().select, *scene.quality);
     scene.parts = read_items(document, "part", schema().part, *scene.quality);

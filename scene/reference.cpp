@@ -46,7 +46,7 @@ std::string explained(const KeyFacts& key) {
     return text + "\n";
 }
 
-/// '|' would end the cell of a Markdown table.
+/// Escapes '|', which would end the cell of a Markdown table.
 std::string cell(std::string text) {
     for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) {
         text.insert(bar, "\\");

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// The reference pages of docs/scene/, one for each table of a scene.
+// The reference pages in docs/scene/, one for each table of a scene.
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -16,14 +16,17 @@ struct Table {
     std::string_view name, meaning;
 };
 
-/// In the order in which scenes are written.
+/// In the usual order of a scene file.
 constexpr std::array tables{
     Table{"top", "The keys before the first table."},
-    Table{"geometry", "The CAD file, its unit and parameters, and the repair of its surfaces (docs/cad.md, docs/repair.md)."},
-    Table{"select", "Names faces of the geometry by position and direction, so that a part can refer to them (docs/cad.md)."},
+    Table{"geometry",
+          "The CAD file, its unit and parameters, and the repair of its surfaces (docs/cad.md, docs/repair.md)."},
+    Table{"select",
+          "Names faces of the geometry by position and direction, so that a part can refer to them (docs/cad.md)."},
     Table{"particles", "Spacing and arrangement of the particles (docs/meshing.md)."},
-    Table{"part", "What each part of the geometry is: a fluid, a rigid wall, an elastic solid, spheres, or a wall for spheres "
-                  "(docs/elastic.md, docs/spheres.md)."},
+    Table{"part",
+          "Kind and material of each part: a fluid, a rigid wall, an elastic solid, spheres, or a wall for spheres "
+          "(docs/elastic.md, docs/spheres.md)."},
     Table{"join", "Bonds between two elastic solids, or an elastic solid and a wall (docs/elastic.md)."},
     Table{"contact_pair", "How spheres of two parts interact when they touch (docs/contact.md)."},
     Table{"box", "The periodic box of a scene of spheres without a geometry."},
@@ -53,7 +56,7 @@ std::string heading_of(std::string_view table) {
     return (is_list(table) ? "`[[" : "`[") + std::string(table) + (is_list(table) ? "]]`" : "]`");
 }
 
-/// Names of pages become links.
+/// Replaces names of documentation pages by links.
 std::string with_links(std::string_view text) {
     std::string linked(text);
     for (std::size_t at = linked.find("docs/"); at != std::string::npos; at = linked.find("docs/", at + 1)) {
@@ -65,7 +68,8 @@ std::string with_links(std::string_view text) {
 }
 
 constexpr std::string_view note =
-    "This page is made from the program's table of keys; a test compares the two. `dmp explain KEY` prints one entry.\n";
+    "This page is generated from the program's table of keys; a test compares the two. `dmp explain KEY` prints one "
+    "entry.\n";
 
 }  // namespace
 
@@ -81,14 +85,16 @@ std::vector<std::string> reference_tables() {
 std::string reference_index() {
     std::string text =
         "# Scene reference\n\n"
-        "A scene is one TOML file. Each dimensional value is a quantity in quotes with its unit, such as `\"3.5 mPa*s\"`; a "
-        "bare\nnumber is refused where a unit is needed. 2-D scenes are 1 m deep, so masses are in kg, forces in N and "
-        "energies in J.\nFormulas may use `t`, `x`, `y`, `z`, `pi` and the usual functions; their dimension is checked. On "
-        "the command line, an\nentry of a list is selected by its name: `--set part.leaflets.enabled=false`.\n\n"
+        "A scene is one TOML file. Each dimensional value is a quantity in quotes with its unit, such as `\"3.5 "
+        "mPa*s\"`; a bare\nnumber is refused where a unit is needed. 2-D scenes are 1 m deep, so masses are in kg, "
+        "forces in N and "
+        "energies in J.\nFormulas may use `t`, `x`, `y`, `z`, `pi` and the usual functions; their dimension is "
+        "checked. On the command line, an\nentry of a list is selected by its name: `--set "
+        "part.leaflets.enabled=false`.\n\n"
         "| table | contents |\n|---|---|\n";
     for (const Table& table : tables)
-        text += "| [" + heading_of(table.name) + "](" + std::string(table.name) + ".md) | " + with_links(table.meaning) +
-                " |\n";
+        text += "| [" + heading_of(table.name) + "](" + std::string(table.name) + ".md) | " +
+                with_links(table.meaning) + " |\n";
     return text + "\n" + std::string(note);
 }
 

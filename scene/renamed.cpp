@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Keys and values of version 0.1 that have new names. They are refused with the new name until version 0.3.
+// Keys and values of version 0.1 that have new names. Until version 0.3 the error message gives the new name.
 #include "scene/renamed.hpp"
 
 #include <array>
@@ -14,24 +14,24 @@ struct Renamed {
 };
 
 constexpr std::array keys{
-    Renamed{"accuracy", "this table is called [numerics] now"},
-    Renamed{"run.until_still", "this key is called until_steady now"},
-    Renamed{"moving_shape.*.place", "this key is called position now"},
-    Renamed{"contact_pair.*.rolling_law", "this key is called rolling now"},
+    Renamed{"accuracy", "this table is now called [numerics]"},
+    Renamed{"run.until_still", "this key is now called until_steady"},
+    Renamed{"moving_shape.*.place", "this key is now called position"},
+    Renamed{"contact_pair.*.rolling_law", "this key is now called rolling"},
     Renamed{"contact_pair.*.law",
-            "write normal and tangential in its place: \"hertz_mindlin\" is the default of both, \"hertz_history\" is "
+            "write normal and tangential instead: \"hertz_mindlin\" is the default of both, \"hertz_history\" is "
             "tangential = \"mindlin_unscaled\", \"thesis_eq_7_5\" is normal_stiffness_factor = 3 and "
             "tangential_stiffness_factor = 2, \"none\" is enabled = false"},
 };
 
-/// By the last part of the key's path.
+/// `key` is the last part of the key's path.
 struct RenamedValue {
     std::string_view key, before, now;
 };
 
 constexpr std::array values{
-    RenamedValue{"kind", "springs", "this kind is called \"elastic\" now"},
-    RenamedValue{"adhesion", "jkr", "JKR's law is a normal law now: write normal = \"jkr\" and leave adhesion out"},
+    RenamedValue{"kind", "springs", "this kind is now called \"elastic\""},
+    RenamedValue{"adhesion", "jkr", "JKR's law is now a normal law: write normal = \"jkr\" and leave adhesion out"},
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace dmp::scene {
 
-/// What to write in place of a key that had another name in version 0.1, as advice; empty where it had none.
+/// Advice for a key that had another name in version 0.1; empty for all other keys.
 /// `pattern`: "accuracy.kernel", "contact_pair.*.law".
 std::string advice_for_renamed_key(const std::string& pattern);
 

@@ -17,7 +17,7 @@ std::string Species::amount_unit() const {
 std::string Species::concentration_unit() const { return to_string(*unit); }
 
 const Value<double>* Species::diffusivity_in(const Part& part) const {
-    // One diffusivity for all is that of all liquids; solids conduct where they are named.
+    // A single diffusivity applies to all fluids; solids conduct only if they are named.
     if (*part.kind != PartKind::fluid && !diffusivity.parts.contains(*part.name)) return nullptr;
     return diffusivity.of(*part.name);
 }
@@ -47,7 +47,7 @@ const Part* Scene::part_named(const std::string& name) const {
 
 const Part& Scene::part_of_particles(const std::string& name) const {
     if (const Part* part = part_named(name)) return *part;
-    throw InputError("the particles have a part '" + name + "' that the scene does not know", "mesh the scene again");
+    throw InputError("the particles have a part '" + name + "' that is not in the scene", "mesh the scene again");
 }
 
 std::vector<const Part*> Scene::parts_of(PartKind kind) const {

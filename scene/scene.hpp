@@ -15,10 +15,10 @@
 
 namespace dmp::scene {
 
-/// A scene file, read: every key with its value in SI units, defaults filled in.
+/// The contents of a scene file: the values of all keys in SI units, with defaults filled in.
 struct Scene {
     std::string file;       ///< path of the scene file as given
-    std::string directory;  ///< its folder; relative paths in the scene start here
+    std::string directory;  ///< its folder; relative paths in the scene refer to it
     std::string hash;       ///< of the resolved scene (all defaults, SI), 16 hex digits
 
     Value<int> schema = 1;  ///< version of the scene's keys
@@ -27,12 +27,12 @@ struct Scene {
     Value<Quality> quality = Quality::standard;
 
     struct {
-        Value<std::string> file;   ///< the geometry, absolute or relative to `directory`
-        Value<double> unit = 1.0;  ///< one unit of the geometry [m]; geometries without a unit need it given
-        /// DefineConstant names -> values in the geometry's own units (lengths already divided by `unit`).
+        Value<std::string> file;   ///< CAD file, absolute or relative to `directory`
+        Value<double> unit = 1.0;  ///< one unit of the CAD file [m]; required if the file does not state it
+        /// Values by DefineConstant name, in the CAD file's units (lengths are divided by `unit`).
         std::map<std::string, Value<double>> parameters;
         Value<RepairKind> repair = RepairKind::wrap;
-        Value<double> largest_hole = 8.0;  ///< perimeter of holes that are filled [spacings]
+        Value<double> largest_hole = 8.0;  ///< largest perimeter of holes that are filled [spacings]
     } geometry;
     std::vector<Selection> selections;
 
@@ -41,15 +41,15 @@ struct Scene {
         Value<Arrangement> arrangement = Arrangement::square;
         Value<FillKind> fill = FillKind::lattice;
         Value<double> disorder = 0.0;  ///< largest random displacement of fluid particles along an axis [spacings]
-        Value<int> seed = 1;           ///< of the disorder
+        Value<int> seed = 1;           ///< of the random numbers
     } particles;
 
-    std::vector<Part> parts;  ///< in the order written, disabled ones included
+    std::vector<Part> parts;  ///< in the order of the file, including disabled ones
 
     struct {
         std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
         std::array<Value<bool>, 3> periodic;     ///< by axis
-        Value<std::vector<BoxSide>> symmetry;    ///< sides on which the scene is mirrored
+        Value<std::vector<BoxSide>> symmetry;    ///< sides of the fluid's box that are planes of symmetry
         Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
         Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
         Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
@@ -57,7 +57,7 @@ struct Scene {
     } flow;
 
     struct {
-        Value<double> range = 1.0;     ///< r*, cut-off of the short-range repulsion [spacings]; 0 switches it off
+        Value<double> range = 1.0;     ///< r*, cut-off of the short-range repulsion [spacings]; 0 turns it off
         Value<double> strength = 0.0;  ///< K [J]; 0 = "auto"
     } contact;
 
@@ -65,48 +65,48 @@ struct Scene {
         Value<KernelKind> kernel = KernelKind::wendland_c2;
         Value<double> support = 3.0;      ///< support radius [spacings]
         Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": flow.largest_speed / mach_number
-        Value<double> mach_number = 0.1;  ///< largest speed over sound speed, where that is "auto" [-]
+        Value<double> mach_number = 0.1;  ///< largest speed / sound speed, if that is "auto" [-]
         Value<WallModel> walls = WallModel::extrapolated;
         Value<EquationOfState> equation_of_state = EquationOfState::tait;
         Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
         Value<DensityModel> density = DensityModel::continuity;
         Value<bool> gradient_correction = false;  ///< Bonet & Lok 1999
         Value<ViscousLaw> viscous_law;
-        Value<ViscosityMean> viscosity_mean = ViscosityMean::harmonic;  ///< between fluids of unlike viscosity
-        Value<double> density_diffusion = 0.1;   ///< delta of Molteni & Colagrossi [-]; 0 switches it off
-        Value<double> shifting = 4.0;            ///< strength s of the particle shifting [-]; 0 switches it off
+        Value<ViscosityMean> viscosity_mean = ViscosityMean::harmonic;  ///< between fluids of different viscosity
+        Value<double> density_diffusion = 0.1;   ///< delta of Molteni & Colagrossi [-]; 0 turns it off
+        Value<double> shifting = 4.0;            ///< coefficient s of particle shifting [-]; 0 turns it off
         Value<bool> transport_velocity = false;  ///< Adami, Hu & Adams 2013, instead of shifting
         Value<double> step_factor = 0.3;         ///< c0 dt / support radius [-]
         Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
-        Value<double> viscosity_tolerance = 1e-6;  ///< of implicit viscosity: the velocities' relative error [-]
+        Value<double> viscosity_tolerance = 1e-6;  ///< implicit viscosity: relative error of the velocities [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;
-        Value<double> spring_step_factor = 0.5;  ///< fraction of the springs' largest stable step [-]
+        Value<double> spring_step_factor = 0.5;  ///< fraction of the largest stable step of the springs [-]
         Value<SpeciesStepping> species_stepping = SpeciesStepping::explicitly;
-        Value<double> species_tolerance = 1e-8;  ///< of implicit diffusion: the concentrations' relative error [-]
-        Value<double> steps_per_contact = 20.0;  ///< of spheres: steps in the shortest elastic impact [-]
-        Value<double> contact_step = 0.0;        ///< the spheres' time step [s]; 0 = "auto": from steps_per_contact
+        Value<double> species_tolerance = 1e-8;  ///< implicit diffusion: relative error of the concentrations [-]
+        Value<double> steps_per_contact = 20.0;  ///< spheres: steps in the shortest elastic impact [-]
+        Value<double> contact_step = 0.0;        ///< spheres: time step [s]; 0 = "auto": from steps_per_contact
     } numerics;
 
     struct {
         Value<double> duration;            ///< [s]
-        Value<int> threads = 0;            ///< 0 = all the machine has
-        Value<double> until_steady = 0.0;  ///< spheres: time without any change after which to end [s]; 0: do not
+        Value<int> threads = 0;            ///< 0: all that the machine has
+        Value<double> until_steady = 0.0;  ///< spheres: duration of the steady state that ends the run [s]; 0: never
     } run;
 
     struct {
         Value<double> every;                ///< time between frames [s]
-        std::vector<FluidField> fields;     ///< per-particle fields in the frames
+        std::vector<FluidField> fields;     ///< fields of the fluid particles in the frames
         Value<double> measure_every = 0.0;  ///< time between rows of measures.csv [s]; 0 = every / 4
         Value<bool> pictures = true;
         Value<FluidField> picture_field = FluidField::velocity;
-        /// Fields of solids in the frames; strain and force are the bonds'.
+        /// Fields of elastic solids in the frames; strain and force are per bond.
         std::vector<SolidField> solid_fields{SolidField::velocity, SolidField::displacement, SolidField::strain,
                                              SolidField::force};
         Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 
     std::vector<Species> species;
-    /// Of a scene that has spheres and no geometry; given where an axis is periodic.
+    /// Box of a scene of spheres, which has no geometry; required if an axis is periodic.
     struct {
         Value<Vec> from{Vec::Zero()};  ///< one corner [m]
         Value<Vec> to{Vec::Zero()};    ///< the opposite one [m]
@@ -121,26 +121,26 @@ struct Scene {
     std::vector<Solidify> solidify;
     std::vector<Breaking> breaking;
 
-    /// The number of the species that a measure is of; throws std::out_of_range where there is none.
+    /// Index of the species of a measure; throws std::out_of_range if there is none.
     [[nodiscard]] std::size_t species_of(const Measure& measure) const;
-    /// Whether spring bodies may change while the scene runs.
+    /// Whether elastic bodies may gain or lose bonds during the run.
     [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
-    /// Whether there may be spring bodies at some time.
+    /// Whether there are elastic bodies at the start or later.
     [[nodiscard]] bool may_have_elastic() const { return !solidify.empty() || !parts_of(PartKind::elastic).empty(); }
-    /// The joins between parts that are enabled, in order.
+    /// The joins whose parts are enabled, in order.
     [[nodiscard]] std::vector<const Join*> joins_of_enabled() const;
-    /// The part of that name, enabled or not; null where there is none.
+    /// The part with this name, enabled or not; null if there is none.
     [[nodiscard]] const Part* part_named(const std::string& name) const;
-    /// The part that particles name; throws InputError where there is none, as they are of another scene then.
+    /// The part with a name found in a particle file; throws InputError if there is none: the file is of another scene.
     [[nodiscard]] const Part& part_of_particles(const std::string& name) const;
     /// The enabled parts of one kind, in order.
     [[nodiscard]] std::vector<const Part*> parts_of(PartKind kind) const;
     /// Their names.
     [[nodiscard]] std::vector<std::string> names_of_parts(PartKind kind) const;
-    /// What happens where these two parts touch, in either order: the pair that names both, else one that names one of
-    /// them and "any", else "any" twice; none where the scene does not say. The last pair of equal rank counts.
+    /// The contact pair of two parts, in either order: the pair that names both, else one that names one of them and
+    /// "any", else "any" twice; null if there is none. The last pair of equal rank takes precedence.
     [[nodiscard]] const ContactPair* contact_between(const std::string& a, const std::string& b) const;
-    /// Whether frames or a probe need this field.
+    /// Whether frames, probes or solidification rules need this field.
     [[nodiscard]] bool asks_for(FluidField field) const;
     [[nodiscard]] bool asks_for(SolidField field) const;
 };

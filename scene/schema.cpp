@@ -22,7 +22,7 @@ using Run = decltype(Scene::run);
 using Output = decltype(Scene::output);
 using SceneBox = decltype(Scene::box);
 
-// One key a row. Columns: key, the kinds it is for (parts and measures), member, type with unit and range, default,
+// One row per key. Columns: key, kinds of parts or measures that have it, member, type with unit and range, default,
 // meaning.
 // clang-format off
 
@@ -30,29 +30,30 @@ std::vector<Key<Scene>> top_keys() {
     return {
         {"schema", &Scene::schema, integer(exactly(1, "this dmp reads schema = 1")), required,
          "Version of the scene's keys."},
-        {"title", &Scene::title, text(), not_given, "What the scene shows; stands on the report and the pictures."},
+        {"title", &Scene::title, text(), not_given, "What the scene shows; a title in reports and pictures."},
         {"dimension", &Scene::dimension, integer(Range{2, 3, false, {}}), "2",
-         "Dimensions of space; a 2-D scene is 1 m deep."},
+         "Number of dimensions, 2 or 3; a 2-D scene is 1 m deep."},
         {"quality", &Scene::quality, one_of<Quality>(), "standard",
-         "Sets what trades accuracy for speed together, where the scene does not give it (docs/accuracy.md)."},
+         "Trades accuracy for speed: sets the default of several keys together (docs/accuracy.md)."},
     };
 }
 
 std::vector<Key<Geometry>> geometry_keys() {
     return {
         {"file", &Geometry::file, text_not_empty(), not_given,
-         "The geometry, beside the scene file or with its full path; scenes of spheres and their walls have none."},
+         "CAD file, relative to the scene's folder or absolute. Scenes of spheres have none."},
         {"unit", &Geometry::unit, quantity("1 mm", positive), "1 m",
-         "Length of one unit of the geometry. STL, OBJ, PLY, OFF and BREP files do not say it: the scene must; STEP and IGES "
-         "files do, and it is left out."},
+         "Length of one unit of the CAD file. Required for STL, OBJ, PLY, OFF and BREP files, which do not state "
+         "their unit; not allowed for STEP and IGES files, which do."},
         {"parameters", {}, &Geometry::parameters, [](const Geometry& geometry) { return parameters(geometry.unit); },
          parameters(1).description, "{}",
-         "Values for the geometry's DefineConstant names; lengths are turned into the geometry's unit, angles into radians."},
+         "Values for the DefineConstant names of the CAD file. Lengths are converted to the file's unit, angles to "
+         "radians."},
         {"repair", &Geometry::repair, one_of<RepairKind>(), "wrap",
-         "How far the repair of a fluid's surface that is not closed may go; each step has those before it "
+         "Largest repair allowed for a fluid's surface that is not closed; each level includes the previous ones "
          "(docs/repair.md)."},
         {"largest_hole", &Geometry::largest_hole, number(not_negative), "8",
-         "Perimeter in spacings of the largest hole that repair = \"fill\" closes."},
+         "Perimeter of the largest hole that repair = \"fill\" closes, in particle spacings."},
     };
 }
 
@@ -65,97 +66,118 @@ ValueType<double> angle_type() {
 
 std::vector<Key<Selection>> select_keys() {
     return {
-        {"name", &Selection::name, name(), required, "What the selected faces are called, for a part of this name."},
-        {"of", &Selection::of, name(), required, "The volume or surface of the geometry whose faces they are; in 2-D the area or curve of which they are curves."},
-        {"x", &Selection::x, quantity("2 mm"), not_given, "Faces that lie in the plane of this x."},
-        {"y", &Selection::y, quantity("2 mm"), not_given, "Faces that lie in the plane of this y."},
-        {"z", &Selection::z, quantity("2 mm"), not_given, "Faces that lie in the plane of this z."},
-        {"from", &Selection::from, point(), not_given, "One corner of a box along the axes that the faces lie in."},
+        {"name", &Selection::name, name(), required,
+         "Name of the surface that the selected faces form; a part of this name consists of it."},
+        {"of", &Selection::of, name(), required,
+         "Volume or surface of the geometry whose faces are selected; in 2-D the area or curve whose pieces are "
+         "selected."},
+        {"x", &Selection::x, quantity("2 mm"), not_given, "Selects faces in the plane of this x."},
+        {"y", &Selection::y, quantity("2 mm"), not_given, "Selects faces in the plane of this y."},
+        {"z", &Selection::z, quantity("2 mm"), not_given, "Selects faces in the plane of this z."},
+        {"from", &Selection::from, point(), not_given,
+         "Selects faces inside a box along the axes: one of its corners."},
         {"to", &Selection::to, point(), not_given, "The opposite corner."},
-        {"normal", &Selection::normal, direction(), not_given, "Faces that face this way, out of the body or area."},
+        {"normal", &Selection::normal, direction(), not_given,
+         "Selects faces whose outward normal has this direction, to within angle."},
         {"angle", &Selection::angle, angle_type(), "10 deg",
-         "How far from the normal they may face."},
-        {"except", &Selection::except, names(), not_given, "Faces that are in none of these selections, surfaces or curves; with nothing else: all the others."},
+         "Largest angle between normal and the outward normal of a selected face."},
+        {"except", &Selection::except, names(), not_given,
+         "Selects faces that are in none of these earlier selections, surfaces or curves. Without other criteria, "
+         "all remaining faces are selected."},
     };
 }
 
 std::vector<Key<Particles>> particles_keys() {
     return {
         {"spacing", &Particles::spacing, quantity("0.1 mm", positive), not_given,
-         "Distance between neighbouring particles; needed for all but spheres."},
+         "Distance between neighbouring particles; required except in scenes of spheres."},
         {"arrangement", &Particles::arrangement, one_of<Arrangement>(), "square",
-         "Lattice on which the fluid starts; in 3-D \"square\" is cubic, \"hexagonal\" is close-packed, and there is "
-         "face-centred cubic, \"fcc\"."},
+         "Lattice of the initial fluid particles: \"square\" (cubic in 3-D), \"hexagonal\" (close-packed in 3-D) "
+         "or, in 3-D only, face-centred cubic \"fcc\"."},
         {"fill", &Particles::fill, one_of<FillKind>(), "lattice",
-         "\"relaxed\" moves particles off the lattice until they follow the curves or surfaces of the geometry, those of walls "
-         "too, with particles at corners and edges; arrangement is then where they start from, and \"square\" a good start. "
-         "\"sampled\" does the same from places at random that keep their distance, without a lattice's directions."},
+         "\"lattice\" leaves particles on the lattice. \"relaxed\" starts on it and moves fluid and wall particles "
+         "until they follow the curves or surfaces of the geometry, with particles at corners and edges; use it "
+         "with the \"square\" arrangement. \"sampled\" does the same from random fluid positions that keep a "
+         "distance from each other, so that no lattice direction remains (docs/meshing.md)."},
         {"disorder", &Particles::disorder, number(between(0, 0.4)), "0",
-         "Largest random displacement of fluid particles from the lattice along each axis, in spacings."},
-        {"seed", &Particles::seed, integer(not_negative), "1", "Chooses among the random displacements, the sampled places, and the places of spheres."},
+         "Largest initial random displacement of fluid particles from the lattice along each axis, in spacings."},
+        {"seed", &Particles::seed, integer(not_negative), "1",
+         "Seed of the random numbers for disorder, sampled positions and positions of spheres."},
     };
 }
 
 std::vector<Key<Part>> part_keys() {
     const Kinds all, fluid = {"fluid"}, rigid = {"rigid"}, springs = {"elastic"};
     return {
-        {"name", all, &Part::name, name(), required, "The part's physical group, solid or curve in the geometry, if it is drawn."},
+        {"name", all, &Part::name, name(), required,
+         "Name of the part: its physical group, solid, surface or curve in the geometry, if it has one there."},
         {"kind", all, &Part::kind, one_of<PartKind>(), required,
-         "What the part is made of: a fluid, a rigid wall, a flexible solid of masses and springs, spheres that touch, or a "
-         "wall for spheres: a plane or a surface of triangles."},
-        {"enabled", all, &Part::enabled, boolean(), "true", "false leaves the part out; its name stays known."},
+         "Kind of part: a fluid, a rigid wall, an elastic solid (masses and springs), spheres in contact, or a wall "
+         "for spheres (a plane or a surface of triangles)."},
+        {"enabled", all, &Part::enabled, boolean(), "true",
+         "false leaves the part out of the simulation; the geometry may still contain it."},
         {"density", fluid, &Part::density, quantity("1000 kg/m^3", positive), required, "Density at rest."},
         {"viscosity", fluid, &Part::viscosity, quantity("1 mPa*s", not_negative), required, "Dynamic viscosity."},
         {"layers", rigid, &Part::layers, integer(at_least(1)), ByQuality{"3", "3", "4"},
          "Rows of wall particles; the wall must be as thick as the kernel's support."},
         {"surface_velocity", rigid, &Part::surface_velocity, formulas("1 m/s"), "[0, 0]",
-         "How fast the wall's surface slides in itself, as a lid or a belt does, by formulas of t, x, y."},
+         "Velocity of the wall's surface along itself, as of a lid or a belt, as formulas of t, x, y, z."},
         {"slip", rigid, &Part::slip, boolean(), "false",
-         "Whether the fluid slides along the wall without shear stress; false: it sticks."},
+         "true: the fluid slips along the wall without shear stress; false: no slip."},
         {"velocity", rigid, &Part::velocity, formulas("0.1 m/s"), "[0, 0]",
-         "How fast the part moves as a whole, by formulas of t."},
+         "Velocity of the part, as formulas of t."},
         {"spin", rigid, &Part::spin, formula("2 rad/s"), "0",
-         "How fast the part turns about its centre, counter-clockwise, by a formula of t."},
+         "Angular velocity of the part about its centre, anticlockwise, as a formula of t."},
         {"centre", rigid, &Part::centre, point(), "[0, 0]",
-         "What the part turns about, as drawn; it moves with the part's velocity."},
+         "Initial position of the centre of rotation; it moves with the part's velocity."},
         {"layers", springs, &Part::layers,
          integer(exactly(2, "elastic solids have two rows of particles for now: write layers = 2")), "2",
          "Rows of particles across the solid's thickness."},
         {"density", springs, &Part::density, quantity("1100 kg/m^3", positive), not_given,
-         "Of the material, in 3-D and of an area in 2-D; of a strip mass_per_length says it."},
+         "Density of the material, in 3-D and for an area in 2-D; a strip (a curve in 2-D) takes mass_per_length "
+         "instead."},
         {"bending_stiffness", springs, &Part::bending_stiffness, quantity("3e-6 N*m^2", positive), not_given,
-         "EI of a strip 1 m deep; with axial_stiffness, or youngs_modulus and thickness in their place."},
+         "Bending stiffness EI of a strip 1 m deep. Give it with axial_stiffness, or give youngs_modulus and "
+         "thickness instead."},
         {"axial_stiffness", springs, &Part::axial_stiffness, quantity("100 N", positive), not_given,
-         "EA of a strip 1 m deep."},
+         "Axial stiffness EA of a strip 1 m deep."},
         {"shear_stiffness", springs, &Part::shear_stiffness, quantity("40 N", positive), not_given,
-         "GA of a strip 1 m deep, shear correction and all; without it what the lattice has for its EI and EA."},
+         "Shear stiffness GA of a strip 1 m deep, including the shear correction factor. Without it, GA follows "
+         "from EI and EA and the lattice."},
         {"youngs_modulus", springs, &Part::youngs_modulus, quantity("2 MPa", positive), not_given,
-         "E of the material. Of a strip 1 m deep the thickness h gives EA = E h / (1 - nu^2), EI = E h^3 / (12 (1 - nu^2)); of a shell in 3-D E h and D = E h^3 / (12 (1 - nu^2))."},
+         "Young's modulus E of the material. A strip 1 m deep of thickness h has EA = E h / (1 - nu^2) and EI = E "
+         "h^3 / (12 (1 - nu^2)); a shell in 3-D has E h and D = E h^3 / (12 (1 - nu^2))."},
         {"thickness", springs, &Part::thickness, quantity("0.3 mm", positive), not_given,
-         "Thickness h that goes with youngs_modulus, of a strip, or of a surface in 3-D, which becomes a shell."},
+         "Thickness h of a strip, with youngs_modulus, or of a surface in 3-D, which becomes a shell."},
         {"poisson_ratio", springs, &Part::poisson_ratio, number(between(0, 0.5)), not_given,
-         "nu that goes with youngs_modulus, of a strip held in its depth; without it, or 0, the strip is free to change it. Of a solid 0 to 0.25, and 0.25 is the fastest."},
+         "Poisson's ratio nu, with youngs_modulus. A strip with nu is in plane strain (its depth is held); without "
+         "nu, or with 0, its depth is free to change. A solid takes 0 to 0.25; 0.25 is fastest."},
         {"lower_axial_stiffness", springs, &Part::lower_axial_stiffness, boolean(), "true",
-         "Lower EA, or a shell's E h (with cross_bonds: raise it), where the lattice cannot also hold EI, or D, at this spacing; false makes that an error."},
+         "Whether EA (of a shell: E h) may be lowered, or raised with cross_bonds, where the lattice cannot provide "
+         "it together with EI (of a shell: D) at this spacing. false makes this an error."},
         {"cross_bonds", springs, &Part::cross_bonds, boolean(), "false",
-         "Bonds along both diagonals of each cell in place of hinges at its corners; for EA of 5 EI / spacing^2 and more."},
+         "Bonds along both diagonals of each cell instead of hinges at its corners; for EA of at least 5 EI / "
+         "spacing^2."},
         {"bonds_within", springs, &Part::bonds_within, quantity("0.15 mm", positive), not_given,
-         "Of a solid: bonds between all its particles no further apart, of a Poisson ratio of 0.25, in place of the springs of lattice cells; for every arrangement and fill."},
+         "For a solid: bonds between all its particles within this distance, with a Poisson's ratio of 0.25, "
+         "instead of springs on lattice cells. Works with every arrangement and fill."},
         {"mass_per_length", springs, &Part::mass_per_length, quantity("0.4 kg/m", positive), not_given,
-         "Mass of a strip 1 m deep along its length; needed in 2-D for a curve."},
+         "Mass per length of a strip 1 m deep; required for a curve in 2-D."},
         {"anchor", springs, &Part::anchor, text_not_empty(), not_given,
-         "Named points of the geometry where the part is clamped, or a curve, on which its ends are; of an area all nodes next to them; in 3-D a surface or volume: all nodes next to it are. Without it the part is free."},
+         "What the part is clamped to: points or a curve in 2-D, a surface or volume in 3-D. A strip is clamped at "
+         "the points, or where its ends lie on the curve; an area or solid at all nodes next to it; a shell along "
+         "the edge that touches it. Without anchor the part is free."},
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
-         "Dashpot along each bond and at each hinge, as a fraction of critical damping."},
+         "Dashpot of each bond and hinge, as a fraction of critical damping."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
-         "Linear drag in the lab frame: force = -drag * velocity on each particle."},
+         "Linear drag in the lab frame; the force on each particle is -drag * velocity."},
     };
 }
 
 std::vector<Key<SceneBox>> box_keys() {
     return {
         {"from", &SceneBox::from, point(), not_given,
-         "One corner of the box that repeats itself along flow.periodic, in scenes of spheres, which have no geometry."},
+         "One corner of the box that repeats along flow.periodic, for scenes of spheres, which have no geometry."},
         {"to", &SceneBox::to, point(), not_given, "The opposite corner."},
     };
 }
@@ -163,27 +185,27 @@ std::vector<Key<SceneBox>> box_keys() {
 std::vector<Key<Flow>> flow_keys() {
     return {
         {"acceleration", &Flow::acceleration, formulas("0.1 m/s^2"), "[0, 0]",
-         "Body acceleration of fluid and spheres along x and y, as formulas of t, x, y."},
-        {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene repeats itself."},
+         "Body acceleration of fluid and spheres, as formulas of t, x, y, z."},
+        {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene is periodic."},
         {"symmetry", &Flow::symmetry, list_of<BoxSide>(), "[]",
-         "Sides of the box around the fluid on which the whole scene is mirrored."},
+         "Sides of the fluid's box that are planes of symmetry."},
         {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
-         "Largest speed expected; needed where numerics.sound_speed is \"auto\"."},
+         "Largest speed expected; required if numerics.sound_speed is \"auto\"."},
         {"largest_pressure", &Flow::largest_pressure, quantity("2 kPa", positive), not_given,
-         "Largest pressure expected; without it the fluid's extent times density and body acceleration."},
+         "Largest pressure expected; by default the fluid's extent times density and body acceleration."},
         {"initial_velocity", &Flow::initial_velocity, formulas("0.1 m/s"), "[0, 0]",
-         "Velocity with which the fluid starts, along x and y, as formulas of x, y."},
+         "Initial velocity of the fluid, as formulas of x, y, z."},
         {"initial_pressure", &Flow::initial_pressure, formula("100 Pa"), "0",
-         "Pressure with which the fluid starts, as a formula of x, y; density follows from the equation of state."},
+         "Initial pressure of the fluid, as a formula of x, y, z; the density follows from the equation of state."},
     };
 }
 
 std::vector<Key<Contact>> contact_keys() {
     return {
         {"range", &Contact::range, number(not_negative), "1.0",
-         "Cut-off of the short-range repulsion in spacings; 0 switches it off."},
+         "Cut-off distance of the short-range repulsion, in spacings; 0 turns the repulsion off."},
         {"strength", &Contact::strength, quantity_or_auto("1e-6 J"), "auto",
-         "Strength K of the short-range repulsion."},
+         "Strength K of the short-range repulsion; \"auto\" chooses it."},
     };
 }
 
@@ -192,58 +214,67 @@ std::vector<Key<Numerics>> numerics_keys() {
         {"kernel", &Numerics::kernel, one_of<KernelKind>(), ByQuality{"lucy", "wendland_c2", "wendland_c2"},
          "Smoothing kernel."},
         {"support", &Numerics::support, number(between(2, 6)), ByQuality{"3.0", "3.0", "4.0"},
-         "Radius of the kernel's support in spacings."},
+         "Support radius of the kernel, in spacings."},
         {"sound_speed", &Numerics::sound_speed, quantity_or_auto("2 m/s"), "auto",
-         "Speed of sound of the fluid; \"auto\" follows from numerics.mach_number, flow.largest_speed and the largest "
-         "pressure."},
+         "Speed of sound of the fluid. \"auto\" derives it from numerics.mach_number, flow.largest_speed and the "
+         "largest pressure."},
         {"mach_number", &Numerics::mach_number, number(Range{0.01, 0.3, false, {}}), ByQuality{"0.15", "0.1", "0.1"},
-         "Largest speed over the speed of sound where that is \"auto\"; density varies by about its square."},
+         "Largest speed divided by the speed of sound, if that is \"auto\"; the density varies by about its square."},
         {"walls", &Numerics::walls, one_of<WallModel>(), "extrapolated",
-         "What wall particles carry: pressure and velocity extrapolated from the fluid, or plain resting fluid."},
+         "Wall particles: \"extrapolated\" takes their pressure and velocity from the fluid, \"plain\" treats them "
+         "as fluid at rest."},
         {"equation_of_state", &Numerics::equation_of_state, one_of<EquationOfState>(), "tait",
-         "Pressure from density: Tait's equation with exponent 7, or a straight line."},
+         "Equation of state: Tait's equation with exponent 7, or a linear one."},
         {"background_pressure", &Numerics::background_pressure, quantity("200 Pa", not_negative), "0",
-         "Pressure added to the equation of state, for fluids that are confined or periodic."},
+         "Constant pressure added to the equation of state, for confined or periodic fluids."},
         {"density", &Numerics::density, one_of<DensityModel>(), "continuity",
-         "Density from its rate, or anew each step as a sum over neighbours."},
+         "Density: integrated from its rate (\"continuity\"), or computed in each step as a sum over neighbours "
+         "(\"summation\")."},
         {"gradient_correction", &Numerics::gradient_correction, boolean(), "false",
-         "Whether the kernel's gradient is corrected, so that linear fields have exact gradients."},
+         "Whether kernel gradients are corrected, so that gradients of linear fields are exact."},
         {"viscous_law", &Numerics::viscous_law, one_of<ViscousLaw>(), "morris",
          "Viscous force: " + meanings<ViscousLaw>() + "."},
         {"viscosity_mean", &Numerics::viscosity_mean, one_of<ViscosityMean>(), "harmonic",
-         "Mean of two viscosities where fluids of unlike viscosity meet."},
+         "Mean of the two viscosities where fluids of different viscosity meet."},
         {"density_diffusion", &Numerics::density_diffusion, number(between(0, 1)), "0.1",
-         "Strength delta of the density diffusion; 0 switches it off, as density = \"summation\" does."},
+         "Coefficient delta of the density diffusion; 0 turns it off. It is off with density = \"summation\"."},
         {"shifting", &Numerics::shifting, number(not_negative), ByQuality{"3.0", "4.0", "6.0"},
-         "Strength of the particle shifting; 0 switches it off, as transport_velocity = true does."},
+         "Coefficient of particle shifting; 0 turns it off. It is off with transport_velocity = true."},
         {"transport_velocity", &Numerics::transport_velocity, boolean(), "false",
-         "Whether particles move with a transport velocity that spreads them evenly, instead of shifting."},
+         "Whether particles move with a transport velocity, which keeps them evenly spread, instead of shifting."},
         {"step_factor", &Numerics::step_factor, number(fraction), ByQuality{"0.4", "0.3", "0.15"},
-         "Fluid step: speed of sound * step / support radius."},
+         "Time step of the fluid, times the speed of sound, divided by the support radius."},
         {"viscosity_stepping", &Numerics::viscosity_stepping, one_of<ViscosityStepping>(), "explicit",
-         "Viscous forces of velocities as they were, which limits the step, or as they will be, solved for in each step."},
+         "Integration of viscous forces: \"explicit\", which limits the time step, or \"implicit\", which solves a "
+         "linear system in each step."},
         {"viscosity_tolerance", &Numerics::viscosity_tolerance, number(between(1e-14, 0.01)), "1e-6",
-         "Implicit viscosity: when a solve ends, as the velocities' error by its residual over the velocities."},
+         "Implicit viscosity: the iteration ends when the residual's estimate of the velocity error, divided by the "
+         "velocities, is below this."},
         {"spring_stepping", &Numerics::spring_stepping, one_of<SpringStepping>(), "implicit",
-         "How springs keep up with the fluid: one implicit step with it, or many small explicit ones."},
+         "Integration of elastic solids: \"implicit\", one step with each fluid step, or \"subcycled\", many small "
+         "explicit steps."},
         {"spring_step_factor", &Numerics::spring_step_factor, number(fraction), "0.5",
-         "Explicit spring step as a fraction of the largest stable one."},
+         "Subcycled elastic solids: their time step as a fraction of the largest stable one."},
         {"species_stepping", &Numerics::species_stepping, one_of<SpeciesStepping>(), "explicit",
-         "Diffusion of species by concentrations as they were, which limits the step, or as they will be, solved for in each step."},
+         "Integration of the diffusion of species: \"explicit\", which limits the time step, or \"implicit\", which "
+         "solves a linear system in each step."},
         {"species_tolerance", &Numerics::species_tolerance, number(between(1e-14, 0.01)), "1e-8",
-         "Implicit diffusion: when a solve ends, as the concentrations' error by its residual over the concentrations."},
+         "Implicit diffusion: the iteration ends when the residual's estimate of the concentration error, divided "
+         "by the concentrations, is below this."},
         {"steps_per_contact", &Numerics::steps_per_contact, number(at_least(5)), ByQuality{"10", "20", "50"},
-         "Spheres: time steps in the shortest elastic impact, where contact_step is \"auto\"."},
-        {"contact_step", &Numerics::contact_step, quantity_or_auto("1 ns"), "auto", "Spheres: the time step."},
+         "Spheres: number of time steps in the shortest elastic impact, if contact_step is \"auto\"."},
+        {"contact_step", &Numerics::contact_step, quantity_or_auto("1 ns"), "auto",
+         "Spheres: time step; \"auto\" derives it from steps_per_contact."},
     };
 }
 
 std::vector<Key<Run>> run_keys() {
     return {
         {"duration", &Run::duration, quantity("4 s", positive), required, "Simulated time."},
-        {"threads", &Run::threads, integer(not_negative), "0", "Threads to run on; 0 takes all the machine has."},
+        {"threads", &Run::threads, integer(not_negative), "0", "Number of threads; 0 uses all that the machine has."},
         {"until_steady", &Run::until_steady, quantity("10 us", not_negative), "0 s",
-         "Spheres: end the run once nothing has changed for this time, no contact and hardly the kinetic energy; 0: do not."},
+         "Spheres: ends the run once the state has been steady for this time: no contact has begun or ended, and "
+         "the kinetic energy has hardly changed. 0: never."},
     };
 }
 
@@ -251,21 +282,21 @@ std::vector<Key<Output>> output_keys() {
     return {
         {"every", &Output::every, quantity("20 ms", positive), required, "Time between frames."},
         {"fields", &Output::fields, list_of<FluidField>(), "['velocity', 'pressure', 'shear_stress']",
-         "Fields of each particle in the frames."},
+         "Fields of the fluid particles in the frames (docs/results.md)."},
         {"measure_every", &Output::measure_every, quantity_or_auto("5 ms"), "auto",
          "Time between rows of measures.csv; \"auto\" is a quarter of output.every."},
-        {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are drawn."},
-        {"picture_field", &Output::picture_field, one_of<FluidField>(), "velocity", "Field the pictures show."},
+        {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are made."},
+        {"picture_field", &Output::picture_field, one_of<FluidField>(), "velocity", "Field shown in the pictures."},
         {"solid_fields", &Output::solid_fields, list_of<SolidField>(),
          "['velocity', 'displacement', 'strain', 'force']",
-         "Fields of spring bodies in the frames; strain and force are of each bond."},
+         "Fields of elastic solids in the frames; strain and force are per bond (docs/results.md)."},
         {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
-         "When time averages (mean_displacement) begin."},
+         "Time at which time averages (mean_displacement) begin."},
     };
 }
 // clang-format on
 
-/// Adds the keys of one table of the scene.
+/// Appends the keys of one table of the scene to `keys`.
 template <class Section>
 void add_section(std::vector<Key<Scene>>& keys, const std::string& name, Section Scene::*member,
                  std::vector<Key<Section>> rows) {

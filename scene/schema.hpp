@@ -15,18 +15,18 @@
 
 namespace dmp::scene {
 
-/// A default that differs between the levels of quality, each written as on the command line.
+/// A default that depends on the quality level, written as on the command line.
 struct ByQuality {
     const char *draft, *standard, *fine;
 };
 
-/// What stands in for a key that is not given: nothing may (required), nothing need (not_given), or a value, written
-/// as on the command line (texts without their quotes).
+/// Default of a key: the key is required, or may be left out without a value (not_given), or has a default value,
+/// written as on the command line (texts without quotes).
 struct Default {
     enum class Presence { required, not_given, value };
     Presence presence = Presence::value;
-    std::string value;        ///< of the standard quality, and of all where they do not differ
-    std::string draft, fine;  ///< empty where they do not differ
+    std::string value;        ///< for standard quality, or for all levels
+    std::string draft, fine;  ///< empty if the default does not depend on the quality
 
     [[nodiscard]] bool depends_on_quality() const { return !draft.empty(); }
     [[nodiscard]] const std::string& at(Quality quality) const;
@@ -39,12 +39,12 @@ struct Default {
 inline constexpr auto required = Default::Presence::required;
 inline constexpr auto not_given = Default::Presence::not_given;
 
-/// The kinds of part or measure a key is for; empty: all.
+/// Kinds of parts or measures that have a key; empty: all.
 using Kinds = std::vector<std::string>;
 
-/// One key as told to the user.
+/// Description of a key for the user.
 struct KeyFacts {
-    std::string path;  ///< "particles.spacing"; "part.*.density" for a key of every part
+    std::string path;  ///< "particles.spacing"; "part.*.density" for a key of parts
     std::string type;  ///< with unit and range
     Default fallback = required;
     Kinds kinds;
@@ -62,7 +62,7 @@ void assign(Value<T>& member, T value, const SourceLocation& location) {
     member = {std::move(value), location};
 }
 template <class T>
-void assign(T& member, T value, const SourceLocation& /*a plain member keeps no place*/) {
+void assign(T& member, T value, const SourceLocation& /*not stored by a plain member*/) {
     member = std::move(value);
 }
 
@@ -86,13 +86,13 @@ bool is_given(const Member& member) {
 
 }  // namespace detail
 
-/// One row of the schema: a key and the member of `Owner` that holds it.
+/// One row of the schema: a key and the member of `Owner` that stores its value.
 template <class Owner>
 struct Key {
     KeyFacts facts;
-    /// Puts the node's value into the owner. The text is the key's path, for messages.
+    /// Stores the node's value in the owner. The string is the key's path, for messages.
     std::function<void(Owner&, const TomlNode&, const std::string&)> read;
-    /// The member as TOML; empty where nothing was given and nothing is needed.
+    /// The member as TOML; empty for a key that was left out and has no default.
     std::function<std::string(const Owner&)> write;
 
     template <class Member, class T>
@@ -106,7 +106,7 @@ struct Key {
               std::move(name), std::move(kinds), member, [type](const Owner&) -> const ValueType<T>& { return type; },
               type.description, fallback, std::move(meaning)) {}
 
-    /// For a value that is read in the light of an earlier one: `type_for` makes the type from the owner so far.
+    /// For a type that depends on a key read earlier: `type_for` returns the type for the owner read so far.
     template <class Member, class TypeFor>
     Key(std::string name, Kinds kinds, Member Owner::*member, TypeFor type_for, std::string type,
         const Default& fallback, std::string meaning)
@@ -126,8 +126,8 @@ struct Key {
         : facts(std::move(f)), read(std::move(r)), write(std::move(w)) {}
 };
 
-/// Every key of a scene file, in the order of the reference page. Reading, defaults, checks of single values, the
-/// explanations and the resolved scene all come from here.
+/// All keys of a scene file, in the order of the reference. Reading, defaults, checks of single values, explanations
+/// and the resolved scene are derived from it.
 struct Schema {
     std::vector<Key<Scene>> scene;
     std::vector<Key<Selection>> select;
@@ -142,16 +142,16 @@ struct Schema {
     std::vector<Key<Solidify>> solidify;
     std::vector<Key<Breaking>> breaking;
 
-    /// A key that differs between kinds appears once for each.
+    /// All keys in order; a key that differs between kinds of parts or measures appears once for each.
     [[nodiscard]] std::vector<KeyFacts> facts() const;
 };
 
 const Schema& schema();
 
-/// Names of the lists of tables: "part" for [[part]], ...
+/// Names of the arrays of tables: "part" for [[part]], ...
 const std::vector<std::string>& item_lists();
 
-/// The word of an item's kind; "" for items without kinds.
+/// Name of an item's kind; "" for items without kinds.
 template <class Item>
 std::string kind_of(const Item& item) {
     if constexpr (requires { item.kind; }) return to_string(*item.kind);
@@ -162,16 +162,16 @@ std::string kind_of(const Item& item) {
 /// "geometry.parameters".
 std::string key_pattern(const std::string& path);
 
-/// The schema's key most like `pattern` (as key_pattern gives it); empty when none is near.
+/// The key of the schema most similar to `pattern` (from key_pattern); empty if none is similar.
 std::string nearest_key(const std::string& pattern);
 
 /// "'spacing' in [particles]", "'density' in [[part]]", "'title' at the top".
 std::string shown_key(const std::string& pattern);
 
-/// "did you mean ...?", or what the section takes where nothing is near.
+/// "did you mean ...?", or the keys of the section if none is similar.
 std::string advice_for_unknown_key(const std::string& pattern);
 
-/// scene_reference() of the wanted keys.
+/// scene_reference() restricted to the wanted keys.
 std::string scene_reference(const std::function<bool(const KeyFacts&)>& wanted);
 
 }  // namespace dmp::scene

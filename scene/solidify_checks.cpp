@@ -13,7 +13,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// The error for a name that stands for nothing that will do.
+/// Throws the error for a name of a missing, disabled or wrong part.
 [[noreturn]] void refuse_name(const Scene& scene, const Value<std::string>& name, const std::string& key,
                               const std::string& whose, const std::string& expected,
                               const std::vector<std::string>& names) {
@@ -41,7 +41,7 @@ void check_liquid(const Scene& scene, const Solidify& rule) {
     if (const Part* same = scene.part_named(rule.name))
         throw InputError(rule.name.location,
                          "there is already a part called '" + *rule.name + "', at " + same->name.location.text(),
-                         "give what turns solid a name of its own");
+                         "give the [[solidify]] a name of its own");
 }
 
 void check_region_name(const Scene& scene, const Solidify& rule, const Value<std::string>& region,
@@ -66,11 +66,11 @@ void check_seeds(const Scene& scene, const Solidify& rule) {
         rule.seed_region.given() || rule.seed_stress_above.given() || rule.seed_residence_above.given();
     if (!rule.seed_part.given()) {
         if (of_liquid) return;
-        throw InputError(rule.name.location, named(rule) + " has no seeds: nothing would ever turn solid",
+        throw InputError(rule.name.location, named(rule) + " has no seeds: nothing would solidify",
                          "add seed_part, seed_region or seed_stress_above");
     }
     if (of_liquid)
-        throw InputError(rule.seed_part.location, named(rule) + " has seeds of a part and seeds of liquid",
+        throw InputError(rule.seed_part.location, named(rule) + " has both a seed_part and fluid seeds",
                          "leave out seed_part, or write a [[solidify]] for each");
     auto solids = scene.names_of_parts(PartKind::rigid);
     for (const auto& name : scene.names_of_parts(PartKind::elastic)) solids.push_back(name);
@@ -80,14 +80,14 @@ void check_seeds(const Scene& scene, const Solidify& rule) {
         if (*wall->name == *rule.seed_part && wall->moves())
             throw InputError(rule.seed_part.location,
                              "seed_part of " + named(rule) + ": part '" + *wall->name +
-                                 "' moves, and bonds to walls hold at places that stay",
-                             "take a part that rests, or an elastic solid");
+                                 "' moves; a rigid part with bonds must be at rest",
+                             "name a part at rest, or an elastic solid");
 }
 
 void check_activity(const Solidify& rule) {
     const bool one_in = *rule.active == SeedActivity::one_in;
     if (one_in && !rule.one_in.given())
-        throw InputError(rule.active.location, named(rule) + ": active = \"one_in\" does not say in how many events",
+        throw InputError(rule.active.location, named(rule) + ": active = \"one_in\" needs the number one_in",
                          "add one_in = 10, for example");
     if (!one_in && rule.one_in.given())
         throw InputError(
@@ -124,21 +124,19 @@ void check_solidify(const Scene& scene) {
         check_region_name(scene, rule, rule.region, "region", rule.residence_above, "residence_above");
         check_activity(rule);
         if (!scene.flow.symmetry->empty())
-            throw InputError(rule.name.location,
-                             named(rule) + ": there are planes of symmetry, and solids have no image",
-                             "leave out flow.symmetry, and draw both sides");
+            throw InputError(rule.name.location, named(rule) + ": solids cannot be mirrored at planes of symmetry",
+                             "leave out flow.symmetry, and model both sides");
     }
     if (!scene.solidify.empty() && !scene.species.empty())
-        throw InputError(
-            scene.solidify.front().name.location,
-            named(scene.solidify.front()) +
-                ": the scene has [[species]], and what is dissolved in liquid that turns solid would be lost",
-            "species in aggregates are not there yet: leave out [[solidify]] or [[species]]");
+        throw InputError(scene.solidify.front().name.location,
+                         named(scene.solidify.front()) +
+                             ": the scene has [[species]], which would be lost from fluid that solidifies",
+                         "species in aggregates are not supported yet: leave out [[solidify]] or [[species]]");
     for (const Breaking& rule : scene.breaking) check_breaking(scene, rule);
     if (scene.changes_bodies() && scene.asks_for(SolidField::mean_displacement))
         throw InputError(
             scene.solidify.empty() ? scene.breaking.front().name.location : scene.solidify.front().name.location,
-            "output.solid_fields asks for mean_displacement, which is of bodies that stay as they were drawn",
+            "output.solid_fields contains mean_displacement, which is not available with [[solidify]] or [[break]]",
             "leave mean_displacement out");
 }
 

@@ -8,57 +8,65 @@ namespace dmp::scene {
 
 std::vector<Key<Solidify>> solidify_keys() {
     return {
-        {"name", &Solidify::name, name(), required, "What the solid is called that comes into being."},
-        {"liquid", &Solidify::liquid, name(), required, "The fluid part whose particles turn solid."},
+        {"name", &Solidify::name, name(), required, "Name of the resulting solid, used by measures and [[break]]."},
+        {"liquid", &Solidify::liquid, name(), required, "Fluid part whose particles solidify."},
         {"seed_part", &Solidify::seed_part, name(), not_given,
-         "A rigid or elastic solid, whose particles are the first seeds; or give one of the other seed keys."},
+         "Rigid or elastic part whose particles are the first seeds; or give another seed key."},
         {"seed_region", &Solidify::seed_region, name(), not_given,
-         "A region, in which liquid turns into seeds: once, at the first event, or whenever the next two keys say so."},
+         "Region whose fluid particles become seeds, once, at the first event. With seed_stress_above or "
+         "seed_residence_above, only those that exceed these values, at every event."},
         {"seed_stress_above", &Solidify::seed_stress_above, quantity("2 Pa", positive), not_given,
-         "Liquid under more shear stress turns into a seed, at every event."},
+         "Fluid particles whose shear stress exceeds this become seeds, at every event."},
         {"seed_residence_above", &Solidify::seed_residence_above, quantity("1 s", positive), not_given,
-         "Liquid that has been in seed_region for longer turns into a seed, at every event."},
-        {"region", &Solidify::region, name(), not_given, "A region; only liquid in it turns solid near a seed."},
+         "Fluid particles that have spent more time than this in seed_region become seeds, at every event."},
+        {"region", &Solidify::region, name(), not_given,
+         "Only fluid particles in this region may solidify near a seed."},
         {"stress_above", &Solidify::stress_above, quantity("2 Pa", positive), not_given,
-         "Only liquid under more shear stress turns solid near a seed."},
+         "Only fluid particles whose shear stress exceeds this may solidify near a seed."},
         {"residence_above", &Solidify::residence_above, quantity("1 s", positive), not_given,
-         "Only liquid that has been in the region for longer turns solid near a seed."},
+         "Only fluid particles that have spent more time than this in region may solidify near a seed."},
         {"rule", &Solidify::rule, one_of<SolidifyRule>(), "per_candidate",
-         "What a random trial is made for: each pair of a seed and liquid within reach, each liquid particle within reach of "
-         "a seed, or pairs that are each other's nearest."},
+         "Random trials of an event: one for each pair of a seed and a fluid particle within reach, one for each "
+         "fluid particle within reach of a seed, or one for each seed and fluid particle that are each other's "
+         "nearest."},
         {"reach", &Solidify::reach, quantity("0.12 mm", positive), required,
-         "R_max, distance from a seed within which liquid may turn solid; neighbours are about a spacing away."},
-        {"probability", &Solidify::probability, number(fraction), required, "With which the rule binds, in one event."},
-        {"from", &Solidify::from, quantity("0.5 s", not_negative), "0 s", "When the first event is."},
+         "R_max, the distance from a seed within which a fluid particle may solidify; nearest neighbours are about "
+         "one spacing apart."},
+        {"probability", &Solidify::probability, number(fraction), required,
+         "Probability that a random trial succeeds and makes a bond."},
+        {"from", &Solidify::from, quantity("0.5 s", not_negative), "0 s", "Time of the first event."},
         {"interval", &Solidify::interval, quantity("10 ms", positive), required, "Time between events."},
         {"active", &Solidify::active, one_of<SeedActivity>(), "always",
-         "When a seed acts: in every event, in its first one only, or in one of one_in events."},
-        {"one_in", &Solidify::one_in, integer(at_least(1)), not_given, "N, with active = \"one_in\"."},
-        {"spreads", &Solidify::spreads, boolean(), "true", "Whether what turned solid is a seed from the next event on."},
+         "Events in which a seed is active: \"always\", only its first one (\"once\"), or its first one and every "
+         "N-th after it (\"one_in\")."},
+        {"one_in", &Solidify::one_in, integer(at_least(1)), not_given, "N for active = \"one_in\"."},
+        {"spreads", &Solidify::spreads, boolean(), "true",
+         "Whether solidified particles become seeds from the next event on."},
         {"most_bonds", &Solidify::most_bonds, integer(at_least(1)), not_given,
-         "Bonds that one particle may be given; without it, any number."},
+         "Largest number of bonds that one particle gets; no limit by default."},
         {"bond_stiffness", &Solidify::bond_stiffness, quantity("10 N/m", positive), required,
-         "k_b of a new bond, of energy k_b (r - r0)^2."},
+         "Stiffness k_b of a new bond, whose energy is k_b (r - r0)^2."},
         {"rest_length", &Solidify::rest_length, quantity_or_auto("0.1 mm"), "auto",
-         "r0 of a new bond; \"auto\" is the distance when it is made."},
+         "Rest length r0 of a new bond; \"auto\" is the distance at its creation."},
         {"bond_damping", &Solidify::bond_damping, number(between(0, 1)), "0.01",
-         "Dashpot along a new bond, as a fraction of critical damping."},
+         "Dashpot of a new bond, as a fraction of critical damping."},
         {"bond_to", &Solidify::bond_to, one_of<BondTo>(), "seed",
-         "What a particle that turns solid is bonded to: its seed, or also all of the aggregate within reach."},
-        {"seed", &Solidify::seed, integer(not_negative), "1", "Chooses among the random numbers."},
+         "Bonds of a solidifying particle: to its \"seed\", or to all \"neighbours\": its seed and all particles of "
+         "the aggregate within reach."},
+        {"seed", &Solidify::seed, integer(not_negative), "1", "Seed of the random numbers."},
     };
 }
 
 std::vector<Key<Breaking>> breaking_keys() {
     return {
-        {"name", &Breaking::name, name(), required, "What the rule is called."},
-        {"part", &Breaking::part, name(), required, "The elastic solid, [[solidify]] or [[join]] whose bonds may break."},
+        {"name", &Breaking::name, name(), required, "Name of the rule."},
+        {"part", &Breaking::part, name(), required, "Elastic part, [[solidify]] or [[join]] whose bonds may break."},
         {"force_above", &Breaking::force_above, quantity("1 mN", positive), not_given,
-         "Tension 2 k_b (r - r0) beyond which a bond breaks; or give strain_above."},
+         "Tension 2 k_b (r - r0) above which a bond breaks; or give strain_above."},
         {"strain_above", &Breaking::strain_above, number(positive), not_given,
-         "Strain (r - r0) / r0 beyond which a bond breaks."},
+         "Strain (r - r0) / r0 above which a bond breaks; or give force_above."},
         {"interval", &Breaking::interval, quantity("1 ms", positive), not_given,
-         "Time between looks at the bonds; without it they are looked at in every step."},
+         "Time between checks of the bonds; every time step by default."},
     };
 }
 // clang-format on

@@ -7,7 +7,7 @@
 
 namespace dmp::scene {
 
-/// The schema's rows of [[solidify]] and [[break]].
+/// Rows of the schema for [[solidify]] and [[break]].
 std::vector<Key<Solidify>> solidify_keys();
 std::vector<Key<Breaking>> breaking_keys();
 

@@ -15,7 +15,7 @@ SourceLocation location_in(const Scene& scene, const SourceLocation& location) {
 
 std::string named(const Species& species) { return "species '" + *species.name + "'"; }
 
-/// The part that an entry of a table is for; parts that are left out stay known.
+/// The part of a table's entry, enabled or not; throws InputError if there is none.
 const Part& known_part(const Scene& scene, const std::string& table, const std::string& name,
                        const SourceLocation& location) {
     if (const Part* part = scene.part_named(name)) return *part;
@@ -29,7 +29,7 @@ const Part& known_part(const Scene& scene, const std::string& table, const std::
 void need_no_time(const std::string& key, const Value<Expression>& formula) {
     if (!formula->depends_on_time()) return;
     throw InputError(formula.location, key + " depends on t: \"" + formula->text() + "\"",
-                     "write a formula of x, y and z; a start has no time");
+                     "write a formula of x, y and z: initial values do not depend on time");
 }
 
 void check_diffusivity(const Scene& scene, const Species& species) {
@@ -38,7 +38,7 @@ void check_diffusivity(const Scene& scene, const Species& species) {
     for (const Part* fluid : scene.parts_of(PartKind::fluid))
         if (species.diffusivity.of(*fluid->name) == nullptr)
             throw InputError(species.name.location, table + ": the fluid '" + *fluid->name + "' is missing",
-                             "give its diffusivity too; 0 where the species goes along with the fluid alone");
+                             "add its diffusivity; 0 if the species only moves with the fluid");
 }
 
 void check_start(const Scene& scene, const Species& species) {
@@ -50,16 +50,16 @@ void check_start(const Scene& scene, const Species& species) {
         if (species.diffusivity_in(part) != nullptr) continue;
         throw InputError(value.location,
                          table + ": the part '" + name + "' of kind '" + to_string(*part.kind) +
-                             "' holds nothing of the species, as it has no diffusivity",
+                             "' does not carry the species, because it has no diffusivity",
                          "add it to the species' diffusivity, or leave it out here");
     }
 }
 
-/// Walls that are held at a concentration, or give off a flux.
+/// Walls with a fixed concentration or flux must be rigid, named and not conducting.
 void check_walls(const Scene& scene, const Species& species, const ByPart<Expression>& walls, const std::string& key) {
     const std::string table = named(species) + ", " + key;
     if (walls.all)
-        throw InputError(walls.all->location, table + ": it does not say of which parts",
+        throw InputError(walls.all->location, table + ": one value for all parts is not allowed",
                          "write a table of rigid parts, " + key + " = { wall = ... }");
     for (const auto& [name, value] : walls.parts) {
         const Part& part = known_part(scene, table, name, value.location);
@@ -68,14 +68,15 @@ void check_walls(const Scene& scene, const Species& species, const ByPart<Expres
                              table + ": '" + name + "' is of kind '" + to_string(*part.kind) + "', expected 'rigid'",
                              "name rigid parts only");
         if (species.diffusivity_in(part) != nullptr)
-            throw InputError(value.location, table + ": '" + name + "' conducts the species, as it has a diffusivity",
+            throw InputError(value.location,
+                             table + ": '" + name + "' conducts the species, because it has a diffusivity",
                              "leave it out of one of the two");
     }
 }
 
 void check_one(const Scene& scene, const Species& species) {
     if (scene.parts_of(PartKind::fluid).empty())
-        throw InputError(species.name.location, named(species) + ": there is no fluid that it could be dissolved in",
+        throw InputError(species.name.location, named(species) + ": there is no fluid to dissolve it",
                          "add a [[part]] with kind = \"fluid\", or leave the species out");
     check_diffusivity(scene, species);
     check_start(scene, species);
@@ -107,7 +108,7 @@ void need_species(const Scene& scene, const Measure& measure) {
         throw InputError(measure.kind.location, what + " is about a species, and the scene has none",
                          "add a [[species]], or leave the measure out");
     if (measure.species->empty() && names.size() > 1)
-        throw InputError(measure.name.location, what + " does not say of which species it is",
+        throw InputError(measure.name.location, what + " does not name its species",
                          "write species = one of " + quoted_list(names));
     if (measure.species->empty() || std::ranges::find(names, *measure.species) != names.end()) return;
     const std::string nearest = nearest_name(*measure.species, names);
@@ -136,8 +137,8 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
         for (const auto& [name, value] : species.wall_concentration.parts) held.push_back(name);
         throw InputError(
             measure.part.location,
-            "measure '" + *measure.name + "': '" + *measure.part + "' is no wall that " + named(species) +
-                " is held at a concentration at",
+            "measure '" + *measure.name + "': '" + *measure.part + "' is not a wall where " + named(species) +
+                " has a fixed concentration",
             held.empty() ? "add the part to the species' wall_concentration" : "such walls are " + quoted_list(held));
     }
     if (measure.length.given() != measure.area.given())
@@ -150,9 +151,7 @@ void check_species_measure(const Scene& scene, const Measure& measure) {
     using enum MeasureKind;
     if (*measure.kind == probe && *measure.field == FluidField::concentration && scene.species.empty())
         throw InputError(measure.field.location,
-                         "the probe '" + *measure.name +
-                             "' reads a concentration, and the scene "
-                             "has no species",
+                         "the probe '" + *measure.name + "' reads a concentration, and the scene has no species",
                          "add a [[species]], or read another field");
     if (!is_about_species(*measure.kind)) return;
     need_species(scene, measure);
@@ -168,12 +167,12 @@ void check_output(const Scene& scene) {
     const bool pictured = *scene.output.picture_field == FluidField::concentration;
     if (pictured && scene.species.size() > 1)
         throw InputError(location_in(scene, scene.output.picture_field.location),
-                         "output.picture_field = \"concentration\": there are several species, and one array for each",
-                         "leave one [[species]], or picture another field");
+                         "output.picture_field = \"concentration\": there are several species, each with its own field",
+                         "keep only one [[species]], or choose another field");
     const bool listed = std::ranges::find(scene.output.fields, FluidField::concentration) != scene.output.fields.end();
     if (scene.species.empty() && (pictured || listed))
         throw InputError(location_in(scene, scene.output.picture_field.location),
-                         "'concentration' is asked for, and the scene has no species",
+                         "'concentration' needs a species, and the scene has none",
                          "add a [[species]], or leave the field out");
 }
 

@@ -5,7 +5,7 @@
 
 namespace dmp::scene {
 
-/// Throws InputError where species, what they are given by part, and what is asked of them do not fit together.
+/// Throws InputError if species, their values by part, and the measures of them are inconsistent.
 void check_species(const Scene& scene);
 
 }  // namespace dmp::scene

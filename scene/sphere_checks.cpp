@@ -13,12 +13,7 @@ namespace {
 
 std::string part_of(const Part& part) { return "part '" + *part.name + "'"; }
 
-const SourceLocation* position_of(const TomlNode& document, const char* path) {
-    const TomlNode* node = document.find(path);
-    return node == nullptr ? nullptr : &node->location;
-}
-
-/// The place where one of these is given, else that of the fallback.
+/// The first known location, otherwise the fallback.
 SourceLocation first_given(std::initializer_list<const SourceLocation*> places, const SourceLocation& fallback) {
     for (const SourceLocation* location : places)
         if (location->known()) return *location;
@@ -29,32 +24,31 @@ void need_room_for_spheres(const Scene& scene) {
     const Part& first = *scene.parts_of(PartKind::spheres).front();
     if (scene.dimension != 3)
         throw InputError(scene.dimension.given() ? scene.dimension.location : first.kind.location,
-                         part_of(first) + " is of spheres, which live in 3-D, and the scene has 2 dimensions",
+                         part_of(first) + " is of spheres, which need a 3-D scene, and the scene has 2 dimensions",
                          "write dimension = 3");
     for (const PartKind kind : {PartKind::fluid, PartKind::elastic, PartKind::rigid}) {
         const auto others = scene.parts_of(kind);
         if (others.empty()) continue;
         throw InputError(others.front()->kind.location,
                          "spheres ('" + *first.name + "') and parts of kind '" + to_string(kind) + "' ('" +
-                             *others.front()->name + "') do not act on each other",
+                             *others.front()->name + "') do not interact",
                          kind == PartKind::rigid ? "give spheres walls of kind 'plane' or 'surface'"
                                                  : "leave one of them out of the scene");
     }
     if (!scene.flow.symmetry->empty())
-        throw InputError(scene.flow.symmetry.location, "flow.symmetry: spheres know no planes of symmetry",
+        throw InputError(scene.flow.symmetry.location, "flow.symmetry: scenes of spheres have no planes of symmetry",
                          "leave out flow.symmetry");
 }
 
-/// Periods of a scene without a geometry.
+/// A periodic scene without a geometry needs a box.
 void check_box(const Scene& scene, const TomlNode& document) {
     const auto& box = scene.box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!*scene.flow.periodic[axis]) continue;
         if (!box.from.given() || !box.to.given()) {
-            const SourceLocation* location = position_of(document, "box");
+            const SourceLocation* location = document.location_of("box");
             throw InputError(location != nullptr ? *location : scene.flow.periodic[axis].location,
-                             std::string("the scene repeats itself along ") + "xyz"[axis] +
-                                 ", and does not say how long a period is",
+                             std::string("the scene is periodic along ") + "xyz"[axis] + ", but its period is missing",
                              R"(add [box] with from = [0, 0, 0] and to = ["1 mm", "1 mm", "1 mm"])");
         }
         const auto along = static_cast<Eigen::Index>(axis);
@@ -145,7 +139,7 @@ void check_around(const Scene& scene, const Part& part) {
                                     : "'" + *part.around + "', which is of kind '" + to_string(*inner->kind) + "'"),
             "name an enabled part of one sphere");
     if (!inner->around.given() && inner->centres->size() == 1) return;
-    if (inner->positions.given()) return;  // the mesher knows how many there are
+    if (inner->positions.given()) return;  // the mesher checks their number
     throw InputError(part.around.location,
                      part_of(part) + ": its spheres sit around one sphere, and '" + *part.around + "' has more",
                      "name a part with one centre");
@@ -157,7 +151,7 @@ void need_start_without_time(const Part& part) {
             if (formula.depends_on_time())
                 throw InputError(formulas.location,
                                  std::string(key) + " of '" + *part.name + "' depends on t: \"" + formula.text() + "\"",
-                                 "write formulas of x, y and z; a start has no time");
+                                 "write formulas of x, y and z: initial values do not depend on time");
     };
     need("initial_velocity", part.initial_velocity);
     need("initial_spin", part.initial_spin);
@@ -172,7 +166,7 @@ void check_wall(const Part& wall) {
                          part_of(wall) + " has " +
                              (wall.youngs_modulus.given() ? "a youngs_modulus" : "a poisson_ratio") + " and no " +
                              (wall.youngs_modulus.given() ? "poisson_ratio" : "youngs_modulus"),
-                         "give both, or neither for a wall that does not yield");
+                         "give both, or neither for a rigid wall");
 }
 
 // ---- contacts
@@ -189,10 +183,10 @@ void check_names(const Scene& scene, const ContactPair& pair) {
         if (name == "any" || (part != nullptr && (*part->kind == PartKind::spheres || part->is_wall_for_spheres())))
             continue;
         if (part == nullptr) throw unknown_part(scene, pair.parts.location, name, false);
-        throw InputError(pair.parts.location,
-                         "'" + name + "' is of kind '" + to_string(*part->kind) +
-                             "', and contact pairs are of spheres and their walls",
-                         "name parts of kind 'spheres', 'plane' or 'surface'");
+        throw InputError(
+            pair.parts.location,
+            "'" + name + "' is of kind '" + to_string(*part->kind) + "'; contact pairs are for spheres and their walls",
+            "name parts of kind 'spheres', 'plane' or 'surface'");
     }
     if (spheres == 0)
         throw InputError(pair.parts.location, of_pair(pair) + ": both are walls, which do not touch each other",
@@ -219,12 +213,12 @@ void check_law(const ContactPair& pair) {
                              pair.restitution.location.text() + ", and as coefficients",
                          "give restitution, or normal_damping and tangential_damping");
     if (!pair.restitution.given() && !pair.normal_damping.given())
-        throw InputError(at, of_pair(pair) + " does not say how much of an impact it gives back",
+        throw InputError(at, of_pair(pair) + " has neither a restitution nor damping coefficients",
                          "give restitution (1: elastic), or normal_damping and tangential_damping");
     if (!pair.friction.given())
         throw InputError(at,
-                         of_pair(pair) + ": friction is missing, and the law '" + to_string(*pair.tangential) +
-                             "' has a tangential force",
+                         of_pair(pair) + ": friction is missing, which the tangential law '" +
+                             to_string(*pair.tangential) + "' needs",
                          "add friction = 0.3 (Coulomb's coefficient), or friction = 0 for spheres that slide freely");
 }
 
@@ -249,8 +243,9 @@ void check_adhesion(const ContactPair& pair) {
         refuse(pair.pull_off_force, "pull_off_force", advice);
     } else if (pair.work_of_adhesion.given() == pair.pull_off_force.given()) {
         throw InputError(at,
-                         of_pair(pair) + (pair.pull_off_force.given() ? " says twice how strongly it adheres"
-                                                                      : " adheres, and does not say how strongly"),
+                         of_pair(pair) + (pair.pull_off_force.given() ? " gives the strength of its adhesion twice"
+                                                                      : " adheres, but the strength of the adhesion "
+                                                                        "is missing"),
                          "give work_of_adhesion or pull_off_force");
     }
     if (!has_range) {
@@ -270,7 +265,7 @@ void check_adhesion(const ContactPair& pair) {
 /// Whether the part's spheres can touch each other.
 bool has_several(const Part& part) { return part.centres->size() != 1 && *part.count != 1; }
 
-/// Nothing may touch without a law.
+/// Each pair of parts that can touch needs a contact pair.
 void need_contact_of_all(const Scene& scene) {
     std::vector<const Part*> spheres = scene.parts_of(PartKind::spheres), others = spheres;
     for (const PartKind kind : {PartKind::plane, PartKind::surface})
@@ -281,8 +276,8 @@ void need_contact_of_all(const Scene& scene) {
             if (i == j && !has_several(*spheres[i])) continue;
             if (scene.contact_between(a, b) != nullptr) continue;
             throw InputError(others[j]->name.location,
-                             i == j ? "spheres of '" + a + "' can touch each other, and no [[contact_pair]] says how"
-                                    : "'" + a + "' and '" + b + "' can touch, and no [[contact_pair]] says how",
+                             i == j ? "spheres of '" + a + "' can touch each other, but have no [[contact_pair]]"
+                                    : "'" + a + "' and '" + b + "' can touch, but have no [[contact_pair]]",
                              "add a [[contact_pair]] with parts = [\"" + a + "\", \"" + b +
                                  "\"], restitution and friction, or enabled = false");
         }
@@ -302,7 +297,7 @@ void check_spheres(const Scene& scene, const TomlNode& document) {
         for (const Part* wall : scene.parts_of(kind)) {
             if (spheres.empty())
                 throw InputError(wall->kind.location, part_of(*wall) + " is a wall for spheres, and the scene has none",
-                                 "draw walls of a fluid and give them kind = \"rigid\"");
+                                 "for walls of a fluid, use kind = \"rigid\"");
             check_wall(*wall);
         }
     if (spheres.empty()) return;
@@ -325,9 +320,9 @@ void check_sphere_measure(const Scene& scene, const Measure& measure) {
                             kind == MeasureKind::wall_force || kind == MeasureKind::detached;
     if (of_spheres != has_spheres)
         throw InputError(measure.kind.location,
-                         "measure '" + *measure.name + "': '" + to_string(kind) + "' is of " +
+                         "measure '" + *measure.name + "': '" + to_string(kind) + "' is for " +
                              (of_spheres ? "spheres, and the scene has none"
-                                         : "a fluid and what is in it, and the scene is of spheres"),
+                                         : "scenes with a fluid or elastic solids, and the scene is of spheres"),
                          "leave it out, or choose another kind");
     if (!of_spheres || kind == MeasureKind::wall_force) return;
     const Part* part = scene.part_named(measure.part);
@@ -338,7 +333,7 @@ void check_sphere_measure(const Scene& scene, const Measure& measure) {
                          "name a part of spheres");
     if (kind == MeasureKind::detached && has_several(*part))
         throw InputError(measure.part.location,
-                         "'" + *part->name + "' has several spheres, and what detaches is counted from one",
+                         "'" + *part->name + "' has several spheres, but detachment is counted from a single one",
                          "name a part of one sphere");
 }
 

@@ -6,12 +6,12 @@
 
 namespace dmp::scene {
 
-/// Checks of spheres, their walls and contacts: one way to place them, one mass, a law for each two parts that can
-/// touch, damping and friction where it needs them. Throws InputError.
+/// Checks spheres, their walls and contacts: positions and mass are given once, and each pair of parts that can touch
+/// has a contact law with the damping and friction that it needs. Throws InputError.
 void check_spheres(const Scene& scene, const TomlNode& document);
 
-/// Throws InputError where a measure of spheres is asked for without them, or another one with them; or its part is
-/// none.
+/// Throws InputError for a measure of spheres in a scene without them, another measure in a scene with them, or a
+/// measure of a part that does not exist.
 void check_sphere_measure(const Scene& scene, const Measure& measure);
 
 }  // namespace dmp::scene

@@ -7,10 +7,10 @@
 
 namespace dmp::scene {
 
-/// The schema's rows of spheres parts and of their walls, planes and surfaces.
+/// Rows of the schema for parts of kind spheres, plane and surface.
 std::vector<Key<Part>> sphere_part_keys();
 
-/// The schema's rows of [[contact_pair]].
+/// Rows of the schema for [[contact_pair]].
 std::vector<Key<ContactPair>> contact_pair_keys();
 
 }  // namespace dmp::scene

@@ -5,14 +5,13 @@ namespace dmp::scene {
 
 namespace {
 
-/// How stiff an elastic solid is: as a strip, or as a material and a thickness.
+/// The stiffness of a strip is given either directly, or by a material and a thickness.
 void need_one_stiffness(const Part& part) {
     const std::string part_name = "part '" + *part.name + "'";
     if (part.shear_stiffness.given() && part.cross_bonds)
         throw InputError(part.cross_bonds.location,
                          part_name + " has cross_bonds and shear_stiffness, at " +
-                             part.shear_stiffness.location.text() +
-                             ", which decides itself how much of the shear cross bonds take",
+                             part.shear_stiffness.location.text() + ", which determines the cross bonds itself",
                          "leave out cross_bonds");
     const bool as_strip = part.bending_stiffness.given() || part.axial_stiffness.given();
     const bool as_material = part.youngs_modulus.given() || part.thickness.given() || part.poisson_ratio.given();
@@ -35,18 +34,18 @@ void need_one_stiffness(const Part& part) {
                                    : "give bending_stiffness and axial_stiffness, or youngs_modulus and thickness");
 }
 
-/// Bonds between all that is near are of solids, and have one Poisson ratio.
+/// bonds_within is for solids only, and its Poisson's ratio is 0.25.
 void check_bonds_within(const Scene& scene, const Part& part) {
     if (!part.bonds_within.given()) return;
     const std::string part_name = "part '" + *part.name + "'";
     const bool is_strip = scene.dimension == 2 && !part.density.given();
     if (is_strip || part.thickness.given())
-        throw InputError(part.bonds_within.location,
-                         part_name + ": bonds_within is of a solid, and this is a " + (is_strip ? "strip" : "shell"),
-                         "leave it out, or draw " + std::string(scene.dimension == 2 ? "an area" : "a volume"));
+        throw InputError(
+            part.bonds_within.location,
+            part_name + ": bonds_within is for solids, and this is a " + (is_strip ? "strip" : "shell"),
+            "leave it out, or model the part as " + std::string(scene.dimension == 2 ? "an area" : "a volume"));
     if (part.poisson_ratio.given() && *part.poisson_ratio != 0.25)
-        throw InputError(part.poisson_ratio.location,
-                         part_name + ": bonds between all that is near give a Poisson ratio of 0.25 and no other",
+        throw InputError(part.poisson_ratio.location, part_name + ": bonds_within gives a Poisson's ratio of 0.25 only",
                          "write poisson_ratio = 0.25, or leave out bonds_within");
 }
 
@@ -62,11 +61,11 @@ void refuse_what_strips_have(const Part& part, const std::string& why, const std
     refuse(part.cross_bonds, "cross_bonds");
 }
 
-/// In 2-D, where the part has a density.
+/// In 2-D, a part with a density is an area.
 void need_what_an_area_is_made_of(const Part& part) {
-    const std::string why = "is of a strip, and density says that the part is an area";
+    const std::string why = "is for strips, and a part with a density is an area";
     const std::string what_to_do =
-        "give an area density, youngs_modulus and poisson_ratio; a curve mass_per_length and no density";
+        "for an area give density, youngs_modulus and poisson_ratio; for a curve give mass_per_length and no density";
     refuse_what_strips_have(part, why, what_to_do);
     if (part.thickness.given())
         throw InputError(part.thickness.location, "part '" + *part.name + "': thickness " + why, what_to_do);
@@ -83,12 +82,12 @@ void check_elastic_material(const Scene& scene, const Part& part) {
         if (!part.mass_per_length.given())
             throw InputError(
                 part.name.location, part_name + ": mass_per_length is missing",
-                "add mass_per_length, such as mass_per_length = \"0.4 kg/m\": of a strip 1 m deep; or, for "
-                "an area of the geometry, density");
+                "add mass_per_length, such as mass_per_length = \"0.4 kg/m\" (of a strip 1 m deep), or, for an area "
+                "of the geometry, density");
         return need_one_stiffness(part);
     }
-    refuse_what_strips_have(part, "is of a strip in 2-D, and the scene is in 3-D",
-                            "give density, youngs_modulus and poisson_ratio, and of a surface its thickness");
+    refuse_what_strips_have(part, "is for strips in 2-D, and the scene is 3-D",
+                            "give density, youngs_modulus and poisson_ratio, and thickness for a surface");
     const auto need = [&](bool given, const char* key, const char* example) {
         if (!given)
             throw InputError(part.name.location, part_name + ": " + key + " is missing",

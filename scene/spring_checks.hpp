@@ -5,7 +5,7 @@
 
 namespace dmp::scene {
 
-/// Whether each elastic solid says once what it is made of: in 2-D a strip, in 3-D a material. Throws
+/// Checks that each elastic solid has exactly one set of stiffnesses: of a strip (2-D) or of a material. Throws
 /// InputError.
 void check_elastic(const Scene& scene);
 

@@ -11,7 +11,7 @@ namespace dmp::scene {
 
 namespace {
 
-/// The document's bytes by line and column, to look up what the user wrote.
+/// Access to the document's text by line and column.
 class Source {
   public:
     Source(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
@@ -26,7 +26,7 @@ class Source {
         return {file_, static_cast<int>(position.line), static_cast<int>(position.column)};
     }
 
-    /// Everything from a position on; empty when the position is not in the text.
+    /// The text from a position on; empty if the position is not in the text.
     [[nodiscard]] std::string_view from(const toml::source_position& position) const {
         if (position.line == 0 || position.line > line_starts_.size()) return {};
         std::size_t at = line_starts_[position.line - 1];
@@ -64,7 +64,7 @@ WrittenText written_text(const std::string& value, const toml::source_position& 
         } else {
             first.column += static_cast<int>(quote.size());
         }
-        // where an escape stands in the source the characters do not line up: only the value's place is known
+        // With an escape in the source, columns are unknown: only the location of the value is.
         if (inside.starts_with(value)) text.first_character = first;
         break;
     }
@@ -144,6 +144,11 @@ const TomlNode* TomlNode::find(std::string_view path) const {
     return node;
 }
 
+const SourceLocation* TomlNode::location_of(std::string_view path) const {
+    const TomlNode* node = find(path);
+    return node == nullptr ? nullptr : &node->location;
+}
+
 std::string TomlNode::shown() const {
     switch (kind) {
         case Kind::table:
@@ -164,11 +169,11 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
     } catch (const toml::parse_error& error) {
         const std::string_view fault = error.description();
         const bool repeated = fault.find("redefine") != std::string_view::npos;
-        throw InputError(source.location(error.source().begin), "this is not valid TOML: " + std::string(fault),
-                         repeated
-                             ? "write each key and table once; only [[part]] and [[measure]], in double brackets, "
-                               "may stand several times"
-                             : "correct the line; quantities and names stand in quotes, such as spacing = \"0.1 mm\"");
+        throw InputError(
+            source.location(error.source().begin), "this is not valid TOML: " + std::string(fault),
+            repeated ? "write each key and table once; only [[part]] and [[measure]], in double brackets, "
+                       "may occur several times"
+                     : "correct the line; quantities and names must be in quotes, such as spacing = \"0.1 mm\"");
     }
 }
 
@@ -180,7 +185,7 @@ TomlNode parse_toml_value(std::string_view text, const SourceLocation& location)
         TomlNode root = convert(toml::parse(document), source);
         if (root.children.size() == 1 && root.children[0].key == "value") value = std::move(root.children[0]);
     } catch (const toml::parse_error&) {
-        value.reset();  // no TOML value: text
+        value.reset();  // not a TOML value: text
     }
     if (!value) {
         value.emplace();

@@ -71,7 +71,7 @@ constexpr std::array prefixes = {
     Prefix{"f", -15}, Prefix{"a", -18}, Prefix{"z", -21}, Prefix{"y", -24},
 };
 
-/// The dimensions with a name of their own, each with its SI unit.
+/// Dimensions that have a name.
 struct NamedDimension {
     std::string_view name;
     Dimension dimension;
@@ -107,7 +107,7 @@ constexpr std::array named_dimensions = {
 
 constexpr std::array<std::string_view, 7> base_units = {"m", "kg", "s", "A", "K", "mol", "cd"};
 
-/// What a misspelt unit may have meant, the most usual first.
+/// Candidates for a misspelt unit, the most common first.
 const std::vector<std::string>& usual_units() {
     static const std::vector<std::string> usual = {
         "mm", "m",  "um", "cm",  "km",   "nm",   "s",   "ms",  "us",  "min",  "h",  "d",  "kg", "g",  "mg",
@@ -117,7 +117,7 @@ const std::vector<std::string>& usual_units() {
     return usual;
 }
 
-/// The one that differs only in upper and lower case, else the nearest.
+/// The unit that differs only in upper and lower case, otherwise the most similar one.
 std::string nearest_among(std::string_view symbol, const std::vector<std::string>& units) {
     const auto same_but_for_case = [&](const std::string& unit) {
         return std::equal(unit.begin(), unit.end(), symbol.begin(), symbol.end(),

@@ -7,7 +7,7 @@
 
 namespace dmp::scene {
 
-/// A scene value with the place it came from. Defaults have no place.
+/// A value of a scene with its location in the file. Defaults have no location.
 template <class T>
 struct Value {
     T value{};

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of value that are lists: of lengths, of points, of names.
+// Value types that are lists of quantities, points or names.
 #include <algorithm>
 
 #include "scene/value_types.hpp"
@@ -62,7 +62,7 @@ ValueType<Vec> direction() {
                 Vec value;
                 for (std::size_t i = 0; i < 3; ++i) value[static_cast<Eigen::Index>(i)] = number().read(items[i], path);
                 if (value.norm() == 0)
-                    throw InputError(node.location, path + ": found [0, 0, 0], which points nowhere",
+                    throw InputError(node.location, path + ": found [0, 0, 0], which has no direction",
                                      "give " + description);
                 return value;
             },
@@ -102,7 +102,7 @@ ValueType<std::array<std::string, 2>> two_names() {
                     throw InputError(
                         node.location,
                         path + ": found a list of " + std::to_string(items.size()) + ", expected two names",
-                        "name both parts; for contacts within one part name it twice");
+                        "name both parts; name a part twice for contacts within it");
                 return std::array<std::string, 2>{name().read(items[0], path), name().read(items[1], path)};
             },
             [](const std::array<std::string, 2>& value) {

@@ -63,7 +63,7 @@ double read_number(const TomlNode& node, const std::string& path, const Range& r
     return node.number;
 }
 
-/// The same formula in other words where the unit is none: a bare number says it all.
+/// A formula; if its dimension is a number, a bare number too.
 ValueType<Expression> formula_or_number(const std::string& example) {
     const ValueType<Expression> formulas_only = formula(example);
     if (!Expected(example).dimension().none()) return formulas_only;
@@ -179,7 +179,7 @@ ValueType<std::string> text() {
 ValueType<std::string> text_not_empty() {
     return checked_text("text", [](const TomlNode& node, const std::string& path) {
         if (node.text.text.find_first_not_of(" \t\r\n") == std::string::npos) {
-            throw InputError(node.location, path + ": found \"\", expected text", "name it, or remove the key");
+            throw InputError(node.location, path + ": found \"\", expected text", "write some text, or remove the key");
         }
     });
 }
@@ -241,7 +241,7 @@ ValueType<std::array<Expression, 3>> formulas(const std::string& example) {
                     if (items[i].is_text()) {
                         value.at(i) = read_formula(items[i].text, expected, path);
                     } else {
-                        read_quantity_node(items[i], path, expected);  // 0 is the only one that passes
+                        read_quantity_node(items[i], path, expected);  // only 0 passes
                     }
                 }
                 return value;
@@ -259,14 +259,14 @@ ValueType<Expression> formula(const std::string& example) {
     return {"a formula for " + expected.phrase() + ", or 0",
             [=](const TomlNode& node, const std::string& path) {
                 if (node.is_text()) return read_formula(node.text, expected, path);
-                read_quantity_node(node, path, expected);  // 0 is the only one that passes
+                read_quantity_node(node, path, expected);  // only 0 passes
                 return Expression();
             },
             [](const Expression& value) { return toml_quoted(value.si_text()); }};
 }
 
 ValueType<std::array<Value<bool>, 3>> axes() {
-    const std::string description = "a list out of 'x', 'y' and, in 3-D, 'z'";
+    const std::string description = "a list of any of 'x', 'y' and, in 3-D, 'z'";
     return {description,
             [=](const TomlNode& node, const std::string& path) {
                 std::array<Value<bool>, 3> value;
@@ -301,7 +301,7 @@ ValueType<std::map<std::string, Value<double>>> parameters(double unit) {
                             throw InputError(entry.location,
                                              entry_path + ": found " + entry.shown() + " (" + found.dimension.name() +
                                                  "), expected a length, an angle or a plain number",
-                                             "a geometry knows no other units: give a length such as \"2 mm\"");
+                                             "other units are not possible: give a length such as \"2 mm\"");
                         }
                         value = found.dimension.none() ? found.si : found.si / unit;
                     } else {
@@ -371,7 +371,7 @@ void refuse_repeated_names(const TomlNode& list, const std::string& path) {
     for (std::size_t i = 1; i < items.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (items[i].text.text == items[j].text.text) {
-                throw InputError(items[i].location, path + ": " + items[i].shown() + " stands twice",
+                throw InputError(items[i].location, path + ": " + items[i].shown() + " occurs twice",
                                  "remove one of them");
             }
         }

@@ -20,26 +20,26 @@
 
 namespace dmp::scene {
 
-/// A kind of value a key may hold: how it is told to the user, read from TOML and written as TOML in SI units.
+/// Type of a key's value: its description for the user, and how to read it from TOML and write it as TOML in SI units.
 template <class T>
 struct ValueType {
     std::string description;  ///< `a length such as "0.1 mm", more than 0`
-    /// Reads a value; the text is the key's full path, for messages. Throws InputError with the value's place.
+    /// Reads a value; the string is the key's full path, for messages. Throws InputError with the value's location.
     std::function<T(const TomlNode&, const std::string&)> read;
     std::function<std::string(const T&)> write;
 };
 
-/// The numbers a key accepts, in SI units.
+/// The range of numbers that a key accepts, in SI units.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    bool above_low = false;   ///< `low` itself is refused
-    std::string_view advice;  ///< what to do about a number outside, where there is more to say
+    bool above_low = false;   ///< `low` itself is excluded
+    std::string_view advice;  ///< advice for a number outside the range, if any
 
     [[nodiscard]] bool contains(double value) const {
         return value <= high && (above_low ? value > low : value >= low);
     }
-    /// "more than 0", "between 2 and 6"; empty when every number will do.
+    /// "more than 0", "between 2 and 6"; empty for an unlimited range.
     [[nodiscard]] std::string text() const;
 };
 
@@ -51,16 +51,16 @@ inline constexpr Range fraction{0, 1, true, {}};
 constexpr Range between(double low, double high) { return {low, high, false, {}}; }
 constexpr Range exactly(double value, std::string_view advice) { return {value, value, false, advice}; }
 
-/// A number with a unit in quotes. The example says which dimension.
+/// A number with a unit in quotes. The example defines the dimension.
 ValueType<double> quantity(const std::string& example, const Range& range = any_number);
-/// The same or "auto", which is stored as 0; a given quantity is more than 0.
+/// A quantity above 0, or "auto", which is stored as 0.
 ValueType<double> quantity_or_auto(const std::string& example);
 ValueType<double> number(const Range& range = any_number);
 ValueType<int> integer(const Range& range = any_number);
 ValueType<bool> boolean();
-/// Any text, "" too.
+/// Any text, including "".
 ValueType<std::string> text();
-/// Text that says something.
+/// Text with at least one visible character.
 ValueType<std::string> text_not_empty();
 /// Letters, digits and '_', starting with a letter.
 ValueType<std::string> name();
@@ -80,28 +80,28 @@ ValueType<std::array<std::string, 2>> two_names();
 ValueType<std::array<Expression, 3>> formulas(const std::string& example);
 /// One formula of t, x, y, z; a bare 0 needs no unit.
 ValueType<Expression> formula(const std::string& example);
-/// A list of "x", "y".
+/// A list of "x", "y", "z".
 ValueType<std::array<Value<bool>, 3>> axes();
 /// A table of numbers by name: bare numbers, angles (in radians) and lengths (divided by `unit` [m]).
 ValueType<std::map<std::string, Value<double>>> parameters(double unit);
 
-/// The error for a value of the wrong kind.
+/// The error for a value of the wrong type.
 InputError wrong_kind(const TomlNode& node, const std::string& path, const std::string& expected,
                       const std::string& advice = {});
 
-/// `one` for all parts, or a table of them by part.
+/// A value of type `one` for all parts, or a table of such values by part.
 template <class T>
 ValueType<ByPart<T>> by_part(const ValueType<T>& one);
-/// A formula for a concentration of a species of this unit, or for an amount per area and time of it. Of the unit "1"
-/// bare numbers will do.
+/// A formula for the concentration of a species with this unit, or for its amount per area and time. With the unit "1",
+/// concentrations may be bare numbers.
 ValueType<Expression> concentration_formula(SpeciesUnit unit);
 ValueType<Expression> flux_formula(SpeciesUnit unit);
 
 namespace detail {
 
-/// A key as TOML wants it.
+/// A key in TOML, in quotes if necessary.
 std::string bare_key_or_quoted(const std::string& key);
-/// The number in `names` of the name in `node`.
+/// Index in `names` of the name in `node`.
 std::size_t index_of_name(const TomlNode& node, const std::string& path, const std::vector<std::string>& names);
 const std::vector<TomlNode>& list_items(const TomlNode& node, const std::string& path, const std::string& expected);
 void refuse_repeated_names(const TomlNode& list, const std::string& path);
@@ -149,7 +149,7 @@ ValueType<Enumeration> one_of() {
             [](const Enumeration& value) { return toml_quoted(to_string(value)); }};
 }
 
-/// What the laws of a registry are, for the reference: "'hertz': Hertz' elastic contact; 'jkr': ...".
+/// Description of the laws of a registry, for the reference: "'hertz': Hertz' elastic contact; 'jkr': ...".
 template <class Law>
 std::string meanings() {
     std::string text;
@@ -161,7 +161,7 @@ std::string meanings() {
 /// A list of different names of an enumeration.
 template <class Enumeration>
 ValueType<std::vector<Enumeration>> list_of() {
-    const std::string description = "a list out of " + quoted_list(detail::name_list<Enumeration>());
+    const std::string description = "a list of any of " + quoted_list(detail::name_list<Enumeration>());
     return {description,
             [description](const TomlNode& node, const std::string& path) {
                 std::vector<Enumeration> values;

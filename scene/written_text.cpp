@@ -13,7 +13,7 @@ SourceLocation WrittenText::at(std::size_t offset) const {
         if (byte == '\n') {
             ++found.line;
             found.column = 1;
-        } else if ((byte & 0xC0U) != 0x80U) {  // columns count characters, not the bytes that continue one
+        } else if ((byte & 0xC0U) != 0x80U) {  // columns count characters, not UTF-8 continuation bytes
             ++found.column;
         }
     }

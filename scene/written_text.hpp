@@ -8,13 +8,13 @@
 
 namespace dmp::scene {
 
-/// A text the user wrote and where its characters stand, so that an error can point into it.
+/// A text of the user with the locations of its characters, for error messages.
 struct WrittenText {
     std::string text;
     SourceLocation location;         ///< of the whole value: its opening quote
-    SourceLocation first_character;  ///< not known where escapes make columns meaningless
+    SourceLocation first_character;  ///< unknown if the text contains escapes
 
-    /// The place of the character at byte `offset`; that of the whole value where the text's columns are not known.
+    /// Location of the character at byte `offset`; that of the whole value if the columns are unknown.
     [[nodiscard]] SourceLocation at(std::size_t offset) const;
 };
 

@@ -9,9 +9,9 @@
 
 namespace dmp::models {
 
-/// Short-range repulsion that keeps particles of different bodies apart (Monaghan 1994, exponents 12 and 6):
+/// Short-range repulsion that separates particles of different bodies (Monaghan 1994, exponents 12 and 6):
 ///   F_i = K [(r*/r)^12 - (r*/r)^6] x_ij / r^2   for r < r*,   0 beyond   [N]
-/// Cut at r*, where it would start to attract. Energy per pair U(r) = K [(r*/r)^12/12 - (r*/r)^6/6 + 1/12].
+/// It is cut off at r*, where attraction would begin. Energy per pair U(r) = K [(r*/r)^12/12 - (r*/r)^6/6 + 1/12].
 struct Repulsion {
     double strength;  ///< K [J]
 
@@ -33,8 +33,8 @@ struct Repulsion {
         return strength * (q6 * q6 / 12 - q6 / 6 + 1.0 / 12);
     }
 
-    /// Largest stable step [s]: half of 2 / omega for the stiffness 6 K / r*^2 at touch and the pair's lighter mass,
-    /// both sides free.
+    /// Largest stable step [s]: half of 2 / omega for the stiffness 6 K / r*^2 at first touch and the lighter mass of
+    /// the pair, with both particles free.
     [[nodiscard]] double step_limit(double range, double lightest_mass) const {
         return 0.5 * 2 / std::sqrt(2 * 6 * strength / (range * range) / lightest_mass);
     }

@@ -11,18 +11,19 @@
 
 namespace dmp::models {
 
-/// Van der Waals adhesion of hard spheres, on top of Hertz' repulsion: in contact the constant pull of Derjaguin,
-/// Muller & Toporov (1975), across a gap z = -d Bradley's (1932):
+/// Van der Waals adhesion of hard spheres, added to Hertz' repulsion: in contact the constant attraction of
+/// Derjaguin, Muller & Toporov (1975), across a gap z = -d that of Bradley (1932):
 ///   F = -F_c                                 z < z0
 ///   F = -4/3 F_c [(z0/z)^2 - (z0/z)^8 / 4]   z0 < z < range,   0 beyond
 ///   F_c = 2 pi W R*   [N],   W = gamma_i + gamma_j - gamma_ij, 2 gamma of equal surfaces [J/m^2]
-/// Work to part bodies with overlap d: F_c (d + 16/7 z0), less what is cut off, close to 4/3 F_c z0^2 / range.
+/// Work to separate bodies with overlap d: F_c (d + 16/7 z0), less the part beyond the range, about 4/3 F_c z0^2 /
+/// range.
 struct BradleyAdhesion {
     static constexpr LawFacts facts{"bradley", "Bradley 1932; Derjaguin, Muller & Toporov 1975",
-                                    "Bradley's between rigid spheres (constant in contact, as DMT)"};
+                                    "Bradley's force between rigid spheres (constant in contact, as DMT)"};
     static constexpr bool adhesive = true, has_range = true;
 
-    /// Along the normal: below 0, or 0.
+    /// Force along the normal: negative or 0.
     template <class T, class Constants>
     static T law(const Contact<T>& contact, const Constants& pair) {
         const T gap = -contact.overlap;
@@ -39,10 +40,10 @@ struct BradleyAdhesion {
         return (2 * std::numbers::pi) * pair.adhesion_energy * radius;
     }
 
-    /// W of a pull-off force measured on spheres of this effective radius [J/m^2].
+    /// W for a pull-off force measured on spheres of this effective radius [J/m^2].
     static double adhesion_energy(double pull_off, double radius) { return pull_off / (2 * std::numbers::pi * radius); }
 
-    /// Overlap at which Hertz' force of this stiffness k_n balances the pull of this work of adhesion [m].
+    /// Overlap at which Hertz' force with stiffness k_n balances the attraction for this work of adhesion [m].
     static double rest_overlap(double radius, double normal_stiffness, double work) {
         const double pull = 2 * std::numbers::pi * work * radius;
         return std::pow(pull / (normal_stiffness * std::sqrt(radius)), 2.0 / 3);
@@ -50,7 +51,7 @@ struct BradleyAdhesion {
 
     static double reach(double /*radius*/, const ContactConstants<>& pair) { return pair.adhesion_range; }
 
-    /// 0 beyond the range [J].
+    /// Energy; 0 beyond the range [J].
     static double energy(double overlap, double radius, const ContactConstants<>& pair) {
         const double z0 = pair.adhesion_distance, gap = -overlap;
         if (gap >= pair.adhesion_range) return 0;

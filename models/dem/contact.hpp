@@ -10,50 +10,49 @@
 
 namespace dmp::models {
 
-/// A sphere as contact laws see it. T is double, or Lanes for spheres side by side.
+/// The state of a sphere that contact laws use. T is double, or Lanes for several spheres in SIMD lanes.
 template <class T>
 struct SpherePoint {
     Vector<T, 3> velocity, spin;  ///< [m/s], [1/s]
     T radius, mass;               ///< [m], [kg]
 };
 
-/// Two spheres that meet, or a sphere and a wall: i is the one acted upon, j the other or the wall.
+/// Two spheres, or a sphere and a wall; a law returns its effect on i. j is the other sphere or the wall.
 template <class T>
 struct Contact {
-    T overlap;                   ///< d = R_i + R_j - r, or R_i less the distance to the wall; below 0: a gap [m]
+    T overlap;                   ///< d = R_i + R_j - r, or R_i less the distance to the wall; negative: a gap [m]
     Vector<T, 3> normal;         ///< n: the unit vector from j to i
     T radius;                    ///< R* = R_i R_j / (R_i + R_j); R_i at a wall [m]
     T mass;                      ///< m* = m_i m_j / (m_i + m_j); m_i at a wall [kg]
-    T normal_velocity;           ///< (v_i - v_j) . n: above 0 while they part [m/s]
-    Vector<T, 3> slip;           ///< of i's surface over j's, across n [m/s]
-    Vector<T, 3> relative_spin;  ///< omega_i - omega_j [1/s]; rolling friction alone looks at it
+    T normal_velocity;           ///< (v_i - v_j) . n: positive while they separate [m/s]
+    Vector<T, 3> slip;           ///< velocity of i's surface relative to j's, perpendicular to n [m/s]
+    Vector<T, 3> relative_spin;  ///< omega_i - omega_j [1/s]; used only by rolling friction
 };
 
-/// What the contact does to i; j takes the opposite force and the opposite rolling torque.
+/// Force and torque on i; the opposite force and the opposite rolling torque act on j.
 template <class T>
 struct ContactForce {
-    T normal;                 ///< along n: above 0 where it pushes them apart [N]
-    Vector<T, 3> tangential;  ///< across n [N]
-    Vector<T, 3> rolling;     ///< torque on i besides that of the tangential force [N m]
+    T normal;                 ///< along n: positive if repulsive [N]
+    Vector<T, 3> tangential;  ///< perpendicular to n [N]
+    Vector<T, 3> rolling;     ///< torque on i in addition to that of the tangential force [N m]
 
     [[nodiscard]] Vector<T, 3> on_i(const Vector<T, 3>& n) const { return normal * n + tangential; }
-    /// On i, or on j, whose lever `arm` is (see levers); rolling friction comes on top.
+    /// Torque of the tangential force on i or j, whose lever arm is `arm` (see Levers), without rolling friction.
     [[nodiscard]] Vector<T, 3> torque(const T& arm, const Vector<T, 3>& n) const { return -arm * cross(n, tangential); }
 };
 
-/// What a contact remembers from step to step: all zero when it begins, and again once it has ended.
-/// The first values are vectors, three each, whose sign changes when i and j change their parts; the rest are numbers
-/// that do not.
+/// Values that a contact keeps from step to step, all zero when it begins and after it has ended. First come vectors
+/// of three values each, whose sign changes when i and j are exchanged, then numbers that do not change.
 template <class T, int N>
 using ContactHistory = std::array<T, static_cast<std::size_t>(N)>;
 
-/// From the centres of i and j to their contact [m]; j's is without meaning at a wall.
+/// Distances from the centres of i and j to the contact point [m]; for a wall, that of j is unused.
 template <class T>
 struct Levers {
     T i, j;
 };
 
-/// The contact of two spheres. `separation` is x_i - x_j, `distance` its length, above 0.
+/// The contact of two spheres. `separation` is x_i - x_j, `distance` > 0 its length.
 template <class Law, class T>
 Contact<T> contact_of_spheres(const SpherePoint<T>& i, const SpherePoint<T>& j, const Vector<T, 3>& separation,
                               const T& distance) {
@@ -70,8 +69,9 @@ Contact<T> contact_of_spheres(const SpherePoint<T>& i, const SpherePoint<T>& j, 
             i.spin - j.spin};
 }
 
-/// The contact of a sphere and a wall of infinite mass, whose surface moves with `velocity` at the contact and turns
-/// with `spin`. `normal` is the unit vector from the wall to the sphere's centre, `distance` that between them.
+/// The contact of a sphere and a wall of infinite mass, whose surface moves with `velocity` at the contact and
+/// rotates with `spin`. `normal` is the unit vector from the wall to the sphere's centre, `distance` the distance
+/// between them.
 template <class Law, class T>
 Contact<T> contact_with_wall(const SpherePoint<T>& i, const Vector<T, 3>& normal, const T& distance,
                              const Vector<T, 3>& velocity, const Vector<T, 3>& spin) {

@@ -13,19 +13,20 @@
 
 namespace dmp::models {
 
-/// All that acts in one contact, and what it remembers.
+/// The forces of one contact and its history.
 template <ContactModel model>
 struct ContactLaw {
-    static_assert(model.is_consistent(), "an adhesive normal law takes no adhesion besides");
+    static_assert(model.is_consistent(), "an adhesive normal law cannot be combined with an adhesion law");
     using Normal = NormalLaws::Law<model.normal.number()>;
     using Tangential = TangentialLaws::Law<model.tangential.number()>;
     using Rolling = RollingLaws::Law<model.rolling.number()>;
     using Adhesion = AdhesionLaws::Law<model.adhesion.number()>;
 
-    /// Where a law needs to know whether surfaces have touched, the history ends with the contact's radius at the last
-    /// step.
+    /// If a law depends on whether the surfaces have touched, the last history value is the contact radius at the
+    /// last step.
     static constexpr bool keeps_touch = Normal::keeps_touch;
-    /// A dashpot of d^(1/4) begins and ends with the overlap; in LAMMPS' way every step counts alike.
+    /// A dashpot proportional to d^(1/4) starts and ends with the overlap; as in LAMMPS, every step has the same
+    /// weight.
     static constexpr bool counts_ends = !keeps_touch && Tangential::centred;
     static constexpr int history_vectors = 1 + Rolling::history_vectors;
     static constexpr int history_values = 3 * history_vectors + (keeps_touch ? 1 : 0);
@@ -33,20 +34,20 @@ struct ContactLaw {
     template <class T>
     using History = ContactHistory<T, history_values>;
 
-    /// From a centre to the contact [m].
+    /// Distance from a centre to the contact point [m].
     template <class T>
     static T lever(const T& radius, const T& effective_radius, const T& overlap) {
         return Tangential::lever(radius, effective_radius, overlap);
     }
 
-    /// Largest gap across which a force can act [m]; 0 where only contacts have any.
+    /// Largest gap across which a force can act [m]; 0 if forces act only in contact.
     static double reach(double radius, const ContactConstants<>& pair) {
         return std::max(Normal::reach(radius, pair), Adhesion::reach(radius, pair));
     }
 
-    /// The force of a contact whose surfaces have moved for dt [s] with the velocities given; `history` follows them.
-    /// With dt = 0 the history stays and the force is that of the moment. Where nothing touches, the history is zero
-    /// and the force is that of adhesion across the gap, if any. Constants is ContactConstants of double or T.
+    /// The force of a contact after its surfaces have moved for dt [s] with the given velocities; updates `history`.
+    /// With dt = 0 the history stays the same, and the force is the current one. If nothing touches, the history is
+    /// zero and the force is the adhesion across the gap, if any. Constants is ContactConstants of double or T.
     template <class T, class Constants>
     static ContactForce<T> law(const Contact<T>& contact, const Constants& pair, History<T>& history, double dt) {
         using std::sqrt;
@@ -67,7 +68,7 @@ struct ContactLaw {
             const T part = contact.normal_velocity, slow = T(dt) * where_less(part, zero, -part, part);
             const T deep = where_less(zero, contact.overlap, contact.overlap, T(1e300));
             if (any_less(deep, T(2.0) * slow)) {
-                // The way of the step that led here, or of the next one where they part.
+                // The distance travelled in the last step, or in the next step if they separate.
                 const T next = T(dt) * (part + (T(dt) / contact.mass) * pressing);
                 pressing = press(DashpotEnds::weight(deep, where_less(part, zero, slow, next)));
             }
@@ -88,8 +89,7 @@ struct ContactLaw {
             force.rolling = rolled.torque;
             if (history_vectors == 2 && dt > 0) keep(history, 1, rolled.angle, normal.touch);
         }
-        // Friction rests on Hertz' force alone: the two bodies press on each other with what adhesion and loads add up
-        // to.
+        // Friction depends on Hertz' force alone, which balances the sum of adhesion and external loads.
         if constexpr (!std::is_same_v<Adhesion, NoAdhesion>) force.normal += Adhesion::law(contact, pair);
         if constexpr (keeps_touch)
             if (dt > 0) history[history_values - 1] = normal.touch;

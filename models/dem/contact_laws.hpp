@@ -14,7 +14,7 @@
 
 namespace dmp::models {
 
-/// What a contact consists of: one law of each registry (contact_pair.normal, .tangential, .rolling, .adhesion).
+/// The parts of a contact: one law of each registry (contact_pair.normal, .tangential, .rolling, .adhesion).
 using NormalLaws = Registry<HertzContact, JkrContact>;
 using TangentialLaws = Registry<RescaledHistory, PlainHistory>;
 using RollingLaws = Registry<NoRolling, ConstantRolling, RollingSpring>;
@@ -31,7 +31,7 @@ struct ContactModel {
     RollingLaw rolling;
     AdhesionLaw adhesion;
 
-    /// Whether the laws go together: a normal law that is adhesive takes no adhesion besides.
+    /// Whether the laws can be combined: an adhesive normal law cannot be combined with an adhesion law.
     [[nodiscard]] constexpr bool is_consistent() const {
         return !(normal.visit([]<class Law>() { return Law::adhesive; }) &&
                  adhesion.visit([]<class Law>() { return Law::adhesive; }));
@@ -44,13 +44,13 @@ struct ContactModel {
     friend constexpr bool operator==(const ContactModel&, const ContactModel&) = default;
 };
 
-/// The model of these laws.
+/// The model with these laws.
 template <class Normal = HertzContact, class Tangential = RescaledHistory, class Rolling = NoRolling,
           class Adhesion = NoAdhesion>
 inline constexpr ContactModel model_of{NormalLaw::of<Normal>(), TangentialLaw::of<Tangential>(),
                                        RollingLaw::of<Rolling>(), AdhesionLaw::of<Adhesion>()};
 
-/// The law of these that attracts: visit.template operator()<Law>(), or `none` where there is none.
+/// Returns visit.template operator()<Law>() for the adhesive one of the two laws, or `none` if there is none.
 template <class Result, class Visit>
 Result visit_adhesive_law(NormalLaw normal, AdhesionLaw adhesion, Result none, const Visit& visit) {
     const auto of = [&]<class Law>() -> Result {

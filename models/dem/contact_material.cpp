@@ -19,7 +19,7 @@ void check(bool good, const char* name, double value, const char* bounds) {
     throw InputError(what.str(), std::string("give it ") + bounds);
 }
 void check_not_negative(const char* name, double value) {
-    check(value >= 0 && std::isfinite(value), name, value, "0 or a number above it");
+    check(value >= 0 && std::isfinite(value), name, value, "0 or a positive number");
 }
 void check_material(const ContactMaterial& material) {
     check(material.young_modulus > 0, "Young's modulus of a contact", material.young_modulus,

@@ -8,32 +8,33 @@
 
 namespace dmp::models {
 
-/// Steps that a contact is resolved with by default. An elastic impact then keeps its speed to 3e-3 (draft), 5e-4
-/// (standard) and 5e-5 (fine), wherever in a step it begins.
+/// Default number of steps per contact. An elastic impact then keeps its speed to 3e-3 (draft), 5e-4 (standard) and
+/// 5e-5 (fine), regardless of the instant within a step at which it begins.
 struct StepsPerContact {
     static constexpr double draft = 10, standard = 20, fine = 50;
 };
 
-/// Times that steps of contact laws are measured against; all in SI units.
+/// Reference times for the time step of contact laws, in SI units.
 struct ContactTimes {
     /// Largest overlap of an elastic impact at `speed`: (5 m* v^2 / (4 k_n sqrt(R*)))^(2/5) [m].
     static double largest_overlap(double radius, double mass, double speed, const ContactConstants<>& pair) {
         return std::pow(1.25 * mass * speed * speed / (pair.normal_stiffness * std::sqrt(radius)), 0.4);
     }
-    /// How long that impact lasts: 4/5 B(2/5, 1/2) d_max / v = 2.9433 d_max / v [s] (Hertz 1882).
+    /// Duration of that impact: 4/5 B(2/5, 1/2) d_max / v = 2.9433 d_max / v [s] (Hertz 1882).
     static double impact(double radius, double mass, double speed, const ContactConstants<>& pair) {
         return 0.8 * std::beta(0.4, 0.5) * largest_overlap(radius, mass, speed, pair) / speed;
     }
-    /// Half a period of small oscillations about an overlap, as of spheres at rest: pi sqrt(m* / (3/2 k_n a)) [s].
+    /// Half a period of small oscillations about an overlap, as for spheres at rest: pi sqrt(m* / (3/2 k_n a)) [s].
     static double at_rest(double overlap, double radius, double mass, const ContactConstants<>& pair) {
         return std::numbers::pi * std::sqrt(mass / (1.5 * pair.normal_stiffness * std::sqrt(radius * overlap)));
     }
-    /// A shear wave's way around half a sphere (Ning & Ghadiri 2006): pi R sqrt(rho / G) / (0.1631 nu + 0.8766) [s].
+    /// Travel time of a shear wave around half a sphere (Ning & Ghadiri 2006): pi R sqrt(rho / G) / (0.1631 nu +
+    /// 0.8766) [s].
     static double rayleigh(double radius, double density, double young_modulus, double poisson_ratio) {
         const double shear_modulus = young_modulus / (2 * (1 + poisson_ratio));
         return std::numbers::pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
     }
-    /// Largest stable step of a force of this slope, Bradley's for example: 2 sqrt(m / k) [s].
+    /// Largest stable step for a force with this slope, for example Bradley's: 2 sqrt(m / k) [s].
     static double stable(double stiffness, double mass) { return 2 * std::sqrt(mass / stiffness); }
 };
 

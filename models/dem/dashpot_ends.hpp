@@ -7,14 +7,15 @@ namespace dmp::models {
 
 inline bool any_less(double a, double b) { return a < b; }
 
-/// How much the first and the last step of an impact count for a dashpot that grows as d^(1/4) with the overlap.
-/// Near its ends d is p, p + 1, p + 2, ... times the way of one step, 0 < p <= 1, wherever in a step the surfaces meet,
-/// and steps add up (p + k)^(1/4). The integral from where they meet is that sum less zeta(-1/4, p), Hurwitz' function
-/// (Navot, J. Math. Phys. 40 (1961) 271): the step with p has to count
+/// Weights of the first and the last step of an impact for a dashpot that grows with the overlap as d^(1/4). Near the
+/// ends of an impact, d is p, p + 1, p + 2, ... times the distance travelled in one step, 0 < p <= 1, depending on
+/// the instant of first touch within a step, and the steps add up (p + k)^(1/4). The integral from first touch is
+/// that sum less zeta(-1/4, p), Hurwitz' zeta function (Navot, J. Math. Phys. 40 (1961) 271): the step with p must
+/// contribute
 ///   -zeta(-1/4, 1 + p) = 4/5 a^(5/4) - 1/2 a^(1/4) + 1/48 a^(-3/4) - ...,   a = 1 + p
-/// in place of p^(1/4). With a count of one, 20 steps in a contact give a restitution of 0.6 to within 0.0135.
+/// instead of p^(1/4). With a weight of one, 20 steps in a contact give a restitution of 0.6 to within 0.0135.
 struct DashpotEnds {
-    /// What the dashpot is multiplied by; 1 where the overlap is more than the way of a step [m].
+    /// Factor of the dashpot; 1 if the overlap exceeds the distance `way` travelled in a step [m].
     template <class T>
     static T weight(const T& overlap, const T& way) {
         using std::sqrt;

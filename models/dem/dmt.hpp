@@ -10,16 +10,17 @@
 
 namespace dmp::models {
 
-/// Adhesion of stiff spheres with short-range forces (Derjaguin, Muller & Toporov, J. Colloid Interface Sci. 53, 1975,
-/// in Maugis' form): on top of Hertz' repulsion a constant pull while the surfaces touch, and none across a gap:
+/// Adhesion of stiff spheres with short-range forces (Derjaguin, Muller & Toporov, J. Colloid Interface Sci. 53,
+/// 1975, in Maugis' form), added to Hertz' repulsion: a constant attraction while the surfaces touch, and none across
+/// a gap:
 ///   F = -F_c, d >= 0;   0, d < 0;   F_c = 2 pi W R*   [N]
-/// Bradley's law without its range. Work to separate bodies of overlap d: F_c d.
+/// Bradley's law without its range. Work to separate bodies with overlap d: F_c d.
 struct DmtAdhesion {
     static constexpr LawFacts facts{"dmt", "Derjaguin, Muller & Toporov 1975",
-                                    "DMT's constant pull in contact, none across a gap"};
+                                    "DMT's constant attraction in contact, none across a gap"};
     static constexpr bool adhesive = true, has_range = false;
 
-    /// Along the normal: below 0, or 0.
+    /// Force along the normal: negative or 0.
     template <class T, class Constants>
     static T law(const Contact<T>& contact, const Constants& pair) {
         return where_less(contact.overlap, T(0.0), T(0.0), -pull_off(contact.radius, pair));
@@ -30,21 +31,21 @@ struct DmtAdhesion {
     static T pull_off(const T& radius, const Constants& pair) {
         return (2 * std::numbers::pi) * pair.adhesion_energy * radius;
     }
-    /// W of a pull-off force measured on spheres of this effective radius [J/m^2].
+    /// W for a pull-off force measured on spheres of this effective radius [J/m^2].
     static double adhesion_energy(double pull_off, double radius) { return pull_off / (2 * std::numbers::pi * radius); }
 
-    /// Overlap at which Hertz' force of this stiffness k_n balances the pull of this work of adhesion [m].
+    /// Overlap at which Hertz' force with stiffness k_n balances the attraction for this work of adhesion [m].
     static double rest_overlap(double radius, double normal_stiffness, double work) {
         const double pull = 2 * std::numbers::pi * work * radius;
         return std::pow(pull / (normal_stiffness * std::sqrt(radius)), 2.0 / 3);
     }
 
     static double reach(double /*radius*/, const ContactConstants<>& /*pair*/) { return 0; }
-    /// 0 where the bodies do not touch [J].
+    /// Energy; 0 if the bodies do not touch [J].
     static double energy(double overlap, double radius, const ContactConstants<>& pair) {
         return overlap > 0 ? -pull_off(radius, pair) * overlap : 0;
     }
-    /// Slope of the force [N/m]: it is constant.
+    /// Slope of the force [N/m]: 0, since the force is constant.
     static double stiffness(double /*radius*/, const ContactConstants<>& /*pair*/) { return 0; }
 };
 

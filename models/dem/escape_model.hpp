@@ -7,18 +7,18 @@
 
 namespace dmp::models {
 
-/// Small particles on a carrier that hits a rigid wall: which of them come off (the simple model of Ariane, Sommerfeld
-/// & Alexiadis 2018, Powder Technology; docs/escape.md). All in SI units; the defaults are that paper's.
+/// Detachment of small particles from a carrier that hits a rigid wall (the simple model of Ariane, Sommerfeld &
+/// Alexiadis 2018, Powder Technology; docs/escape.md). All in SI units; the defaults are those of the paper.
 ///
-/// The carrier comes with speed v at the angle theta from the wall; the impact takes its normal velocity
-/// u = v sin(theta). A particle comes off where its kinetic energy in the carrier's frame exceeds the work of adhesion
-/// less the elastic energy stored in its contact, plus what friction takes while it slides by xi:
+/// The carrier arrives with speed v at the angle theta from the wall; the impact stops its normal velocity u = v
+/// sin(theta). A particle detaches if its kinetic energy in the carrier's frame exceeds the work of adhesion, less
+/// the elastic energy stored in its contact, plus the work of friction while it slides by xi:
 ///   south of the equator, at the polar angle phi from the south pole, away from the surface:
 ///     a m u^2 >= W - E_n + mu F_c xi(phi)
-///   north of it, at the latitude phi, along the surface, with the part u cos(phi):
+///   north of it, at the latitude phi, along the surface, with the component u cos(phi):
 ///     1/2 m u^2 cos(phi)^2 >= W - E_n + mu F_c sqrt(2 R_1 d)
-/// with F_c = k_n sqrt(R*) d^(3/2), E_n = 2/5 F_c d. The fraction that comes off is that of the surface, evenly
-/// covered.
+/// with F_c = k_n sqrt(R*) d^(3/2), E_n = 2/5 F_c d. The detached fraction is that of the surface, for an even
+/// coverage.
 struct EscapeModel {
     /// As printed: a = 1/8, W = F_c (d + z_cut), xi = d tan(phi), north (1 - cos(phi)) / 2.
     /// Corrected: a = 1/2 (the largest relative velocity is u), W = F_c (d + 16/7 z0) (the integral of Bradley's force
@@ -32,7 +32,7 @@ struct EscapeModel {
     double particle_mass = 8.44e-14;      ///< m [kg]
     double pull_off_force = 2.58e-7;      ///< F_c [N]
     double friction = 0.3;                ///< mu, above 0 [-]
-    double normal_stiffness = 0;          ///< k_n: 4/3 E* of Hertz, or what one takes for it [Pa]
+    double normal_stiffness = 0;          ///< k_n: 4/3 E* of Hertz, or a substitute for it [Pa]
     double cutoff = 1e-9;                 ///< z_cut, of the printed form [m]
     double equilibrium_distance = 4e-10;  ///< z0, of the corrected form [m]
 
@@ -40,18 +40,18 @@ struct EscapeModel {
     static double hertz_stiffness(double young_1, double poisson_1, double young_2, double poisson_2) {
         return 4.0 / 3 / ((1 - poisson_1 * poisson_1) / young_1 + (1 - poisson_2 * poisson_2) / young_2);
     }
-    /// 2 E / ((1 + nu) (1 - nu)), as equation (7.5) of the thesis has it: three times Hertz' between like spheres [Pa].
+    /// 2 E / ((1 + nu) (1 - nu)), equation (7.5) of the thesis: three times Hertz' constant for equal spheres [Pa].
     static double thesis_stiffness(double young, double poisson) { return 2 * young / ((1 + poisson) * (1 - poisson)); }
 
     /// R* [m].
     [[nodiscard]] double effective_radius() const {
         return carrier_radius * particle_radius / (carrier_radius + particle_radius);
     }
-    /// d, at which Hertz' force balances adhesion [m].
+    /// The overlap d at which Hertz' force balances adhesion [m].
     [[nodiscard]] double rest_overlap() const {
         return std::pow(pull_off_force / (std::sqrt(effective_radius()) * normal_stiffness), 2.0 / 3);
     }
-    /// W - E_n: what it takes to lift a particle off, without friction [J].
+    /// W - E_n: the work to lift a particle off, without friction [J].
     [[nodiscard]] double work_to_lift() const {
         const double d = rest_overlap();
         const double range = form == Form::printed ? cutoff : 16.0 / 7 * equilibrium_distance;
@@ -62,17 +62,17 @@ struct EscapeModel {
         return friction * pull_off_force * std::sqrt(2 * carrier_radius * rest_overlap());
     }
 
-    /// What comes off in one impact.
+    /// The particles detached in one impact.
     struct Escape {
-        double south_angle = 0;       ///< largest polar angle from the south pole; below 0 as printed: none [rad]
+        double south_angle = 0;       ///< largest polar angle from the south pole; negative (printed form): none [rad]
         double north_latitude = 0;    ///< largest latitude; not a number: none [rad]
         double south = 0, north = 0;  ///< fractions of all particles [-]
-        double north_zone = 0;        ///< the zone from the equator to that latitude, sin(phi) / 2 [-]
+        double north_zone = 0;        ///< area fraction of the zone from the equator to that latitude, sin(phi) / 2 [-]
 
         [[nodiscard]] double fraction() const { return south + north; }
     };
 
-    /// Of an impact with the normal velocity u = v sin(theta) [m/s].
+    /// For an impact with the normal velocity u = v sin(theta) [m/s].
     [[nodiscard]] Escape escape(double normal_velocity) const {
         Escape found;
         const double energy = particle_mass * normal_velocity * normal_velocity;
@@ -87,17 +87,18 @@ struct EscapeModel {
         return found;
     }
 
-    /// The normal velocity at which the first particle, the one at the south pole, comes off [m/s].
+    /// The normal velocity at which the first particle, the one at the south pole, detaches [m/s].
     [[nodiscard]] double first_escape() const {
         return std::sqrt((form == Form::printed ? 8 : 2) * work_to_lift() / particle_mass);
     }
 
   private:
-    /// By equation (7.26): may be negative.
+    /// From equation (7.26); may be negative.
     [[nodiscard]] double printed_south(double energy) const {
         return std::atan((energy - work_to_lift()) / (friction * pull_off_force * rest_overlap()));
     }
-    /// xi grows with phi: halving finds where the energy is used up; 0: nowhere, pi / 2: some is left at the equator.
+    /// xi grows with phi: bisection finds the phi at which the energy is used up; 0: nowhere, pi / 2: energy remains
+    /// at the equator.
     [[nodiscard]] double corrected_south(double energy) const {
         const double left = energy - work_to_lift(), inner = 1 - rest_overlap() / carrier_radius;
         const auto friction_to = [&](double phi) {

@@ -9,12 +9,13 @@
 
 namespace dmp::models {
 
-/// How two bodies press on each other along the normal, without dashpots.
+/// Normal forces between two bodies, without dashpots.
 template <class T>
 struct NormalContact {
-    T touch;           ///< radius a of the circle in which they touch [m]
-    T force;           ///< above 0: apart [N]
-    T adhesive_force;  ///< added to the force of the contact in Coulomb's bound, as adhesion presses them together [N]
+    T touch;           ///< radius a of the contact circle [m]
+    T force;           ///< positive: repulsive [N]
+    T adhesive_force;  ///< added to the contact force in Coulomb's limit, since adhesion presses the bodies together
+                       ///< [N]
 };
 
 /// Two elastic spheres (Hertz 1882; Johnson, Contact Mechanics, 1985, 4.2):
@@ -33,7 +34,7 @@ struct HertzContact {
     }
 
     static double reach(double /*radius*/, const ContactConstants<>& /*pair*/) { return 0; }
-    /// What the contact stores [J].
+    /// Stored energy [J].
     static double energy(double overlap, double radius, const ContactConstants<>& pair) {
         return overlap > 0 ? 0.4 * pair.normal_stiffness * std::sqrt(radius) * std::pow(overlap, 2.5) : 0;
     }

@@ -8,38 +8,38 @@
 
 namespace dmp::models {
 
-/// What a contact does across its normal, and what it remembers.
+/// The tangential force of a contact, and its history.
 template <class T>
 struct Shear {
     Vector<T, 3> force;  ///< on i [N]
-    Vector<T, 3> kept;   ///< what is remembered of the spring
+    Vector<T, 3> kept;   ///< history of the spring
 };
 
-/// What the tangential laws are told of the contact besides its slip.
+/// Input of the tangential laws besides the slip.
 template <class T>
 struct ShearContact {
-    T touch;    ///< its radius a [m]
+    T touch;    ///< contact radius a [m]
     T modulus;  ///< k_t [Pa]
     T dashpot;  ///< c_t [N s/m]
-    T largest;  ///< what friction can hold: mu times the force that presses [N]
+    T largest;  ///< Coulomb's limit: mu times the pressing force [N]
 };
 
-/// A tangential spring and dashpot under Coulomb's bound:
+/// A tangential spring and dashpot with Coulomb's limit:
 ///   F_t = -k_t a xi - c v,   |F_t| <= mu F_n,   k_t = 8 G*   [N]
-/// with the displacement xi of a contact of radius a that does not slip (Mindlin 1949) and the velocity v.
-/// While the contact grows or shrinks, xi is rescaled so that the spring's energy k_t a xi^2 / 2 stays: xi ~ a^(-1/2).
-/// Changes of the normal force alone then give and take no energy, in either direction, and leave no trace once they
-/// are undone (docs/contact.md compares the rules in use). What is remembered is xi sqrt(a) [m^(3/2)].
-/// While the surfaces slide, the spring holds what friction can hold, not more.
+/// with the displacement xi of a contact of radius a that does not slip (Mindlin 1949) and the velocity v. While the
+/// contact grows or shrinks, xi is rescaled so that the spring's energy k_t a xi^2 / 2 stays the same: xi ~ a^(-1/2).
+/// Changes of the normal force alone then neither add nor remove energy, and leave no trace once they are reversed
+/// (docs/contact.md compares the models in use). The history is xi sqrt(a) [m^(3/2)]. While the surfaces slide, the
+/// spring force is also limited to Coulomb's limit.
 struct RescaledHistory {
-    static constexpr LawFacts facts{"mindlin", "Mindlin 1949; history that makes no energy (docs/contact.md)",
+    static constexpr LawFacts facts{"mindlin", "Mindlin 1949; history without spurious energy (docs/contact.md)",
                                     "Mindlin's spring, its displacement rescaled as the contact grows and shrinks"};
-    /// Forces take the directions of the middle of a step; the dashpot begins and ends with the overlap.
+    /// Forces use the directions at mid-step; the dashpot starts and ends with the overlap.
     static constexpr bool centred = true;
 
-    /// A dashpot that acts on what moves with this mass [kg], in steps of dt: c / max(1 + x/4, x), x = c dt / m.
-    /// It sees the velocity of half a step ago, which makes it too strong by the part x/4 as far as energy goes; and it
-    /// stops a motion at most, however strong it is.
+    /// The dashpot corrected for a moving mass [kg] and steps of dt: c / max(1 + x/4, x), x = c dt / m. The force
+    /// uses the velocity half a step earlier, which makes the dashpot too strong by a fraction x/4 in the energy
+    /// balance; the maximum ensures that a dashpot of any strength can stop a motion but not reverse it.
     template <class T>
     static T in_steps(const T& dashpot, const T& mass, double dt) {
         const T step = T(dt) * dashpot / mass;
@@ -58,34 +58,34 @@ struct RescaledHistory {
         const T held = per_kept * sqrt(dot(moved, moved));
         const Vector<T, 3> kept = where_less(shear.largest, held, shear.largest / (held + tiny), one) * moved;
 
-        // 2/7 m*: a tangential force also turns solid spheres.
+        // 2/7 m*: a tangential force also rotates solid spheres.
         const T dashpot = in_steps(shear.dashpot, (2.0 / 7) * contact.mass, dt);
         const Vector<T, 3> force = -per_kept * kept - dashpot * contact.slip;
         const T size = sqrt(dot(force, force));
         return {where_less(shear.largest, size, shear.largest / (size + tiny), one) * force, kept};
     }
 
-    /// From a centre to the contact [m]: to the plane where the overlap of both surfaces is widest, so that what turns
-    /// both bodies is one force, at one place.
+    /// Distance from a centre to the contact [m]: to the plane where the overlap is widest, so that the same force at
+    /// the same point acts on both bodies.
     template <class T>
     static T lever(const T& radius, const T& effective_radius, const T& overlap) {
         return radius - overlap * effective_radius / radius;
     }
 
-    /// Friction rests on what presses the surfaces together.
+    /// Friction depends on the force that presses the surfaces together.
     template <class T>
     static T normal_load(const T& normal_force) {
         return where_less(T(0.0), normal_force, normal_force, T(0.0));
     }
 
-    /// What the spring stores [J].
+    /// Energy stored in the spring [J].
     static double energy(const Vector<double, 3>& kept, double /*touch*/, double modulus) {
         return 0.5 * modulus * dot(kept, kept);
     }
 
   private:
-    /// A vector that was across the last normal, across this one: its part across it, as long as it was (to the fourth
-    /// power of the angle in between).
+    /// Rotates a vector perpendicular to the last normal into the plane perpendicular to this one: its projection,
+    /// scaled to the former length (to the fourth power of the angle between the normals).
     template <class T>
     static Vector<T, 3> turned(const Vector<T, 3>& vector, const Vector<T, 3>& normal) {
         const T along = dot(vector, normal);
@@ -94,13 +94,13 @@ struct RescaledHistory {
     }
 };
 
-/// The same spring with one displacement for any radius, as `pair_style gran/hertz/history` of LAMMPS has it (Silbert
-/// et al. 2001; Brilliantov et al. 1996): the dashpot takes the slip as it is, the spring is drawn back so that spring
-/// and dashpot together are what friction holds, and forces act at the spheres' radii. For comparison with other
-/// programs: a growing contact gains energy from nothing, and a strong dashpot makes the spring swing.
+/// The same spring with a displacement that is not rescaled, as in `pair_style gran/hertz/history` of LAMMPS (Silbert
+/// et al. 2001; Brilliantov et al. 1996): the dashpot uses the slip velocity unchanged, the spring is reset so that
+/// spring and dashpot together equal Coulomb's limit, and forces act at the spheres' radii. For comparison with other
+/// programs: a growing contact gains spurious energy, and a strong dashpot makes the spring oscillate.
 struct PlainHistory {
     static constexpr LawFacts facts{"mindlin_unscaled", "Mindlin 1949; history as in LAMMPS' gran/hertz/history",
-                                    "the same with the displacement kept as LAMMPS' gran/hertz/history keeps it"};
+                                    "the same with the displacement not rescaled, as in LAMMPS' gran/hertz/history"};
     static constexpr bool centred = false;
 
     template <class T>
@@ -116,7 +116,7 @@ struct PlainHistory {
         const T size = sqrt(dot(force, force));
         const T share = where_less(shear.largest, size, shear.largest / (size + tiny), one);
         const T lag = where_less(shear.largest, size, shear.dashpot / (stiffness + tiny), zero);
-        // Without any displacement LAMMPS leaves out what friction cannot hold: the first evaluation of a run.
+        // If the displacement is zero, LAMMPS omits a force beyond Coulomb's limit: the first evaluation of a run.
         const T felt = where_less(zero, length, share, where_less(shear.largest, size, zero, one));
         return {felt * force, share * (stretch + lag * contact.slip) - lag * contact.slip};
     }
@@ -132,7 +132,7 @@ struct PlainHistory {
     static double energy(const Vector<double, 3>& stretch, double touch, double modulus) {
         return 0.5 * modulus * touch * dot(stretch, stretch);
     }
-    /// As there, friction also rests on a dashpot that pulls.
+    /// As in LAMMPS, friction uses the magnitude of the normal force, also when a dashpot pulls.
     template <class T>
     static T normal_load(const T& normal_force) {
         return where_less(normal_force, T(0.0), -normal_force, normal_force);

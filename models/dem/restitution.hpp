@@ -6,11 +6,12 @@
 
 namespace dmp::models {
 
-/// The dashpot that gives a Hertz contact the restitution e, whatever its speed, size and stiffness (Tsuji, Tanaka &
-/// Ishida 1992):
+/// The dashpot that gives a Hertz contact the restitution e at any speed, size and stiffness (Tsuji, Tanaka & Ishida
+/// 1992):
 ///   F = k_n a d - alpha sqrt(k_n m* a) v,   a = sqrt(R* d),   v = -dd/dt,   alpha = sqrt(5) zeta
 /// With u = d^(5/4) and dT = d^(1/4) dt this is a linear spring and dashpot of damping ratio zeta (Antypov & Elliott,
-/// EPL 94, 2011), whose impact is known: until the overlap ends, the dashpot pulling shortly before,
+/// EPL 94, 2011), for which the impact has a closed form: until the overlap ends, if the dashpot may pull shortly
+/// before,
 ///   e = exp(-pi zeta / sqrt(1 - zeta^2))
 /// and until the force ends (Schwager & Poeschel, Granul. Matter 9, 2007)
 ///   e = exp(-2 zeta acos(zeta) / sqrt(1 - zeta^2)),   acosh(zeta) / sqrt(zeta^2 - 1) from zeta = 1 on
@@ -21,7 +22,7 @@ struct RestitutionDashpot {
         return -logarithm / std::hypot(logarithm, std::numbers::pi);
     }
 
-    /// zeta of a force that is cut off at 0; 0 < e <= 1. Bisected, until there is no number in between.
+    /// zeta of a force that is cut off at 0; 0 < e <= 1. Bisection to machine precision.
     static double ratio_without_pull(double restitution) {
         if (restitution == 1) return 0;
         double low = 0, high = 1;
@@ -39,10 +40,10 @@ struct RestitutionDashpot {
         return std::exp(-2 * ratio * (square > 0 ? std::acos(ratio) : std::acosh(ratio)) / root);
     }
 
-    /// What the normal force has beside sqrt(m* a): alpha sqrt(k_n) [Pa^(1/2)].
+    /// Factor of sqrt(m* a) in the normal dashpot: alpha sqrt(k_n) [Pa^(1/2)].
     static double normal(double ratio, double normal_stiffness) { return std::sqrt(5 * normal_stiffness) * ratio; }
 
-    /// The tangential force is given the same ratio to its critical damping: 2 zeta sqrt(5/6) sqrt(k_t) [Pa^(1/2)].
+    /// The tangential dashpot has the same ratio to its critical damping: 2 zeta sqrt(5/6) sqrt(k_t) [Pa^(1/2)].
     static double tangential(double ratio, double tangential_stiffness) {
         return std::sqrt(10.0 / 3 * tangential_stiffness) * ratio;
     }

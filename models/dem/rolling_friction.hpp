@@ -8,37 +8,38 @@
 
 namespace dmp::models {
 
-/// A torque on i against its rolling over j, and the angle of its spring after it.
+/// A torque on i against its rolling on j, and the angle of its spring afterwards.
 template <class T>
 struct RollingTorque {
     Vector<T, 3> torque, angle;  ///< [N m], [rad]
 };
 
-/// What rolling laws are told of the contact besides its turning.
+/// Input of the rolling laws besides the relative angular velocity.
 template <class T>
 struct RollingContact {
-    T stiffness;  ///< k_n a, of the normal force [N/m]
-    T pressing;   ///< the force that friction rests on [N]
+    T stiffness;  ///< k_n a of the normal force [N/m]
+    T pressing;   ///< force that presses the surfaces together, as for friction [N]
 };
 
-/// The part of omega_i - omega_j across the normal; about the normal itself nothing resists.
+/// The component of omega_i - omega_j perpendicular to the normal; spin about the normal is not resisted.
 template <class T>
 Vector<T, 3> rolling_rate(const Contact<T>& contact) {
     return contact.relative_spin - dot(contact.relative_spin, contact.normal) * contact.normal;
 }
 
-/// Nothing resists rolling.
+/// No rolling friction.
 struct NoRolling {
     static constexpr LawFacts facts{"none", "", "none"};
     static constexpr int history_vectors = 0;
 };
 
-/// A torque of fixed size against the rolling (Zhou et al. 1999; model A of Ai et al., Powder Technol. 206, 2011):
+/// A torque of constant magnitude against the rolling (Zhou et al. 1999; model A of Ai et al., Powder Technol. 206,
+/// 2011):
 ///   M = -mu_r R* F_n w / |w|   [N m],   w the rolling rate
-/// but never more than stops a sphere within the step, so that one at rest does not tremble. It cannot hold a sphere on
-/// a slope; the spring can.
+/// but at most the torque that stops a sphere within the step, so that a sphere at rest does not oscillate. It cannot
+/// hold a sphere on a slope; the spring can.
 struct ConstantRolling {
-    static constexpr LawFacts facts{"constant", "constant torque", "a torque of constant size"};
+    static constexpr LawFacts facts{"constant", "constant torque", "a torque of constant magnitude"};
     static constexpr int history_vectors = 0;
 
     template <class T, class Constants>
@@ -54,13 +55,13 @@ struct ConstantRolling {
     }
 };
 
-/// A rolling spring that yields, with a dashpot until it does (model C, "elastic-plastic spring-dashpot", of Ai et al.,
-/// Powder Technol. 206, 2011; spring of Iwashita & Oda 1998):
+/// A rolling spring that yields, with a dashpot until it does (model C, "elastic-plastic spring-dashpot", of Ai et
+/// al., Powder Technol. 206, 2011; spring of Iwashita & Oda 1998):
 ///   M = -k_r theta - c_r w,   |k_r theta| <= mu_r R* F_n,   k_r = 9/4 k_n a (mu_r R*)^2   [N m]
-/// theta is the integral of the rolling rate w, c_r = 2 zeta sqrt(k_r I) with I = 7/5 m* R*^2 (a sphere that rolls on a
-/// plane), and 0 once the spring yields. Spring and dashpot together do not exceed mu_r R* F_n either.
+/// theta is the integral of the rolling rate w. c_r = 2 zeta sqrt(k_r I) with I = 7/5 m* R*^2 (a sphere that rolls on
+/// a plane), and 0 once the spring yields. The sum of spring and dashpot is also limited to mu_r R* F_n.
 struct RollingSpring {
-    static constexpr LawFacts facts{"spring", "spring and dashpot", "a torque that a spring builds up until it slips"};
+    static constexpr LawFacts facts{"spring", "spring and dashpot", "the torque of a spring that yields"};
     static constexpr int history_vectors = 1;
 
     template <class T, class Constants>

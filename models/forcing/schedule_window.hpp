@@ -6,14 +6,14 @@
 
 namespace dmp::models {
 
-/// When something acts: from one time until another, once or again every period.
+/// A time window, used once or repeated every period.
 struct ScheduleWindow {
     double from = 0;                                         ///< [s]
     double until = std::numeric_limits<double>::infinity();  ///< [s]
     double period = 0;                                       ///< [s]; 0: once
 
     [[nodiscard]] bool acts(double t) const { return t >= from && t < end(cycle_of(t)); }
-    /// The next time after t at which it starts or ends; infinity where there is none.
+    /// The next time after t at which the window starts or ends; infinity if there is none.
     [[nodiscard]] double next_change(double t) const {
         if (t < from) return from;
         const double cycle = cycle_of(t);
@@ -24,7 +24,7 @@ struct ScheduleWindow {
   private:
     [[nodiscard]] double start(double cycle) const { return from + cycle * period; }
     [[nodiscard]] double end(double cycle) const { return start(cycle) + (until - from); }
-    /// The number, from 0, of the cycle that t, not before `from`, is in.
+    /// The number of the cycle that contains t, counted from 0; t >= `from`.
     [[nodiscard]] double cycle_of(double t) const {
         if (period == 0) return 0;
         double cycle = std::floor((t - from) / period);

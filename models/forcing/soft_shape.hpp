@@ -9,11 +9,11 @@
 
 namespace dmp::models {
 
-/// The softened repulsion from a moving shape that chosen parts alone feel, a ghost for all others: of range r* and
-/// strength K, in the distance d from the shape (the thesis, eq. 6.7, with the distance from a curve in place of those
-/// from the particles on it):
+/// Softened repulsion from a moving shape. It acts only on chosen parts; other particles pass through the shape. With
+/// range r*, strength K and distance d from the shape (the thesis, eq. 6.7, with the distance from a curve instead of
+/// the distances from the particles on it):
 ///   f(d) = K (1 + cos(pi d / r*)), 0 < d < r*;   U(d) = K (r* - d - r*/pi sin(pi d / r*));   f = U = 0 beyond.
-/// One-sided shapes push what is behind them (d < 0) back with f(0) = 2 K: U(d) = K r* - 2 K d.
+/// One-sided shapes push particles behind them (d < 0) back with f(0) = 2 K: U(d) = K r* - 2 K d.
 struct SoftRepulsion {
     double strength = 0;  ///< K [N]
     double range = 0;     ///< r* [m]
@@ -30,30 +30,31 @@ struct SoftRepulsion {
         const double angle = std::numbers::pi * distance / range;
         return strength * (range - distance - range / std::numbers::pi * std::sin(angle));
     }
-    /// Half of 2 / omega, of the largest stiffness pi K / r* [s].
+    /// Half of 2 / omega for the largest stiffness pi K / r* [s].
     [[nodiscard]] double step_limit(double mass) const {
         return std::sqrt(mass * range / (std::numbers::pi * strength));
     }
 };
 
-/// How far from a shape a point is, and which way from the nearest point of it. Across z all shapes are alike.
+/// Distance of a point from a shape, and direction from the nearest point of the shape. All shapes are uniform along
+/// z.
 struct FromShape {
-    double distance = 0;      ///< from the curve; below 0: behind a one-sided one [m]
-    Vec away = Vec::UnitX();  ///< unit vector from the curve to the point, or back out from behind
+    double distance = 0;      ///< from the curve; negative behind a one-sided curve [m]
+    Vec away = Vec::UnitX();  ///< unit vector from the curve to the point; behind the curve, the opposite direction
 };
 
-/// Which of a shape's sides are pushed away from.
+/// The side of a shape on which it repels.
 enum class ShapeSide { both, inside, outside };
 
-/// An arc of the parabola y = height (x / half_width)^2, |x| <= half_width, about its vertex. Inside is where the focus
-/// is.
+/// An arc of the parabola y = height (x / half_width)^2, |x| <= half_width, relative to its vertex. The inside
+/// contains the focus.
 struct ParabolaArc {
     double half_width = 1;  ///< [m]
-    double height = 1;      ///< below 0: it opens downward [m]
+    double height = 1;      ///< negative: it opens downward [m]
     ShapeSide side = ShapeSide::both;
 
-    /// x of the arc's point nearest to (x, y), x >= 0, of the whole parabola y = c x^2, c > 0: the only positive root
-    /// of 2 c^2 s^3 + (1 - 2 c y) s - x, to which Newton's steps come down from above.
+    /// x of the point of the whole parabola y = c x^2, c > 0, nearest to (x, y), x >= 0: the only positive root of 2
+    /// c^2 s^3 + (1 - 2 c y) s - x. Newton's method starts above the root and decreases towards it.
     static double nearest(double c, double x, double y) {
         const double cubic = 2 * c * c, linear = 1 - 2 * c * y;
         double s = std::cbrt(x / cubic) + std::sqrt(std::max(0.0, -linear) / cubic);
@@ -67,7 +68,7 @@ struct ParabolaArc {
         return s;
     }
 
-    /// Of a point given from the vertex.
+    /// Distance and direction of a point given relative to the vertex.
     [[nodiscard]] FromShape from(const Vec& point) const {
         const double up = height < 0 ? -1 : 1, right = point[0] < 0 ? -1 : 1;
         const double c = std::abs(height) / (half_width * half_width);
@@ -78,7 +79,7 @@ struct ParabolaArc {
         const Vec apart(right * (x - at), up * (y - c * at * at), 0);
         const double distance = apart.norm();
         const bool is_inside = y > c * x * x;
-        // On the curve itself: along its normal, to the inside.
+        // A point on the curve: along the normal, to the inside.
         const Vec normal = Vec(-right * 2 * c * at, up, 0).normalized();
         Vec away = distance > 0 ? Vec(apart / distance) : normal;
         if (distance == 0 && side == ShapeSide::outside) away = -normal;
@@ -88,7 +89,7 @@ struct ParabolaArc {
     }
 };
 
-/// A circle about its centre.
+/// A circle, relative to its centre.
 struct Circle {
     double radius = 1;  ///< [m]
     ShapeSide side = ShapeSide::both;

@@ -11,13 +11,13 @@ namespace dmp::models {
 
 enum class SeedActivity { always, once, one_in };
 
-/// When a seed looks for liquid to turn solid: in every event, in its first one alone, or in its first and every N-th
-/// after it. Seeds that are always active make round aggregates, those active once threads.
+/// When a seed searches for fluid to solidify: in every event, in its first event only, or in its first and every
+/// N-th event after it. Seeds that are always active form round aggregates, those active once form threads.
 struct Activity {
     SeedActivity kind = SeedActivity::always;
     std::int64_t one_in = 1;  ///< N
 
-    /// `age`: events since the one in which the seed could first act; below 0 it is none yet.
+    /// `age`: events since the one in which the seed could first act; negative: not yet a seed.
     [[nodiscard]] bool acts_at(std::int64_t age) const {
         if (age < 0) return false;
         switch (kind) {
@@ -37,7 +37,6 @@ struct Activity {
 namespace dmp {
 
 template <>
-inline constexpr auto enum_names<models::SeedActivity> =
-    std::to_array<std::string_view>({"always", "once", "one_in"});
+inline constexpr auto enum_names<models::SeedActivity> = std::to_array<std::string_view>({"always", "once", "one_in"});
 
 }  // namespace dmp

@@ -7,19 +7,19 @@
 
 namespace dmp::models {
 
-/// A liquid particle within reach of a seed that is active.
+/// A fluid particle within reach of an active seed.
 struct BondCandidate {
     std::int64_t seed = 0, liquid = 0;  ///< ids
     double distance = 0;                ///< [m]
-    /// Whether no other active seed is nearer to the liquid particle, and no other liquid particle to the seed. Of
-    /// equally near ones the lowest id is the nearest.
+    /// Whether no other active seed is nearer to the fluid particle, and no other fluid particle to the seed. Among
+    /// equally near ones the lowest id counts as nearest.
     bool nearest_seed = false, nearest_liquid = false;
 };
 
-/// The random trials of one event of one [[solidify]]: numbers in [0, 1) that follow from the ids alone (random_number).
+/// The random trials of one event of one [[solidify]]: numbers in [0, 1) that depend only on the ids (random_number).
 struct RandomTrial {
-    std::uint64_t seed = 0;   ///< the scene's
-    std::uint64_t rule = 0;   ///< which [[solidify]]
+    std::uint64_t seed = 0;   ///< seed of the scene
+    std::uint64_t rule = 0;   ///< number of the [[solidify]]
     std::uint64_t event = 0;  ///< counted from 0
 
     [[nodiscard]] double of_pair(const BondCandidate& of) const {

@@ -5,10 +5,10 @@
 
 namespace dmp::models {
 
-/// Every liquid particle within reach of a seed, however many there are, turns solid with probability p in one event,
-/// and has one bond, to the nearest seed.
+/// Every fluid particle within reach of one or more seeds solidifies with probability p per event, and is bonded to
+/// the nearest seed.
 struct PerCandidate {
-    double probability;  ///< p of one liquid particle in one event [-]
+    double probability;  ///< p of a fluid particle, per event [-]
 
     [[nodiscard]] bool binds(const BondCandidate& candidate, const RandomTrial& trial) const {
         return candidate.nearest_seed && trial.of_liquid(candidate) < probability;

@@ -5,11 +5,11 @@
 
 namespace dmp::models {
 
-/// Every seed tries each liquid particle within its reach, one random trial a pair: of k seeds in reach, a liquid
-/// particle turns solid with 1 - (1 - p)^k in one event, and has a bond to each seed whose throw succeeded.
-/// A seed alone turns k (1 - (1 - p)^n) of k particles that stay within its reach, on average, in n events.
+/// Every pair of a seed and a fluid particle within its reach has one random trial: with k seeds in reach, a fluid
+/// particle solidifies with probability 1 - (1 - p)^k per event, and is bonded to each seed whose trial succeeded. A
+/// single seed solidifies on average k (1 - (1 - p)^n) of k particles that stay within its reach in n events.
 struct PerPair {
-    double probability;  ///< p of one pair in one event [-]
+    double probability;  ///< p of a pair, per event [-]
 
     [[nodiscard]] bool binds(const BondCandidate& candidate, const RandomTrial& trial) const {
         return trial.of_pair(candidate) < probability;

@@ -9,13 +9,15 @@
 
 namespace dmp::models {
 
-/// A viscous force along the line between two particles, which Monaghan's and Cleary's laws share:
+/// A viscous force along the line between two particles, the common form of Monaghan's and Cleary's laws:
 ///   F_i = SUM_j V_i V_j S 2 mu_ij (1/r dW/dr) (v_ij . x_ij) / (r^2 + 0.01 h^2) x_ij   [N],   h = support / 2
-/// Conserves linear and angular momentum. In the continuum waves of compression meet 3 mu and shear mu with S = D + 2.
+/// Conserves linear and angular momentum. In the continuum with S = D + 2, the viscosity is 3 mu for compression
+/// waves and mu for shear.
 struct CentralViscosity {
-    double strength;          ///< S [-]
-    double softening;         ///< 0.01 h^2 [m^2]
-    double largest_approach;  ///< v_ij . x_ij beyond which a pair does not count: 0 or infinite [m^2/s]
+    double strength;   ///< S [-]
+    double softening;  ///< 0.01 h^2 [m^2]
+    double
+        largest_approach;  ///< upper bound of v_ij . x_ij in the force: 0 (approaching pairs only) or infinite [m^2/s]
 
     CentralViscosity(double strength_of_pairs, double support, bool approaching_only)
         : strength(strength_of_pairs),

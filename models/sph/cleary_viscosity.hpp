@@ -10,12 +10,13 @@
 
 namespace dmp::models {
 
-/// Viscous force along the line between the particles with a calibrated strength (Cleary 1998; Cleary & Monaghan 1999):
+/// Viscous force along the line between the particles with a calibrated strength (Cleary 1998; Cleary & Monaghan
+/// 1999):
 ///   F_i = SUM_j V_i V_j xi (2 mu_ij) (v_ij . x_ij) / (r^2 + 0.01 h^2) grad_i W_ij   [N],   h = support / 2
-/// Cleary measured xi = 4.96333 in Couette flow for his kernel and resolution. Here xi = (D + 2) / s, s what Monaghan's
-/// xi = D + 2 makes of a shear viscosity on the undisturbed lattice with the kernel in use: shear is exact there, and
-/// angular momentum is conserved, which Morris' law does not. Reads volume, velocity and dynamic viscosity.
-/// Largest stable explicit step: s times Monaghan's.
+/// Cleary measured xi = 4.96333 in Couette flow for his kernel and resolution. Here xi = (D + 2) / s, where s is the
+/// ratio of effective to specified shear viscosity of Monaghan's law (xi = D + 2) on the undisturbed lattice with the
+/// kernel in use: shear is exact there. In contrast to Morris' law, angular momentum is conserved. Reads volume,
+/// velocity and dynamic viscosity. Largest stable explicit step: s times Monaghan's.
 struct ClearyViscosity : CentralViscosity {
     static constexpr LawFacts facts{"cleary", "Cleary 1998, strength calibrated on the lattice",
                                     "Cleary's form, along the line of each pair with a calibrated strength"};

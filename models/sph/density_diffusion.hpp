@@ -5,10 +5,10 @@
 
 namespace dmp::models {
 
-/// Numerical diffusion of density that quietens pressure (Molteni & Colagrossi 2009):
+/// Numerical diffusion of density that reduces pressure noise (Molteni & Colagrossi 2009):
 ///   drho_i/dt = delta h c0 SUM_j V_j 2 (rho_i - rho_j) / r^2 x_ij . grad_i W_ij
 ///             = 2 delta h c0 SUM_j V_j (rho_i - rho_j) (1/r dW/dr),   h = support / 2   [kg/m^3/s]
-/// Between fluid particles. SUM_i V_i drho_i = 0, so mass stays where the equations put it.
+/// Acts between fluid particles. SUM_i V_i drho_i = 0, so the total mass is unchanged.
 struct DensityDiffusion {
     double coefficient;  ///< 2 delta h c0 [m^2/s]
 
@@ -20,14 +20,15 @@ struct DensityDiffusion {
     }
 };
 
-/// The same with the hydrostatic correction, where body forces act (Fourtakas, Dominguez, Vacondio & Rogers 2019): only what a
-/// pair's pressures differ by beyond the hydrostatic difference is evened out. At rest it does nothing, neither inside
-/// nor at a free surface or a wall, where the plain term would wear the stratification down:
+/// The same with the hydrostatic correction, for use with body forces (Fourtakas, Dominguez, Vacondio & Rogers 2019):
+/// only the pressure difference of a pair beyond the hydrostatic difference is diffused. At rest the term is zero,
+/// both inside and at a free surface or a wall, where the uncorrected term would erode the hydrostatic
+/// stratification:
 ///   drho_i/dt = 2 delta h c0 SUM_j V_j [(p_i - p_j) - (rho_i + rho_j)/2 g . x_ij] / c0^2 (1/r dW/dr)
 template <int D>
 struct HydrostaticDiffusion {
     double coefficient;              ///< 2 delta h / c0 [s]
-    Vector<double, D> acceleration;  ///< g, of axes that are not periodic [m/s^2]
+    Vector<double, D> acceleration;  ///< g along the axes that are not periodic [m/s^2]
 
     HydrostaticDiffusion(double delta, double support, double sound_speed, const Vector<double, D>& g)
         : coefficient(delta * support / sound_speed), acceleration(g) {}

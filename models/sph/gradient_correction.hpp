@@ -29,19 +29,18 @@ struct Symmetric {
     }
 };
 
-/// Correction of the kernel's gradient, so that gradients of linear fields come out exact (Bonet & Lok 1999, eq. 29):
+/// Correction of the kernel's gradient that makes gradients of linear fields exact (Bonet & Lok 1999, eq. 29):
 ///   B_i = M_i^-1,   M_i = - SUM_j V_j (1/r dW/dr) x_ij x_ij^T   [-], symmetric
 /// in the antisymmetric form of the pressure force, and in its variational partner, the density rate:
 ///   F_i = - SUM_j V_i V_j (p_i B_i + p_j B_j) grad_i W_ij   [N]
 ///   drho_i/dt = rho_i SUM_j V_j v_ij . B_i grad_i W_ij      [kg/m^3/s]
-/// Linear momentum stays conserved pair by pair, angular momentum only as far as B is uniform. In solids the fluid sees
-/// its own B. Where too few neighbours are around, det M < 0.3 (a flat free surface has 0.5), B = 1: spray must not be
-/// torn apart.
-/// The sweeps add what this makes different to the uncorrected sums: E = B - 1 takes the place of B.
+/// Linear momentum is conserved pair by pair, angular momentum only as far as B is uniform. For a solid neighbour the
+/// fluid particle's own B is used. With too few neighbours, det M < 0.3 (a flat free surface has 0.5), B = 1, so that
+/// spray is not torn apart. The sweeps add the difference from the uncorrected sums: E = B - 1 replaces B.
 struct GradientCorrection {
     static constexpr double smallest_determinant = 0.3;
 
-    /// One term of M over the slope: V_j x x^T with the sign of -1, apart on the diagonal and off it.
+    /// One term of M divided by the slope: -V_j x x^T, as diagonal and off-diagonal elements.
     template <class T, class V, int D>
     static Symmetric<T, D> term(const V& volume, const Vector<T, D>& x) {
         Symmetric<T, D> m;
@@ -72,8 +71,8 @@ struct GradientCorrection {
         return e;
     }
 
-    /// Correction of the force on i by the pressure of one particle of the pair, i or j [N]. Apart, so that both
-    /// rounded terms of a pair cancel.
+    /// Correction of the force on i due to the pressure of one particle of the pair, i or j [N]. It is evaluated for
+    /// one particle at a time so that both rounded terms of a pair cancel.
     template <class P, class T, class U, int D>
     static auto force(const P& p, const T& pressure, const Symmetric<U, D>& e) {
         return (-1.0 * p.weight() * pressure) * (e * p.separation);

@@ -6,13 +6,13 @@
 
 namespace dmp::models {
 
-/// Smoothing kernels W(r) with compact support: W = 0 for r >= support, the integral of W over space is 1.
-/// `value` is W(r) [1/m^D], `slope` is (1/r) dW/dr [1/m^(D+2)], so that grad_i W(|x_i - x_j|) = slope (x_i - x_j).
-/// Both take a double or a SIMD value and vanish beyond the support without a branch.
-/// `sound_limit` is the largest stable c dt / support and `viscous_limit` the largest stable nu dt / support^2 of a
-/// staggered step in linear theory, D = 2 or 3. Von Neumann analysis of the continuous symbols, k the wave number and
-/// ^ the Fourier transform: pressure force and continuity both turn a wave's amplitude by c k W^(k), and a staggered
-/// pair of them is stable below 2; Morris' viscosity damps it by 2 nu [F^(k) - F^(0)], F the slope, and an explicit
+/// Smoothing kernels W(r) with compact support: W = 0 for r >= support, the integral of W over space is 1. `value` is
+/// W(r) [1/m^D], `slope` is (1/r) dW/dr [1/m^(D+2)], so that grad_i W(|x_i - x_j|) = slope (x_i - x_j). Both accept a
+/// double or a SIMD value and vanish beyond the support without a branch. `sound_limit` is the largest stable c dt /
+/// support, and `viscous_limit` the largest stable nu dt / support^2, of a staggered step in linear theory, D = 2 or
+/// 3. They follow from a von Neumann analysis of the continuous symbols, with wave number k and the Fourier transform
+/// ^. The pressure force and continuity both multiply a wave's amplitude by c k W^(k), and a staggered pair of them
+/// is stable below 2. Morris' viscosity damps a wave by 2 nu [F^(k) - F^(0)], where F is the slope, and an explicit
 /// step is stable below 2. So sound_limit = min 2 / (k R W^), viscous_limit = min 1 / (R^2 [F^(k) - F^(0)]).
 
 template <class T>
@@ -116,8 +116,8 @@ class WendlandC4 {
     double inverse_support_, constant_, slope_constant_;
 };
 
-/// The cubic B-spline, W = w [(2 - s)^3 / 4 - (1 - s)^3], s = r / h, h = support / 2, brackets that turn negative
-/// counting as 0 (Monaghan & Lattanzio 1985).
+/// The cubic B-spline, W = w [(2 - s)^3 / 4 - (1 - s)^3], s = r / h, h = support / 2, where negative brackets count
+/// as 0 (Monaghan & Lattanzio 1985).
 template <int D>
 class CubicSpline {
   public:
@@ -136,7 +136,7 @@ class CubicSpline {
         const T outer = max(T(0.0), T(2.0) - s), inner = max(T(0.0), T(1.0) - s);
         return constant_ * (0.25 * outer * square(outer) - inner * square(inner));
     }
-    /// Within r = h it is the outer part's value at h and a straight line: nothing is divided by r there.
+    /// Within r = h it is the outer part's value at h plus a linear term, which avoids a division by r.
     template <class T>
     [[nodiscard]] T slope(const T& r) const {
         using std::max;
@@ -150,8 +150,8 @@ class CubicSpline {
     double inverse_h_, constant_, slope_constant_;
 };
 
-/// The quintic B-spline, W = w [(3 - s)^5 - 6 (2 - s)^5 + 15 (1 - s)^5], s = r / h, h = support / 3, brackets that turn
-/// negative counting as 0 (Schoenberg 1946; Morris, Fox & Zhu 1997).
+/// The quintic B-spline, W = w [(3 - s)^5 - 6 (2 - s)^5 + 15 (1 - s)^5], s = r / h, h = support / 3, where negative
+/// brackets count as 0 (Schoenberg 1946; Morris, Fox & Zhu 1997).
 template <int D>
 class QuinticSpline {
   public:
@@ -170,7 +170,7 @@ class QuinticSpline {
         const T a = max(T(0.0), T(3.0) - s), b = max(T(0.0), T(2.0) - s), c = max(T(0.0), T(1.0) - s);
         return constant_ * (a * square(square(a)) - 6.0 * (b * square(square(b))) + 15.0 * (c * square(square(c))));
     }
-    /// Within r = h it is the outer parts' value at h and a polynomial of 1 - s: nothing is divided by r there.
+    /// Within r = h it is the outer parts' value at h plus a polynomial of 1 - s, which avoids a division by r.
     template <class T>
     [[nodiscard]] T slope(const T& r) const {
         using std::max;

@@ -5,14 +5,15 @@
 
 namespace dmp::models {
 
-/// What a viscous law makes of a fluid's viscosity on its undisturbed square or cubic lattice, where sums stand for
-/// integrals, as parts of it. `shear` meets v_x = y^2/2, `longitudinal` v_x = x^2/2. In the continuum Morris' law gives
-/// 1 and 1, Monaghan's 1 and 3.
+/// Ratio of the effective viscosity of a viscous law to the specified one on the undisturbed square or cubic lattice,
+/// where sums replace integrals. `shear` is for v_x = y^2/2, `longitudinal` for v_x = x^2/2. In the continuum,
+/// Morris' law has 1 and 1, Monaghan's 1 and 3.
 struct LatticeViscosity {
     double shear = 0, longitudinal = 0;
 };
 
-/// Calls visit(x, y, r, V) for the points of a lattice around one of them that lie within the support, itself excepted.
+/// Calls visit(x, y, r, V) for the points of a lattice within the support of one of them, except for that point
+/// itself.
 template <class Visit>
 void for_each_lattice_point(int dimension, double spacing, double support, const Visit& visit) {
     const int reach = static_cast<int>(support / spacing) + 1, deep = dimension == 3 ? reach : 0;
@@ -25,7 +26,7 @@ void for_each_lattice_point(int dimension, double spacing, double support, const
             }
 }
 
-/// Of Morris' law. `slope(r)` is (1/r) dW/dr; lengths in metres.
+/// For Morris' law. `slope(r)` is (1/r) dW/dr; lengths in metres.
 template <class Slope>
 LatticeViscosity lattice_viscosity_of_morris(int dimension, double spacing, double support, const Slope& slope) {
     LatticeViscosity sum;
@@ -36,7 +37,7 @@ LatticeViscosity lattice_viscosity_of_morris(int dimension, double spacing, doub
     return sum;
 }
 
-/// Of Monaghan's law, with its softening of the distance.
+/// For Monaghan's law, with its softening of the distance.
 template <class Slope>
 LatticeViscosity lattice_viscosity_of_monaghan(int dimension, double spacing, double support, const Slope& slope) {
     LatticeViscosity sum;

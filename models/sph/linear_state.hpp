@@ -3,9 +3,9 @@
 
 namespace dmp::models {
 
-/// The linear equation of state of a weakly compressible liquid (Morris, Fox & Zhu 1997, eq. 8, less its constant):
+/// The linear equation of state of a weakly compressible fluid (Morris, Fox & Zhu 1997, eq. 8, less its constant):
 ///   p = c0^2 (rho - rho0)   [Pa]
-/// Tait's to first order in the compression: as the speed of sound it has c0 at every density.
+/// Tait's equation to first order in the compression; the speed of sound is c0 at every density.
 struct LinearEquation {
     double sound_speed;   ///< c0 [m/s]
     double rest_density;  ///< rho0 [kg/m^3]
@@ -15,11 +15,11 @@ struct LinearEquation {
         return (sound_speed * sound_speed) * (density - T(rest_density));
     }
 
-    /// The inverse: density at which the liquid has this pressure [kg/m^3]; pressure must exceed `lowest_pressure`.
+    /// The inverse: density at which the fluid has this pressure [kg/m^3]; pressure must exceed `lowest_pressure`.
     [[nodiscard]] double density(double pressure) const {
         return rest_density + pressure / (sound_speed * sound_speed);
     }
-    /// The pressure of a vanishing density [Pa].
+    /// The pressure at zero density [Pa].
     [[nodiscard]] double lowest_pressure() const { return -sound_speed * sound_speed * rest_density; }
 };
 

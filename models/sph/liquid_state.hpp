@@ -12,9 +12,9 @@ namespace dmp::models {
 
 enum class EquationOfState { tait, linear };
 
-/// How the pressure of one fluid part follows from its density: the equation that the scene chose, and a background
-/// pressure p_b on top [Pa]. The force between two particles goes with the sum of their pressures: p_b pushes particles
-/// apart evenly, where there are any around, and keeps those of confined or periodic fluids under compression.
+/// Equation of state of a fluid part: the chosen equation plus a background pressure p_b [Pa]. The force between two
+/// particles is proportional to the sum of their pressures: p_b pushes particles apart evenly where they have
+/// neighbours, and keeps those of confined or periodic fluids under compression.
 struct LiquidState {
     double sound_speed;              ///< c0 [m/s]
     double rest_density;             ///< rho0 [kg/m^3]
@@ -24,11 +24,11 @@ struct LiquidState {
     [[nodiscard]] double pressure(double density) const {
         return by_equation([&](const auto& state) { return state.pressure(density); }) + background_pressure;
     }
-    /// Density at which the liquid has this pressure over the background [kg/m^3]; it must exceed `lowest_pressure`.
+    /// Density at which the fluid has this pressure above the background [kg/m^3]; it must exceed `lowest_pressure`.
     [[nodiscard]] double density(double over_background) const {
         return by_equation([&](const auto& state) { return state.density(over_background); });
     }
-    /// The pressure of a vanishing density, less the background [Pa].
+    /// The pressure at zero density, less the background [Pa].
     [[nodiscard]] double lowest_pressure() const {
         return by_equation([](const auto& state) { return state.lowest_pressure(); });
     }
@@ -46,7 +46,6 @@ struct LiquidState {
 namespace dmp {
 
 template <>
-inline constexpr auto enum_names<models::EquationOfState> =
-    std::to_array<std::string_view>({"tait", "linear"});
+inline constexpr auto enum_names<models::EquationOfState> = std::to_array<std::string_view>({"tait", "linear"});
 
 }  // namespace dmp

@@ -11,8 +11,8 @@ namespace dmp::models {
 
 /// Viscous force on particle i (Morris, Fox & Zhu 1997, eq. 22, times m_i):
 ///   F_i = SUM_j V_i V_j 2 mu_ij (1/r dW/dr) v_ij   [N],   mu_ij the mean of both viscosities
-/// Reads volume, velocity and dynamic viscosity. Antisymmetric; conserves linear, not angular momentum.
-/// Largest stable explicit step: kernel.viscous_limit support^2 / nu (linear theory).
+/// Reads volume, velocity and dynamic viscosity. Antisymmetric; conserves linear but not angular momentum. Largest
+/// stable explicit step: kernel.viscous_limit support^2 / nu (linear theory).
 struct MorrisViscosity {
     static constexpr LawFacts facts{"morris", "Morris, Fox & Zhu 1997, eq. 22", "Morris' form, along the velocities"};
     static constexpr bool linear = true;

@@ -6,7 +6,7 @@
 
 namespace dmp::models {
 
-/// A term that is not there: what it is added to stays as it is, at no cost.
+/// An absent term: adding it leaves the other terms unchanged, at no cost.
 struct NoTerm {
     template <class T, int D>
     friend const Vector<T, D>& operator+(const Vector<T, D>& others, const NoTerm& /*none*/) {
@@ -14,7 +14,7 @@ struct NoTerm {
     }
 };
 
-/// No viscous force: of a sweep whose viscous forces are worked out elsewhere.
+/// No viscous force, for sweeps whose viscous forces are computed elsewhere.
 struct NoViscosity {
     template <class P>
     static NoTerm law(const P& /*pair*/) {

@@ -8,14 +8,15 @@
 
 namespace dmp::models {
 
-/// Particle shifting that keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
+/// Particle shifting, which keeps particles evenly spread (after Sun, Colagrossi, Marrone & Zhang 2017):
 ///   dx_i = - s U dt R SUM_j [1 + 0.2 (W_ij / W(dx))^4] V_j grad_i W_ij,   |dx_i| <= 0.1 dx
-/// with R the support radius and U the speed of the flow: 2.5 times the quartic mean of the fluid's speeds,
-/// <v^4>^(1/4), at most the largest. (The largest alone, theirs, may be that of one particle that shifting itself
-/// stirred up, and then feeds on it.) The sum vanishes where particles are even. Near a free surface the sum points out
-/// of the fluid. There the displacement shrinks with the divergence of position, SUM_j V_j x_ji . grad_i W_ij, from all
-/// of it at D, among neighbours all around, to none at 3/4 D (Lee et al. 2008; Mokos, Rogers & Stansby 2017). The pair
-/// law is the term of the sum [1/m]; `step` turns the sum into a displacement [m].
+/// with the support radius R and the speed U of the flow: 2.5 times the quartic mean of the fluid's speeds,
+/// <v^4>^(1/4), at most the largest speed. (The authors use the largest speed alone, which may be that of a single
+/// particle that shifting itself has disturbed, and this would increase the shifting.) The sum vanishes where
+/// particles are evenly spread. Near a free surface it points out of the fluid. There the displacement decreases with
+/// the divergence of position, SUM_j V_j x_ji . grad_i W_ij, from full at D, with neighbours on all sides, to none at
+/// 3/4 D (Lee et al. 2008; Mokos, Rogers & Stansby 2017). The pair law is the term of the sum [1/m]; `step` converts
+/// the sum into a displacement [m].
 template <class Kernel>
 struct Shifting {
     double strength;  ///< s [-]
@@ -37,7 +38,7 @@ struct Shifting {
     static auto divergence(const P& p) {
         return -1.0 * (p.j.volume * p.slope) * (p.distance * p.distance);
     }
-    /// What is left of the displacement near a free surface [-].
+    /// Factor of the displacement near a free surface [-].
     template <int D, class T>
     static T kept(const T& divergence) {
         using std::max;
@@ -45,7 +46,7 @@ struct Shifting {
         return max(T(0.0), min(T(1.0), (4.0 / D) * divergence - T(3.0)));
     }
 
-    /// U from both speeds of the fluid [m/s].
+    /// U from the quartic mean and the largest speed of the fluid [m/s].
     static double speed(double quartic_mean, double largest) { return std::min(2.5 * quartic_mean, largest); }
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx; with U [m/s].
     [[nodiscard]] double step(double speed, double dt) const { return -strength * speed * dt * support; }

@@ -5,7 +5,7 @@
 
 namespace dmp::models {
 
-/// Tait's equation of state for a weakly compressible liquid (Monaghan 1994 with gamma = 7):
+/// Tait's equation of state for a weakly compressible fluid (Monaghan 1994 with gamma = 7):
 ///   p = (c0^2 rho0 / 7) [(rho/rho0)^7 - 1]   [Pa]
 struct TaitEquation {
     double sound_speed;   ///< c0 [m/s]
@@ -18,11 +18,11 @@ struct TaitEquation {
         return sound_speed * sound_speed * rest_density / 7 * (cube * cube * ratio - T(1.0));
     }
 
-    /// The inverse: density at which the liquid has this pressure [kg/m^3]; pressure must exceed `lowest_pressure`.
+    /// The inverse: density at which the fluid has this pressure [kg/m^3]; pressure must exceed `lowest_pressure`.
     [[nodiscard]] double density(double pressure) const {
         return rest_density * std::pow(1 + 7 * pressure / (sound_speed * sound_speed * rest_density), 1.0 / 7);
     }
-    /// The pressure of a vanishing density [Pa].
+    /// The pressure at zero density [Pa].
     [[nodiscard]] double lowest_pressure() const { return -sound_speed * sound_speed * rest_density / 7; }
 };
 

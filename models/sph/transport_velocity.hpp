@@ -5,14 +5,14 @@
 
 namespace dmp::models {
 
-/// Transport velocity (Adami, Hu & Adams 2013): particles move with v~ = v + u, u the velocity that a background
-/// pressure p_b = rho c0^2, constant in 3-D, would give them in half a step from rest, which spreads them evenly:
+/// Transport velocity (Adami, Hu & Adams 2013): particles move with v~ = v + u, where u is the velocity that a
+/// uniform background pressure p_b = rho c0^2 would cause in half a step from rest; it spreads particles evenly:
 ///   u_i = -(dt/2) (p_b / m_i) SUM_j (V_i^2 + V_j^2) grad_i W_ij   [m/s]
-/// What they then carry astray of their momentum comes back as the divergence of a stress A = rho v u:
+/// The momentum that particles thereby carry along is corrected by the divergence of a stress A = rho v u:
 ///   F_i = SUM_j V_i V_j (A_i + A_j) grad_i W_ij   [N]
-/// (their eq. 15 with 2 V_i V_j for V_i^2 + V_j^2, as in all forces here; antisymmetric). Solids count in the
-/// spreading, with their volumes; they carry no stress. For confined or periodic fluids: it would blow a free surface
-/// apart.
+/// (their eq. 15 with 2 V_i V_j for V_i^2 + V_j^2, as in all forces here; antisymmetric). Solids contribute to the
+/// spreading with their volumes; they have no such stress. For confined or periodic fluids only: it would blow a free
+/// surface apart.
 struct TransportVelocity {
     /// Term of SUM_j (V_i^2 + V_j^2) / V_i grad_i W_ij [1/m].
     template <class P>
@@ -20,8 +20,8 @@ struct TransportVelocity {
         return ((p.i.volume * p.i.volume + p.j.volume * p.j.volume) / p.i.volume * p.slope) * p.separation;
     }
 
-    /// Force on i by the stress of one particle of the pair, i or j [N]; u its velocity of transport less its own
-    /// [m/s]. Apart, so that both rounded terms of a pair cancel.
+    /// Force on i due to the stress of one particle of the pair, i or j [N]; u is its transport velocity less its own
+    /// velocity [m/s]. One particle at a time, so that both rounded terms of a pair cancel.
     template <class P, class Point, class U>
     static auto law(const P& p, const Point& of, const U& u) {
         return (p.weight() * (of.density * dot(u, p.separation))) * of.velocity;

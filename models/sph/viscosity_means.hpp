@@ -3,9 +3,9 @@
 
 namespace dmp::models {
 
-/// What a pair's two viscosities count for together: twice their mean [Pa s].
+/// Twice the mean of the two viscosities of a pair [Pa s].
 
-/// mu_i + mu_j: of a fluid of one viscosity (Morris, Fox & Zhu 1997).
+/// mu_i + mu_j: for a fluid of uniform viscosity (Morris, Fox & Zhu 1997).
 struct ArithmeticMean {
     template <class T, class U>
     static auto twice(const T& a, const U& b) {

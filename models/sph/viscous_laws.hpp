@@ -11,16 +11,16 @@
 
 namespace dmp::models {
 
-/// The viscous laws, one row each (numerics.viscous_law). A law is made from ViscousScales and has
+/// The viscous laws, one row each (numerics.viscous_law). A law is constructed from ViscousScales and has
 ///   law(pair, twice_mean)   the force on particle i [N], twice_mean: twice the mean of both viscosities [Pa s]
-///   step_share()            largest stable explicit step over kernel.viscous_limit support^2 / nu [-]
-///   on_lattice(scales)      what it makes of a viscosity on the undisturbed lattice [-]
-///   detail(nu, c0)          what `dmp explain` adds, for a fluid of kinematic viscosity nu [m^2/s]; may be empty
-///   linear                  whether the force is linear in the velocities, as implicit stepping needs
+///   step_share()            largest stable explicit step divided by kernel.viscous_limit support^2 / nu [-]
+///   on_lattice(scales)      ratio of effective to specified viscosity on the undisturbed lattice [-]
+///   detail(nu, c0)          added text of `dmp explain` for a fluid of kinematic viscosity nu [m^2/s]; may be empty
+///   linear                  whether the force is linear in the velocities, as implicit stepping requires
 using ViscousLaws = Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity>;
 using ViscousLaw = Choice<ViscousLaws>;
 
-/// A law with the mean that it is given, as the sweeps apply it.
+/// A law combined with a mean, as the sweeps apply it.
 template <class Law, class Mean>
 struct ViscousTerm {
     Law law_of_pair;
@@ -31,7 +31,8 @@ struct ViscousTerm {
     }
 };
 
-/// Any law of the registry with either mean, chosen at run time: one compiled loop for all that are not the default.
+/// Any law of the registry with either mean, chosen at run time: one compiled loop for all combinations but the
+/// default.
 class AnyViscousTerm {
   public:
     AnyViscousTerm(ViscousLaw choice, const ViscousScales& scales, bool arithmetic_mean)
@@ -59,7 +60,7 @@ class AnyViscousTerm {
 
     ViscousLaw choice_;
     Tuple<ViscousLaws>::Type laws_;
-    double arithmetic_;  ///< weight of the arithmetic mean against the harmonic one: 1 or 0 [-]
+    double arithmetic_;  ///< weight of the arithmetic mean relative to the harmonic mean: 1 or 0 [-]
 };
 
 }  // namespace dmp::models

@@ -5,11 +5,12 @@
 
 namespace dmp::models {
 
-/// What the constants of viscous laws follow from.
+/// Quantities that determine the constants of viscous laws.
 struct ViscousScales {
     int dimension = 2;
     double support = 0;  ///< R [m]
-    /// What Morris' law and Monaghan's make of a viscosity on the undisturbed lattice with this kernel [-].
+    /// Ratio of effective to specified viscosity of Morris' and Monaghan's laws on the undisturbed lattice with this
+    /// kernel [-].
     LatticeViscosity morris_on_lattice{1, 1}, monaghan_on_lattice{1, 3};
 };
 

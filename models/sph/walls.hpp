@@ -7,9 +7,11 @@
 
 namespace dmp::models {
 
-/// What a fluid particle sees in a solid one: a fluid particle in its place, on which the ordinary pair laws act.
+/// Solid particles as neighbours of a fluid particle: each is replaced by a fluid particle at its position, to which
+/// the ordinary pair laws apply.
 
-/// A particle of the same liquid at the solid's place: the solid's velocity and volume, the fluid's own state.
+/// A particle of the same fluid at the solid particle's position, with the solid's velocity and volume and the fluid
+/// particle's own state.
 template <int D, class F, class S>
 auto image_fluid_of(const S& solid, const F& fluid) {
     using T = Wider<decltype(fluid.density), decltype(solid.volume)>;
@@ -25,27 +27,30 @@ auto image_fluid_of(const S& solid, const F& fluid) {
     return liquid;
 }
 
-/// Walls, without slip unless told so, with velocity and pressure extrapolated into them, pair by pair.
-/// Rigid walls: the velocity is the straight line through the fluid particle's and the wall's at its surface
-/// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), d the distances to the surface; the
-/// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j -
-/// x_i). Spring bodies are thin and have fluid on both sides: their own velocity, and the pressure of the side that
-/// looks.
-/// `WithMotion`: walls may move, and let the fluid slip. A wall's particle that accelerates at a_j continues the
-/// pressure with rho_i (g - a_j) . (x_j - x_i) (Adami, Hu & Adams 2012). Where the fluid slips, only the normal part of
-/// v_i - v_w is extrapolated, and the tangential one is the fluid's own: no shear stress, v_j = v_i - (1 + d_j / d_i) n
-/// n . (v_i - v_w). There g is without its part along both the wall and a periodic axis: no pressure can hold that, it
-/// drives the fluid.
+/// Walls with velocity and pressure extrapolated into them, pair by pair; no-slip by default.
+///
+/// Rigid walls: the velocity is extrapolated linearly from the fluid particle's through the wall's at its surface
+/// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), where d are the distances to the surface; the
+/// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j - x_i).
+///
+/// Elastic bodies are thin and have fluid on both sides: they use their own velocity, and the pressure of the fluid
+/// particle.
+///
+/// `WithMotion`: walls may move, and may let the fluid slip. For a wall particle with acceleration a_j the pressure
+/// continues with rho_i (g - a_j) . (x_j - x_i) (Adami, Hu & Adams 2012). Where the fluid slips, only the normal part
+/// of v_i - v_w is extrapolated, and the tangential part is the fluid's own: no shear stress, v_j = v_i - (1 + d_j /
+/// d_i) n n . (v_i - v_w). There, g excludes its component along both the wall and a periodic axis: no pressure can
+/// balance it, it drives the fluid.
 template <int D, bool WithMotion = false>
 struct ExtrapolatedSolid {
     static constexpr bool needs_surface = true, needs_state = false, needs_motion = WithMotion;
-    /// In the density rate the wall's image approaches as fast as the fluid does (v_j = 2 v_w - v_i along the pair), so
-    /// the relative velocity counts twice. It goes with the pressure, which acts twice too (p_j = p_i): the work of the
-    /// forces is then the energy that the density stores.
+    /// In the density rate the wall's image approaches as fast as the fluid does (v_j = 2 v_w - v_i along the pair),
+    /// so the relative velocity counts twice. This matches the pressure, which also acts twice (p_j = p_i): the work
+    /// of the forces then equals the energy stored by the density.
     static constexpr double approach_weight = 2;
 
-    Vector<double, D> acceleration;  ///< body acceleration g of the fluid now [m/s^2]
-    double nearest;                  ///< smallest distance to the surface a fluid particle counts with: dx/2 [m]
+    Vector<double, D> acceleration;  ///< current body acceleration g of the fluid [m/s^2]
+    double nearest;                  ///< smallest distance to the surface used for a fluid particle: dx/2 [m]
     Vector<double, D> driven{};      ///< the part of g along periodic axes; needed with slip [m/s^2]
 
     template <class F, class S, class Separation>
@@ -76,8 +81,8 @@ struct ExtrapolatedSolid {
         return image_fluid_of<D>(body, fluid);
     }
 
-    /// What the density rate sees of a wall that may let the fluid slip: where it does, the wall's particles go along
-    /// with the fluid, v_w + (v_i - v_w) - n n . (v_i - v_w). Sliding past them would else be felt as a rough surface.
+    /// The state used in the density rate for a wall that may let the fluid slip: there, the wall particles move with
+    /// the fluid, v_w + (v_i - v_w) - n n . (v_i - v_w). Otherwise sliding past them would act like a rough surface.
     template <class F, class S>
     [[nodiscard]] static auto approached(const F& fluid, const S& wall) {
         using T = Wider<decltype(fluid.density), decltype(wall.volume)>;
@@ -103,12 +108,12 @@ struct ExtrapolatedSolid {
     }
 };
 
-/// The plain fixed particles of Monaghan (1994): solids carry a density of their own, integrated like the fluid's.
-/// Slip velocity stays at the wall (the no-slip plane lies near the first row of wall particles).
+/// The plain fixed particles of Monaghan (1994): solids have a density of their own, integrated like the fluid's. A
+/// slip velocity remains at the wall (the no-slip plane lies near the first row of wall particles).
 template <int D>
 struct PlainSolid {
     static constexpr bool needs_surface = false, needs_state = true, needs_motion = false;
-    static constexpr double approach_weight = 1;  ///< the solid's own density takes up the other half
+    static constexpr double approach_weight = 1;  ///< the solid's own density accounts for the other half
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& solid, const Separation& /*from_solid*/) const {

@@ -5,14 +5,15 @@ namespace dmp::models {
 
 enum class BreakCriterion { force, strain };
 
-/// A bond breaks when its tension F = 2 k_b (r - r0) [N], or its strain (r - r0) / r0 [-], exceeds a limit: by force at
+/// A bond breaks when its tension F = 2 k_b (r - r0) [N], or its strain (r - r0) / r0 [-], exceeds a limit. With a
+/// force limit it breaks at
 ///   r = r0 + F_limit / (2 k_b)
-/// which releases k_b (r - r0)^2. A compressed bond does not break. The dashpot has no part in it.
+/// and releases k_b (r - r0)^2. A compressed bond does not break. The dashpot force is not included.
 struct BondBreak {
     BreakCriterion criterion = BreakCriterion::force;
     double limit = 0;  ///< [N] or [-]
 
-    /// By how much a bond is beyond its limit, in limits: above 0 it breaks.
+    /// Relative excess over the limit, load / limit - 1; the bond breaks if this is positive.
     [[nodiscard]] double excess(double stretch, double rest_length, double stiffness) const {
         const double load = criterion == BreakCriterion::force ? 2 * stiffness * stretch : stretch / rest_length;
         return load / limit - 1;

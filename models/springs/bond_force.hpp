@@ -7,7 +7,7 @@ namespace dmp::models {
 
 /// A harmonic bond between nodes a and b with a dashpot along it: U = k_b (r - r0)^2 (no 1/2),
 ///   F_a = -[2 k_b (r - r0) + c (v_a - v_b) . e] e,   e = (x_a - x_b) / r,   F_b = -F_a   [N]
-/// See Spring for the dashpot; the mass is the reduced one of the two nodes.
+/// See Spring for the dashpot; its mass is the reduced mass of the two nodes.
 template <int D>
 struct BondForce : Spring {
     static constexpr int nodes = 2;                          ///< a, b
@@ -24,14 +24,14 @@ struct BondForce : Spring {
         return {length - rest_length, {(1 / length) * arm[0]}};
     }
 
-    /// A stretched bond is a string under tension: it resists sideways with 2 k_b (r - r0) / r (a compressed one gives
-    /// way: the part that is left out). Visits the directions across the bond.
+    /// A bond under tension has the lateral stiffness 2 k_b (r - r0) / r (that of a compressed bond is negative and
+    /// is left out). Visits the directions across the bond.
     template <class Visit>
     void extra_stiffness(const Arms<D, 1>& arm, const Visit& visit) const {
         const auto [stretch, gradient] = deviation(arm);
         if (!(stretch > 0)) return;
         const double weight = 2 * stiffness * stretch / (stretch + rest_length);
-        // I - e e^T by an orthonormal set across e.
+        // I - e e^T from an orthonormal basis perpendicular to e.
         Arms<D, 1> across{};
         if constexpr (D == 2) {
             across[0] = {{-gradient[0][1], gradient[0][0]}};

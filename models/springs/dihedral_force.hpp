@@ -5,14 +5,15 @@
 
 namespace dmp::models {
 
-/// A dihedral with a rotational dashpot over nodes a, b, c, d: U = k_d (phi - phi0)^2 (no 1/2), phi in (-pi, pi] the
-/// angle between the planes abc and bcd, positive when d is turned clockwise from a, seen from b to c; pi: all in one
-/// plane, a and d on different sides of bc. With the arms F = x_a - x_b, G = x_b - x_c, H = x_d - x_c and A = F x G,
-/// B = H x G,
+/// A dihedral with a rotational dashpot over nodes a, b, c, d: U = k_d (phi - phi0)^2 (no 1/2). phi in (-pi, pi] is
+/// the angle between the planes abc and bcd, positive when d is turned clockwise from a, seen from b to c; phi = pi:
+/// all nodes in one plane, a and d on different sides of bc. With the arms F = x_a - x_b, G = x_b - x_c, H = x_d -
+/// x_c and A = F x G, B = H x G,
 ///   phi = atan2((B x A) . G / |G|, A . B),
 ///   dphi/dF = -|G| / A^2 A,   dphi/dH = |G| / B^2 B,   dphi/dG = (F . G) / (A^2 |G|) A - (H . G) / (B^2 |G|) B
-/// (Blondel & Karplus 1996: no division by sin phi). Three nodes on one line have no angle, and then no force.
-/// See Spring for the dashpot; the moment of inertia is the reduced one of a and d about bc.
+/// (Blondel & Karplus 1996: no division by sin phi). If three nodes are collinear, the angle is undefined and the
+/// force is 0. See Spring for the dashpot; its moment of inertia is the reduced moment of inertia of a and d about
+/// bc.
 struct DihedralForce : Spring {
     static constexpr int nodes = 4;                                          ///< a, b, c, d
     static constexpr std::array<ArmEnds, 3> arms{{{0, 1}, {1, 2}, {3, 2}}};  ///< F, G, H
@@ -43,12 +44,12 @@ struct DihedralForce : Spring {
             {(-length / a2) * a, (dot(f, g) / (a2 * length)) * a - (dot(h, g) / (b2 * length)) * b, (length / b2) * b}};
     }
 
-    /// None: all terms left out are of the order of the deviation.
+    /// None: all omitted terms are of the order of the deviation.
     template <class Visit>
     void extra_stiffness(const Arms<3, 3>& /*arm*/, const Visit& /*visit*/) const {}
 
   private:
-    static constexpr double line = 1e-24;  ///< a smaller sine squared is that of three nodes on one line
+    static constexpr double line = 1e-24;  ///< below this square of the sine, three nodes count as collinear
 };
 
 }  // namespace dmp::models

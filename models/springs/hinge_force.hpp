@@ -10,13 +10,13 @@ namespace dmp::models {
 
 /// A hinge with a rotational dashpot at a node between arms to nodes a and b: U = k_a (theta - theta0)^2 (no 1/2).
 ///
-/// In 2-D theta is the signed angle from arm a to arm b, in (-pi, pi]; in 3-D the angle between them, in [0,
+/// In 2-D theta is the signed angle from arm a to arm b, in (-pi, pi]; in 3-D it is the angle between them, in [0,
 /// pi]. With M = 2 k_a (theta - theta0) + c dtheta/dt and n the unit normal of the plane of the arms (z in 2-D)
 ///   F_a = -M (a x n) / a^2,   F_b = M (b x n) / b^2,   F_centre = -F_a - F_b   [N]
-/// The forces have no resultant and no moment. They are finite at any angle: no sine is divided by. Where arms in 3-D
-/// lie on one line there is no such plane; any through them serves, and a hinge that rests straight has no force there.
-/// See Spring for the dashpot; the moment of inertia is the reduced one of the two arms about the centre. It brakes
-/// bending, not a bent pair of arms that turns about its bisector.
+/// The forces have no resultant and no moment. They are finite at any angle because nothing is divided by a sine. For
+/// collinear arms in 3-D this plane is undefined; any plane through the arms is used, and a hinge whose rest angle is
+/// straight has no force there. See Spring for the dashpot; its moment of inertia is the reduced moment of inertia of
+/// the two arms about the centre. It damps bending, but not the rotation of a bent pair of arms about its bisector.
 template <int D>
 struct HingeForce : Spring {
     static constexpr int nodes = 3;                                  ///< a, centre, b
@@ -48,11 +48,12 @@ struct HingeForce : Spring {
         }
     }
 
-    /// Arms in 3-D also turn out of their plane: with p, q their turns about their place in it,
+    /// In 3-D the arms also rotate out of their plane. With the rotations p, q,
     ///   d2theta = [cos theta (p^2 + q^2) - 2 p q] / sin theta = [-tan(theta/2) (p + q)^2 + cot(theta/2) (p - q)^2]
     ///   / 2.
-    /// One of the two is positive times (theta - theta0) and is visited; for hinges that rest straight it is as large
-    /// as the stiffness within the plane. In 2-D the terms left out are of the order of the deviation.
+    /// One of the two terms is positive after multiplication by (theta - theta0), and is visited; for hinges with a
+    /// straight rest angle it is as large as the stiffness within the plane. In 2-D the omitted terms are of the
+    /// order of the deviation.
     template <class Visit>
     void extra_stiffness(const Arms<D, 2>& arm, const Visit& visit) const {
         if constexpr (D == 3) {
@@ -65,7 +66,7 @@ struct HingeForce : Spring {
             const double s = std::sqrt(dot(turned, turned)) / (length_a * length_b);
             const double c = dot(a, b) / (length_a * length_b);
             const double opposite = value < 0 || (value == 0 && cosine < 0) ? 1 : -1;  // p + q, or p - q
-            // |value| / sin theta tends to 1 where the angle tends to a straight rest angle.
+            // |value| / sin theta tends to 1 as the angle tends to a straight rest angle.
             const double over_sine = s > flat ? std::abs(value) / s : (sine == 0 ? 1 : std::abs(value) / flat);
             visit(stiffness * over_sine * (1 - opposite * c),
                   Arms<3, 2>{(1 / length_a) * normal, (opposite / length_b) * normal});
@@ -73,7 +74,7 @@ struct HingeForce : Spring {
     }
 
   private:
-    static constexpr double flat = 1e-6;  ///< a smaller sine is that of arms on one line
+    static constexpr double flat = 1e-6;  ///< below this sine, the arms count as collinear
 
     [[nodiscard]] double from_rest(double along, double across) const {
         return std::atan2(across * cosine - along * sine, along * cosine + across * sine);

@@ -16,9 +16,9 @@ namespace dmp::solver {
 
 namespace {
 
-// What Zoltan asks of us. Points are known by their index.
+// Callbacks for Zoltan. Points are identified by their index.
 
-/// Zoltan hands our functions a pointer that is not const, to a pointer that is.
+/// Zoltan passes our callbacks a non-const pointer to a const pointer.
 const WeightedPoints& points_behind(void* data) { return **static_cast<const WeightedPoints**>(data); }
 
 int count_points(void* data, int* error) {
@@ -53,7 +53,7 @@ void check(int result, const char* step) {
                                                 : "Run on one rank, and please report it with the scene.");
 }
 
-/// Zoltan writes infinity as the largest double.
+/// Zoltan represents infinity by the largest double.
 double position(double bound) {
     constexpr double most = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
     return bound >= most ? infinity : bound <= -most ? -infinity : bound;
@@ -69,15 +69,15 @@ std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points) {
     if (!zoltan) check(ZOLTAN_MEMERR, "starting");
 
     constexpr std::array<std::pair<const char*, const char*>, 10> settings{{
-        {"DEBUG_LEVEL", "0"},  // first: the others are talked about
+        {"DEBUG_LEVEL", "0"},  // first, as Zoltan reports the other settings
         {"LB_METHOD", "RCB"},
         {"KEEP_CUTS", "1"},
         {"RCB_RECTILINEAR_BLOCKS", "0"},
-        {"AVERAGE_CUTS", "1"},  // between particles, where there is room, not through one
+        {"AVERAGE_CUTS", "1"},  // halfway between particles, not through one
         {"RETURN_LISTS", "NONE"},
         {"OBJ_WEIGHT_DIM", "1"},
         {"NUM_LID_ENTRIES", "0"},
-        {"REMAP", "0"},  // box k is rank k's
+        {"REMAP", "0"},  // box k belongs to rank k
         {"IMBALANCE_TOL", "1.001"},
     }};
     for (const auto& [name, value] : settings) check(Zoltan_Set_Param(zoltan.get(), name, value), name);

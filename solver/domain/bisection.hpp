@@ -9,7 +9,7 @@
 
 namespace dmp::solver {
 
-/// Points with weights: `dimension` coordinates and one weight a point.
+/// Points with weights: `dimension` coordinates and one weight per point.
 struct WeightedPoints {
     int dimension = 2;
     std::vector<double> coordinates;
@@ -22,10 +22,11 @@ struct WeightedPoints {
     }
 };
 
-/// One box a rank, so that the ranks' points, taken together, weigh about the same in each: recursive coordinate
-/// bisection (Berger and Bokhari, IEEE Transactions on Computers C-36, 1987) by Zoltan, always across the longest side
-/// of what is to be cut. The outer boxes reach to +-infinity. Called by all ranks, who must be several; all get the
-/// same boxes. Throws ResourceError where Zoltan fails. With hardly more points than ranks the boxes may be nonsense.
+/// Returns one box per rank, such that the points of all ranks together weigh about the same in each box: recursive
+/// coordinate bisection (Berger and Bokhari, IEEE Transactions on Computers C-36, 1987) by Zoltan, always across the
+/// longest side of the part to be cut. The outer boxes extend to +-infinity. Must be called by all ranks, of which
+/// there must be several; all get the same boxes. Throws ResourceError if Zoltan fails. With hardly more points than
+/// ranks the boxes may be meaningless.
 std::vector<Box> bisect(const Ranks& ranks, const WeightedPoints& points);
 
 }  // namespace dmp::solver

@@ -17,7 +17,7 @@ namespace dmp::solver {
 
 namespace {
 
-/// A particle farther away than this has no place in the simulation any more, and would lose digits on the way back.
+/// A particle farther away than this has left the simulation; moving it back would lose digits.
 constexpr double most_periods = 1e6;
 
 Box everything(const ParticleSpace& space) {
@@ -83,7 +83,7 @@ int Domain::owner(const Vec& point) const {
     return regions_.owner(position);
 }
 
-/// A particle and its image change places, which changes nothing: where one is lies the other.
+/// Swaps a particle with its mirror image. The fluid stays the same, as each is the other's image.
 void Domain::mirror_back(ParticleGroup& fluid) const {
     for (int axis = 0; axis < dimension_; ++axis)
         for (const bool high : {false, true}) {
@@ -112,7 +112,7 @@ void Domain::move_into_box(const GroupList& groups) const {
             const bool periodic = periodic_[axis];
             const double farthest =
                 periodic ? most_periods * (high - low) : std::numeric_limits<double>::max();  // infinity is too far
-            // Most particles are where they belong, and one comparison says so.
+            // Most particles are inside, which a single comparison shows.
             const auto outside = select(group->owned(), threads_, [=](std::size_t i) {
                 return periodic ? !(x[i] >= low && x[i] < high) : !(std::abs(x[i]) <= farthest);
             });
@@ -141,7 +141,7 @@ void Domain::migrate(const GroupList& groups) const {
         std::array<const double*, 3> x{};
         for (int axis = 0; axis < dimension_; ++axis) x[axis] = group->data(Field::position, axis);
         Departures leaving;
-        // On a side of the box only the owner's rule knows; next to nobody is there.
+        // Only owner() decides about points on a side of the box; hardly any particle is there.
         const std::vector<std::int32_t> outside =
             select(group->owned(), threads_, [&, dimension = dimension_](std::size_t i) {
                 int inside = 1;

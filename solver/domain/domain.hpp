@@ -12,10 +12,10 @@
 
 namespace dmp::solver {
 
-/// Groups of particles, the same kinds with the same fields in the same order on every rank.
+/// Groups of particles; every rank has the same kinds with the same fields in the same order.
 using GroupList = std::vector<ParticleGroup*>;
 
-/// What a particle of each kind costs, compared with the others; above 0.
+/// Computing cost of a particle of each kind relative to the others; must be positive.
 struct KindWeights {
     double fluid = 1, rigid = 1, springs = 1, spheres = 1;
     [[nodiscard]] double of(PartKind kind) const {
@@ -24,33 +24,34 @@ struct KindWeights {
     }
 };
 
-/// Which rank owns which part of space: one box a rank, known to all. Who owns a particle is a question of its position
-/// alone. At first all of space is the first rank's.
-/// All but owner() and box() must be called by all ranks together. One rank alone calls no MPI.
+/// Domain decomposition: one box per rank, known to all ranks. The owner of a particle depends on its position alone.
+/// Initially rank 0 owns all of space.
+/// All functions except owner() and box() must be called by all ranks together. On one rank no MPI is called.
 class Domain {
   public:
     Domain(const Ranks& ranks, const ParticleSpace& space, int threads = 1);
 
-    /// Divides space anew, so that the owned particles of these groups weigh about the same on each rank; migrate()
-    /// then brings them there. With hardly more particles than ranks, all may become the first rank's. Positions move
-    /// by whole periods into the box. Takes about 1 us a particle, and 100 bytes for as long. Throws as migrate() does,
-    /// and ResourceError where Zoltan fails.
+    /// Divides space again, such that the owned particles of these groups weigh about the same on each rank;
+    /// migrate() then moves them to their ranks. With hardly more particles than ranks, rank 0 may get all of them.
+    /// Positions are moved into the box by whole periods. Takes about 1 us and temporarily 100 bytes per particle.
+    /// Throws as migrate() does, and ResourceError if Zoltan fails.
     void divide(const GroupList& groups, const KindWeights& weights);
 
-    /// The rank that owns this place; along periodic axes it may lie any number of periods away.
+    /// The rank that owns this point; along periodic axes the point may be any number of periods away.
     [[nodiscard]] int owner(const Vec& point) const;
-    /// A rank's part of space: infinite outwards where the axis is not periodic and has no plane of symmetry (and along
-    /// z in 2-D); low > high if it has none. What lies inside is the rank's; owner() knows about points on a side that
-    /// two ranks share.
+    /// A rank's part of space. It extends to infinity where the axis is neither periodic nor ends at a plane of
+    /// symmetry (and along z in 2-D); low > high if the rank has none. Points inside belong to the rank; for points
+    /// on a side that two ranks share, owner() decides.
     [[nodiscard]] const Box& box(int rank) const { return regions_.box(rank); }
 
-    /// Moves every owned particle by whole periods into the box of the space, fluid particles that have passed a plane
-    /// of symmetry to where their mirror image is, and all to the rank that owns its place, with its tag and all state
-    /// fields. Those that stay keep their order; those that come stand behind them. Copies go. Throws DivergenceError,
-    /// on all ranks, if a particle has no place any more (NaN, infinite or far off).
+    /// Moves every owned particle into the box of the space by whole periods, replaces fluid particles that have
+    /// crossed a plane of symmetry by their mirror image, and sends all particles to the rank that owns their
+    /// position, with their tags and all state fields. Particles that stay keep their order; arriving particles are
+    /// appended. Ghost particles are dropped. Throws DivergenceError on all ranks if the position of a particle is
+    /// NaN, infinite or too far away.
     void migrate(const GroupList& groups) const;
 
-    /// The largest rank's load over the mean: 1 is perfect. 1 without particles.
+    /// The largest load of a rank divided by the mean: 1 is perfect. 1 without particles.
     [[nodiscard]] double imbalance(const GroupList& groups, const KindWeights& weights) const;
 
   private:

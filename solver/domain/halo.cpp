@@ -45,7 +45,7 @@ void Halo::build(ParticleGroup& group, const Domain& domain, double reach) {
     exchange(group, group.declared());
 }
 
-/// What each rank needs of this one's particles; nothing for ranks that need none.
+/// The particles of this rank that each other rank needs; no entry for ranks that need none.
 std::vector<Halo::Outgoing> Halo::wanted_ghosts(const ParticleGroup& group, const Domain& domain, double reach) const {
     std::vector<Outgoing> all;
     const HaloTargets targets(domain, ranks_, space_, reach);
@@ -66,7 +66,7 @@ std::vector<Halo::Outgoing> Halo::wanted_ghosts(const ParticleGroup& group, cons
     return all;
 }
 
-/// Tells the other ranks what comes, by its tags, and makes room for all copies.
+/// Sends the tags of the ghosts to the other ranks and makes space for all ghosts.
 void Halo::make_room(ParticleGroup& group) {
     const auto tags_of = [&group](const Outgoing& outgoing) {
         std::vector<ParticleTag> tags;
@@ -96,8 +96,8 @@ void Halo::make_room(ParticleGroup& group) {
 
 void Halo::start(ParticleGroup& group, const FieldList& fields) {
     refuse(!fields_.empty(), "an exchange is under way");
-    refuse(group.owned() != owned_ || group.total() != total_, "the group is not the one that was built");
-    for (const Field field : fields) refuse(!group.has(field), "a field that nobody declared");
+    refuse(group.owned() != owned_ || group.total() != total_, "the group has changed since build()");
+    for (const Field field : fields) refuse(!group.has(field), "a field was not declared");
     fields_ = fields;
     std::vector<std::pair<Field, int>> arrays;
     for (const Field field : fields)
@@ -153,7 +153,7 @@ void Halo::copy_values(const Outgoing& outgoing, const ParticleGroup& group, Fie
         if (mirrored)
 #pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
             for (std::size_t k = begin; k < run.end; ++k) to[k] = shift - from[sources[k]];
-        else if (shift == 0)  // adding it would turn -0 into +0
+        else if (shift == 0)  // adding 0 would turn -0 into +0
 #pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)
             for (std::size_t k = begin; k < run.end; ++k) to[k] = from[sources[k]];
         else
@@ -184,7 +184,7 @@ void Halo::exchange_rows(double* rows, std::size_t width) {
 void Halo::copy_rows(const Outgoing& outgoing, const double* rows, std::size_t width, double* to) {
     std::size_t k = 0;
     for (const Run& run : outgoing.runs) {
-        for (const bool mirrored : run.image.mirrored) refuse(mirrored, "rows have no images in a mirror");
+        for (const bool mirrored : run.image.mirrored) refuse(mirrored, "rows cannot have mirror images");
         for (; k < run.end; ++k) {
             double* row = to + k * width;
             std::copy_n(rows + static_cast<std::size_t>(outgoing.sources[k]) * width, width, row);

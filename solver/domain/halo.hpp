@@ -15,15 +15,15 @@
 
 namespace dmp::solver {
 
-/// What a rank has sent to others.
+/// Data that a rank has sent to other ranks.
 struct HaloTraffic {
     std::int64_t messages = 0, bytes = 0;
 };
 
-/// The copies of one group of particles: those of other ranks' particles, of periodic images and of mirror images at
-/// planes of symmetry, that lie near the rank's own part of space. A group has a Halo of its own.
+/// The ghost particles of one group: particles of other ranks, periodic images, and mirror images at planes of
+/// symmetry that lie near the rank's own part of space. Each group has its own Halo.
 /// build(), exchange(), start(), finish() and ghosts_per_owned() must be called by all ranks together, for several
-/// groups in the same order. One rank alone calls no MPI.
+/// groups in the same order. On one rank no MPI is called.
 class Halo {
   public:
     Halo(Ranks ranks, ParticleSpace space, int threads = 1);
@@ -33,41 +33,42 @@ class Halo {
     Halo(Halo&& other) noexcept;
     Halo& operator=(Halo&& other) noexcept;
 
-    /// Drops the group's copies and makes new ones, with their tags and all declared fields: every owned particle of
-    /// any rank, moved by any whole periods and mirrored at planes of symmetry, that lies within `reach` of this rank's
-    /// box and is not its own unmoved one, once. Vectors of mirrored copies are mirrored too. Particles must be where
-    /// Domain::migrate left them. No order of the copies is promised.
+    /// Replaces the group's ghost particles by new ones, with their tags and all declared fields: every owned
+    /// particle of any rank, moved by any whole periods and mirrored at planes of symmetry, that lies within `reach`
+    /// of this rank's box, once. The rank's own particles at their actual positions are not among them. Vectors of
+    /// mirrored ghosts are mirrored too. Particles must be where Domain::migrate left them. The order of the ghosts
+    /// is unspecified.
     void build(ParticleGroup& group, const Domain& domain, double reach);
 
-    /// Gives the copies the values that their particles have now; in the same images. Particles
-    /// and copies must be those of the last build().
+    /// Copies the current values of the particles to their ghosts; the images stay the same. Particles and ghosts
+    /// must be those of the last build().
     void exchange(ParticleGroup& group, const FieldList& fields) {
         start(group, fields);
         finish(group);
     }
-    /// The same in two steps: between them the fields of copies are not to be touched, and the group's size must stay.
-    /// Values are those at the start. Several Halos may be under way at once.
+    /// The same in two steps: between them the fields of ghosts must not be accessed, and the group's size must not
+    /// change. The values are those at the start. Several Halos may be exchanging at the same time.
     void start(ParticleGroup& group, const FieldList& fields);
     void finish(ParticleGroup& group);
 
-    /// The same at once for values that lie side by side, `width` doubles a particle in the order of the group: a place
-    /// and then whatever does not change from image to image. Not for images in a mirror.
+    /// The same in one step for values stored in rows, `width` doubles per particle in the order of the group: a
+    /// position, then values that are the same in all images. Not for mirror images.
     void exchange_rows(double* rows, std::size_t width);
 
-    /// Of values, since it was made; making copies known is not counted.
+    /// Data sent for values since construction; the ghost tags sent by build() are not counted.
     [[nodiscard]] const HaloTraffic& traffic() const { return traffic_; }
-    /// This rank's copies at the last build().
+    /// Number of this rank's ghosts at the last build().
     [[nodiscard]] std::size_t ghosts() const { return total_ - owned_; }
-    /// The same over all ranks, for each of all their particles; 0 without particles.
+    /// Ghosts of all ranks divided by the particles of all ranks; 0 without particles.
     [[nodiscard]] double ghosts_per_owned() const;
 
   private:
-    /// Consecutive sources of an Outgoing, up to `end`, that appear in the same image.
+    /// Consecutive sources of an Outgoing, up to `end`, with the same image.
     struct Run {
         HaloImage image;
         std::size_t end = 0;
     };
-    /// Which owned particles go to a rank.
+    /// The owned particles that are sent to a rank.
     struct Outgoing {
         int rank = 0;
         std::vector<std::int32_t> sources;
@@ -76,7 +77,7 @@ class Halo {
     };
     struct Incoming {
         int rank = 0;
-        std::size_t first = 0, count = 0;  ///< its copies
+        std::size_t first = 0, count = 0;  ///< its ghosts
         std::vector<double> buffer;
     };
     struct Requests;
@@ -91,11 +92,11 @@ class Halo {
     Ranks ranks_;
     ParticleSpace space_;
     int threads_;
-    Outgoing own_;                    ///< this rank's own images; their copies come first
+    Outgoing own_;                    ///< this rank's own images; their ghosts come first
     std::vector<Outgoing> outgoing_;  ///< to other ranks
     std::vector<Incoming> incoming_;
     std::size_t owned_ = 0, total_ = 0;
-    FieldList fields_;  ///< under way
+    FieldList fields_;  ///< fields being exchanged
     HaloTraffic traffic_;
     std::unique_ptr<Requests> requests_;
 };

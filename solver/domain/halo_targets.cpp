@@ -7,8 +7,8 @@ namespace dmp::solver {
 
 namespace {
 
-/// Distances carry rounding errors, of coordinates up to a million times as large: what lies as far as the reach is to
-/// be found all the same.
+/// Relative margin: distances have rounding errors from coordinates up to a million times as large, but a particle at
+/// exactly the reach must be found.
 constexpr double margin = 1e-9;
 
 bool is_empty(const Box& box, int dimension) {
@@ -23,7 +23,7 @@ struct AxisImage {
     bool mirrored = false;
 };
 
-/// From a side's part of a box to the other box's, once it is seen in the image.
+/// Distance between one side of a box in its image and the same side of the other box.
 double apart(double low, double high, const AxisImage& image, double other_low, double other_high) {
     const double image_low = (image.mirrored ? -high : low) + image.shift;
     const double image_high = (image.mirrored ? -low : high) + image.shift;
@@ -31,7 +31,7 @@ double apart(double low, double high, const AxisImage& image, double other_low, 
 }
 
 /// All images along an axis in which `own` may come within the reach of `other`, mirrored and moved by whole periods.
-/// An axis with two planes of symmetry repeats itself after twice their distance.
+/// An axis with two planes of symmetry has a period of twice their distance.
 std::vector<AxisImage> images_between(const Box& own, const Box& other, const ParticleSpace& space, int axis,
                                       double reach) {
     const double low = space.box.low[axis], high = space.box.high[axis];
@@ -45,7 +45,7 @@ std::vector<AxisImage> images_between(const Box& own, const Box& other, const Pa
     for (const AxisImage& image : at_home) {
         const double image_low = (image.mirrored ? -own.high[axis] : own.low[axis]) + image.shift;
         const double image_high = (image.mirrored ? -own.low[axis] : own.high[axis]) + image.shift;
-        // One more on either side, for rounding; what is too far is sorted out by its distance.
+        // One more on either side, for rounding; the caller drops those that are too far.
         const int first = static_cast<int>(std::floor((other.low[axis] - reach - image_high) / period));
         const int last = static_cast<int>(std::ceil((other.high[axis] + reach - image_low) / period));
         for (int k = first; k <= last; ++k) images.push_back({image.shift + k * period, image.mirrored});

@@ -9,8 +9,8 @@ namespace dmp::solver {
 
 namespace {
 
-/// A message between two ranks: for each group how many particles, their tags, and then field by field and axis by axis
-/// their values, all of it in words of 8 bytes.
+/// A message between two ranks. For each group: the number of particles, their tags, and then their values by field
+/// and axis, all in words of 8 bytes.
 using Message = std::vector<double>;
 
 constexpr std::size_t tag_words = sizeof(ParticleTag) / sizeof(double);
@@ -33,7 +33,7 @@ void write(Message& message, const ParticleGroup& group, const std::vector<std::
         }
 }
 
-/// Appends the particles that stand at `word` to the owned ones and moves `word` behind them.
+/// Appends the particles stored at `word` to the owned ones and moves `word` past them.
 void read(const double*& word, ParticleGroup& group) {
     const std::size_t count = word_as_count(*word++), first = group.owned();
     if (count == 0) return;

@@ -9,14 +9,15 @@
 
 namespace dmp::solver {
 
-/// The owned particles of one group that leave this rank, in ascending order, and where each goes.
+/// The owned particles of one group that leave this rank, in ascending order, and their new ranks.
 struct Departures {
     std::vector<std::int32_t> particles;
     std::vector<int> to;
 };
 
-/// Sends particles, one `departures` a group, with their tags and state fields. Those that stay keep their order; those
-/// that come stand behind them, by the rank they come from and then in its order. Copies go.
+/// Sends particles, one `departures` per group, with their tags and state fields. Particles that stay keep their
+/// order; arriving particles are appended, sorted by the rank they come from and then by their order there. Ghost
+/// particles are dropped.
 void send_particles(const Ranks& ranks, const std::vector<ParticleGroup*>& groups,
                     const std::vector<Departures>& departures);
 

@@ -15,13 +15,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Split {
     int axis = 0;
     double position = 0;
-    std::size_t below = 0;  ///< how many boxes
+    std::size_t below = 0;  ///< number of boxes
 };
 
-/// A plane that has the first of the boxes below it and the others above.
+/// A plane with the first few boxes below it and the others above.
 std::optional<Split> split(std::span<const Box> boxes) {
     for (int axis = 0; axis < 3; ++axis) {
-        std::vector<double> lowest(boxes.size());  // of this box and those behind it
+        std::vector<double> lowest(boxes.size());  // of this box and the following ones
         for (std::size_t k = boxes.size(); k-- > 0;)
             lowest[k] = k + 1 < boxes.size() ? std::min(boxes[k].low[axis], lowest[k + 1]) : boxes[k].low[axis];
         double highest = boxes[0].high[axis];
@@ -46,7 +46,7 @@ std::optional<Regions> Regions::along(const Box& space, std::span<const Box> box
     return regions;
 }
 
-/// Cuts the part of space that is for the ranks first, first + 1, ..., whose boxes these are.
+/// Cuts the part of space of the ranks first, first + 1, ..., which have these boxes.
 bool Regions::cut(std::span<const Box> boxes, int first, int depth, int& part) {
     depth_ = std::max(depth_, depth);
     part = -1 - first;
@@ -85,9 +85,9 @@ void Regions::divide_ties(const Ranks& ranks, const WeightedPoints& points) {
             return std::tie(cut, next, after) < std::tie(other.cut, other.next, other.after);
         }
     };
-    // Weights as whole numbers, whose sums are the same on every rank.
+    // Integer weights: their sums are the same on every rank.
     constexpr double unit = 1 << 20;
-    // From the whole to the parts, because what lies in a part depends on the cuts before it.
+    // From the whole to the parts, because the points of a part depend on the cuts before it.
     for (int depth = 0; depth < depth_; ++depth) {
         std::vector<std::int64_t> below(cuts_.size()), all(cuts_.size());
         std::vector<Tied> tied;
@@ -110,7 +110,7 @@ void Regions::divide_ties(const Ranks& ranks, const WeightedPoints& points) {
         for (const Tied& point : tied) {
             Cut& cut = cuts_[point.cut];
             if (cut.position[1] == -infinity)
-                cut.position[1] = infinity;  // all of them below, but for what is found next
+                cut.position[1] = infinity;  // all of them below, unless a position is found next
             const double wanted = cut.share_below * static_cast<double>(all[point.cut]);
             const double passed = static_cast<double>(below[point.cut]) + 0.5 * static_cast<double>(point.weight);
             if (passed > wanted && cut.position[1] == infinity)

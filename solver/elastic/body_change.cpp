@@ -26,7 +26,7 @@ namespace {
 using Ends = std::pair<int, int>;
 Ends in_order(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// All bodies as one list of nodes and springs, that knows which nodes hang together.
+/// All bodies as one list of nodes and springs, with their connections.
 class Graph {
   public:
     Graph(const std::vector<BodyParts>& bodies, const ParticleSpace& space) : space_(space) {
@@ -40,7 +40,7 @@ class Graph {
         append(alone);
     }
 
-    /// Whether the bond could be made.
+    /// Returns true if the bond was made.
     bool bond(const BodyChange::Bond& bond) {
         const int a = number_.at(bond.a), b = number_.at(bond.b);
         if (bonded_.contains(in_order(a, b)) || !bring_together(a, b)) return false;
@@ -56,7 +56,7 @@ class Graph {
         return true;
     }
 
-    /// The origin of the bond, or -1 where there is none.
+    /// Returns the origin of the bond, or -1 if there is none.
     int cut(const std::array<int, 2>& ids) {
         const Ends ends = in_order(number_.at(ids[0]), number_.at(ids[1]));
         const auto found = std::ranges::find_if(
@@ -67,7 +67,7 @@ class Graph {
         std::erase_if(all_.hinges, [&](const auto& hinge) {
             return in_order(hinge.node[0], hinge.node[1]) == ends || in_order(hinge.node[2], hinge.node[1]) == ends;
         });
-        // a, b, c and b, c, d are triangles; a and d are no side of either.
+        // a, b, c and b, c, d are triangles; a-d is not a side of either.
         std::erase_if(all_.dihedrals, [&](const auto& dihedral) {
             for (int i = 0; i < 4; ++i)
                 for (int j = 0; j < i; ++j)
@@ -117,7 +117,7 @@ class Graph {
                 pieces[position_of[a].first].held_apart.push_back(
                     in_order(position_of[a].second, position_of[b].second));
         for (BodyParts& piece : pieces) std::ranges::sort(piece.held_apart);
-        // A wall's particle to which nothing is bonded any more is the wall's alone.
+        // A wall particle without bonds belongs to the wall alone.
         std::erase_if(pieces, [](const BodyParts& piece) {
             return std::ranges::all_of(piece.nodes, [](const auto& node) { return node.of_wall; });
         });
@@ -148,8 +148,8 @@ class Graph {
         for (const auto& [a, b] : body.held_apart) held_apart_.emplace(a + first, b + first);
     }
 
-    /// Makes two nodes part of one body, in the images in which they are nearest. False where they are in one body
-    /// already, in other images.
+    /// Joins the bodies of two nodes, in the images in which the nodes are nearest. Returns false if the nodes are
+    /// already in one body, but in other images.
     bool bring_together(int a, int b) {
         const Vec apart = all_.nodes[b].position - all_.nodes[a].position, nearest = nearest_image(apart, space_);
         Vec shift = Vec::Zero();

@@ -9,23 +9,23 @@
 
 namespace dmp::solver {
 
-/// What happens to spring bodies at one moment, in this order. Particles are named by their ids.
+/// Changes of elastic bodies at one moment, in the order of the members. Particles are identified by their ids.
 struct BodyChange {
     struct Bond {
         int a = 0, b = 0;
-        double rest_length = 0;  ///< [m]; 0: their distance now
+        double rest_length = 0;  ///< [m]; 0: their current distance
         double stiffness = 0;    ///< k_b [N/m]
         double damping = 0;      ///< dashpot, fraction of critical [-]
-        int origin = 0;          ///< body_names
+        int origin = 0;          ///< as in body_names
     };
-    std::vector<BodyParts::Node> nodes;      ///< that were in no body; each is one of its own until it is bonded
-    std::vector<Bond> bonds;                 ///< to be made
-    std::vector<std::array<int, 2>> broken;  ///< ends of bonds that break
+    std::vector<BodyParts::Node> nodes;      ///< so far in no body; each is a body until it is bonded
+    std::vector<Bond> bonds;                 ///< to be added
+    std::vector<std::array<int, 2>> broken;  ///< ends of the bonds to be removed
 
     [[nodiscard]] bool empty() const { return nodes.empty() && bonds.empty() && broken.empty(); }
 };
 
-/// The vector from one point to the nearest periodic image of another [m].
+/// The shortest periodic image of the vector between two points [m].
 Vec nearest_image(Vec apart, const ParticleSpace& space);
 
 struct ChangedBodies {
@@ -33,11 +33,11 @@ struct ChangedBodies {
     std::vector<int> made, broken;  ///< origins of the bonds
 };
 
-/// The bodies after the change: what a new bond joins becomes one body, in one image along periodic axes (the smaller
-/// piece moves by whole periods); what hangs together by no springs any more becomes several. A hinge or dihedral with
-/// a broken bond among its sides goes too. A second bond of the same two nodes is not made, nor is one that would bind
-/// a body to its own periodic image. Nodes, and bodies by their first node, are in the order of their ids. Mass and
-/// momentum are those of before, node by node.
+/// Returns the bodies after the change. Bodies joined by a new bond become one, in one image along periodic axes (the
+/// smaller one is moved by whole periods); parts no longer connected by springs become separate bodies. Hinges and
+/// dihedrals with a broken bond among their sides are removed. A bond is not made if the two nodes are already
+/// bonded, or if it would bind a body to its own periodic image. Nodes are sorted by id, and bodies by the id of
+/// their first node. Mass and momentum of each node stay the same.
 ChangedBodies change_bodies(const std::vector<BodyParts>& bodies, const BodyChange& change, const ParticleSpace& space);
 
 }  // namespace dmp::solver

@@ -26,7 +26,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_
         if (kind != PartKind::elastic) continue;
         const auto part = std::ranges::find(parts, name, [](const Part* each) { return *each->name; });
         if (part == parts.end())
-            throw InputError("the particles have an elastic solid '" + name + "' that the scene does not know",
+            throw InputError("the particles have an elastic solid '" + name + "' that is not in the scene",
                              "mesh the scene again");
         of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag};
     }
@@ -34,8 +34,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_
     const auto before = static_cast<int>(body_names(scene).size() - joins.size());
     for (const Bond& bond : set.bonds)
         if (bond.join >= static_cast<int>(joins.size()))
-            throw InputError("the particles have bonds of a [[join]] that the scene does not know",
-                             "mesh the scene again");
+            throw InputError("the particles have bonds of a [[join]] that is not in the scene", "mesh the scene again");
     for (const Join* join : joins) of_join.push_back({before + static_cast<int>(of_join.size()), join->damping, 0});
 }
 
@@ -44,7 +43,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
 
 namespace {
 
-/// The particles of a body by their ids, with those of walls that it is bonded to.
+/// The particles of a body and the wall particles bonded to it, sorted by id.
 std::vector<int> nodes_of(const ParticleSet& set, int body) {
     std::vector<int> ids;
     for (std::size_t i = 0; i < set.size(); ++i)
@@ -127,7 +126,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
 
 namespace {
 
-/// Numbers one after another, for both ways.
+/// A sequence of numbers, for reading and for writing.
 class Stream {
   public:
     Stream(std::vector<double>& numbers, bool reading) : numbers_(numbers), reading_(reading) {}
@@ -135,7 +134,7 @@ class Stream {
 
     void operator()(double& value) {
         if (reading_) {
-            if (at_end()) throw InputError("the checkpoint's spring bodies are cut off", "start the run anew");
+            if (at_end()) throw InputError("the checkpoint's elastic bodies are truncated", "start the run anew");
             value = numbers_[next_++];
         } else {
             numbers_.push_back(value);

@@ -12,65 +12,65 @@
 
 namespace dmp::solver {
 
-/// A spring body as plain values, its nodes numbered from 0: what a SpringBody is made from, and what is cut and joined
-/// where bodies change (BodyChange). All positions never wrap.
+/// An elastic body as plain values, with nodes numbered from 0. SpringBody is made from it, and bodies are cut and
+/// joined in this form (BodyChange). Positions are never wrapped.
 struct BodyParts {
     struct Node {
-        int id = 0;            ///< of its particle
-        bool fixed = false;    ///< held where it is
-        bool of_wall = false;  ///< a wall's particle that the body is bonded to: fixed, and no particle of its own
-        int origin = 0;        ///< what it came from: number of an elastic solid or [[solidify]] (body_names)
+        int id = 0;            ///< of the particle
+        bool fixed = false;    ///< position is held
+        bool of_wall = false;  ///< a wall particle to which the body is bonded: fixed, not a particle of the body
+        int origin = 0;        ///< source: number of an elastic solid or [[solidify]] (body_names)
         double mass = 0;       ///< [kg]
         double drag = 0;       ///< lab-frame drag [kg/s]
         Vec position = Vec::Zero(), velocity = Vec::Zero(), position_before = Vec::Zero(), rest_position = Vec::Zero();
     };
-    /// A bond, hinge or dihedral: nodes as in Bond, Hinge and Dihedral.
+    /// A bond, hinge or dihedral; order of the nodes as in Bond, Hinge and Dihedral.
     template <int N>
     struct Spring {
         std::array<int, N> node{};
         double rest = 0;       ///< length [m] or angle [rad]
         double stiffness = 0;  ///< [N/m] or [J]
         double dashpot = 0;    ///< [N s/m] or [J s]
-        int origin = 0;        ///< as of a node
+        int origin = 0;        ///< as for a node
     };
 
     std::vector<Node> nodes;
     std::vector<Spring<2>> bonds;
     std::vector<Spring<3>> hinges;
     std::vector<Spring<4>> dihedrals;
-    /// Pairs of nodes whose distance is their springs' business: contact leaves them alone. The lower number first,
-    /// in order.
+    /// Pairs of nodes whose distance their springs control: contact ignores them. Sorted, with the lower number
+    /// first.
     std::vector<std::pair<int, int>> held_apart;
 };
 
-/// What nodes and bonds may come from, by number: the enabled elastic solids of the scene, its [[solidify]], and its
+/// Possible origins of nodes and bonds, by number: the enabled elastic solids of the scene, its [[solidify]], and its
 /// [[join]] of enabled parts.
 std::vector<std::string> body_names(const Scene& scene);
 
-/// What a scene says of the springs that were drawn for it.
+/// Properties of the initial springs that the scene defines.
 struct InitialSprings {
     struct Source {
-        int origin = 0;      ///< body_names
+        int origin = 0;      ///< as in body_names
         double damping = 0;  ///< dashpots, fraction of critical [-]
         double drag = 0;     ///< lab-frame drag of a node [kg/s]
     };
-    std::vector<Source> of_part;  ///< by part of the particle set
+    std::vector<Source> of_part;  ///< by part number of the particle set
     std::vector<Source> of_join;  ///< by Bond::join
 
-    /// Throws InputError for particles of an elastic solid that the scene does not have.
+    /// Throws InputError for particles of an elastic solid that is not in the scene.
     InitialSprings(const ParticleSet& set, const Scene& scene);
-    /// Of a set whose springs are all of one part.
+    /// For a set whose springs all belong to one part.
     InitialSprings(const ParticleSet& set, const Part& part);
 };
 
-/// The body of this number as it was drawn, with the springs among its nodes and those of walls that bonds join it to.
-/// `contact_range` [m], 0: none. Throws InputError for one in 2-D that has dihedrals.
+/// The initial body of this number, with the springs between its nodes and the wall particles bonded to it.
+/// `contact_range` [m], 0: none. Throws InputError for a body with dihedrals in 2-D.
 BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range);
 
-/// Bodies on their way into a checkpoint or out of one.
+/// Saves bodies to a checkpoint or loads them from one.
 void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bodies);
 
-/// The reduced mass of two [kg].
+/// The reduced mass of two masses [kg].
 inline double reduced_mass(double a, double b) { return a * b / (a + b); }
 
 }  // namespace dmp::solver

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Of the SpringBodies: how stiff their contacts are.
+// SpringBodies: contact stiffness.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -15,12 +15,12 @@ namespace {
 template <int D>
 using Point = std::array<double, D>;
 
-/// Positions of a group, axis by axis.
+/// PairPositions of a group, axis by axis.
 template <int D>
-struct Positions {
+struct PairPositions {
     std::array<const double*, D> axis;
 
-    explicit Positions(const ParticleGroup& group) {
+    explicit PairPositions(const ParticleGroup& group) {
         for (int a = 0; a < D; ++a) axis[a] = group.data(Field::position, a);
     }
     [[nodiscard]] Point<D> operator[](std::int32_t i) const {
@@ -34,7 +34,7 @@ template <int D>
 struct Bounds {
     Point<D> low, high;
 
-    Bounds(const Positions<D>& positions, const Cluster& cluster) : low(positions[cluster.first]), high(low) {
+    Bounds(const PairPositions<D>& positions, const Cluster& cluster) : low(positions[cluster.first]), high(low) {
         for (std::int32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i)
             for (int a = 0; a < D; ++a) {
                 low[a] = std::min(low[a], positions.axis[a][i]);
@@ -58,19 +58,19 @@ double distance_square(const Point<D>& a, const Point<D>& b) {
     return square;
 }
 
-/// Calls visit(node, kind, other, square of their distance, the smaller range) for the pairs of a cluster that touch.
+/// Calls visit(node, kind, other, squared distance, smaller range) for the pairs of a cluster that touch.
 template <int D, class Visit>
 void for_each_contact(const ParticleStore& particles, const ClusterList& list, std::size_t number, const Visit& visit) {
     const ParticleGroup& nodes = particles.of(PartKind::elastic);
     const Cluster& cluster = list.clusters(PartKind::elastic)[number];
-    const Positions<D> position_of_node(nodes);
+    const PairPositions<D> position_of_node(nodes);
     const Bounds<D> bounds(position_of_node, cluster);
     for (const PartKind kind : all_kinds) {
         const auto near = list.neighbours(PartKind::elastic, number, kind);
         if (near.empty()) continue;
         const ParticleGroup& others = particles.of(kind);
         const Field field = kind == PartKind::rigid ? Field::wall_contact_range : Field::contact_range;
-        const Positions<D> position_of(others);
+        const PairPositions<D> position_of(others);
         const double *range_of_node = nodes.data(field), *range_of = others.data(field);
         for (const std::int32_t other : near) {
             const Point<D> position = position_of[other];
@@ -101,7 +101,7 @@ double SpringBodies::largest_contact_rate(const ParticleStore& particles, const 
             if (!body->fixed(n)) largest_inverse_mass = std::max(largest_inverse_mass, 1 / body->mass(n));
     }
     if (largest_inverse_mass == 0) return 0;
-    // Terms of up to some 10^6 times those at touch add up exactly.
+    // Terms up to some 10^6 times as large as at first touch add up exactly.
     const ReproducibleSum rounding(1e6 * 12 * contact_.repulsion.strength / (contact_.range * contact_.range) *
                                    largest_inverse_mass);
 
@@ -116,7 +116,7 @@ double SpringBodies::largest_contact_rate(const ParticleStore& particles, const 
         const auto add = [&](std::int32_t node, PartKind kind, std::int32_t other, double square, double range) {
             const double of_other = kind == PartKind::rigid   ? 0
                                     : kind == PartKind::fluid ? 1 / mass_of_fluid[other]
-                                                                  : inverse_mass(nodes_[other]);
+                                                              : inverse_mass(nodes_[other]);
             rate[node - clusters[number].first] += rounding(contact_rate(
                 contact_stiffness(contact_.repulsion, square, range), inverse_mass(nodes_[node]), of_other));
         };

@@ -17,11 +17,11 @@ SpringNetwork<D>::~SpringNetwork() = default;
 
 namespace {
 
-/// Newton ends when no node moves further than this [spacings].
+/// Newton's method ends when no node moves farther than this [spacings].
 constexpr double tolerance = 1e-9;
-constexpr int patience = 8;  ///< iterations with an old matrix before a new one is made
+constexpr int iterations_with_one_matrix = 8;  ///< iterations with an old matrix before it is factorised again
 constexpr int most_iterations = 60;
-/// A step that cannot be solved is halved, at most this often one after another.
+/// A step that cannot be solved is halved at most this often.
 constexpr int most_halvings = 6;
 
 }  // namespace
@@ -57,7 +57,7 @@ void SpringNetwork<D>::archive(Archive& file, const std::string& name) {
     file(name + "/velocity", velocity_);
     file(name + "/position_before", position_before_);
     if (position_.size() != nodes || velocity_.size() != nodes || position_before_.size() != nodes)
-        throw InputError("the checkpoint's spring bodies are not those of the scene", "start the run anew");
+        throw InputError("the checkpoint's elastic bodies are not those of the scene", "start the run anew");
     if (!system_) system_ = std::make_unique<ImplicitSystem>(*this);
     system_->archive(file, name, *this);
 }
@@ -66,9 +66,9 @@ template <int D>
 void SpringNetwork<D>::advance_in_parts(double dt, int halvings_left, Impulses& impulses) {
     if (solve_step(dt, impulses)) return;
     if (halvings_left == 0)
-        throw DivergenceError("a spring body near (" + std::to_string(position_[0][0]) + ", " +
+        throw DivergenceError("the load on an elastic body near (" + std::to_string(position_[0][0]) + ", " +
                                   std::to_string(position_[0][1]) +
-                                  ") m is loaded so hard that its next position cannot be found",
+                                  ") m is so large that its next position cannot be computed",
                               "the fluid around it is likely diverging: lower numerics.step_factor or check the drive");
     advance_in_parts(dt / 2, halvings_left - 1, impulses);
     advance_in_parts(dt / 2, halvings_left - 1, impulses);
@@ -77,7 +77,7 @@ void SpringNetwork<D>::advance_in_parts(double dt, int halvings_left, Impulses& 
 template <int D>
 bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
     const std::size_t nodes = ids_.size();
-    // Unknown: the middle x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Start from free flight.
+    // Unknown: the midpoint x_m = x + dt/2 v_m, with v_m = v + dt/(2 m) F(x_m, v_m). Starts from free flight.
     Vectors middle = position_, middle_velocity = velocity_;
     for (std::size_t n = 0; n < nodes; ++n)
         if (!fixed_[n]) middle[n] += (dt / 2) * velocity_[n];
@@ -92,8 +92,8 @@ bool SpringNetwork<D>::solve_step(double dt, Impulses& impulses) {
                               mass_[n] * (middle_velocity[n] - velocity_[n]);
         const double largest = system_->correct(residual, dt, middle, middle_velocity);
         if (largest < tolerance * spacing_) break;
-        if (!(largest < spacing_) || iteration >= most_iterations) return false;  // not a number: false too
-        if (iteration % patience == 0) system_->factorise(*this, middle, dt);
+        if (!(largest < spacing_) || iteration >= most_iterations) return false;  // also false for NaN
+        if (iteration % iterations_with_one_matrix == 0) system_->factorise(*this, middle, dt);
     }
 
     force_ = forces(middle, middle_velocity);

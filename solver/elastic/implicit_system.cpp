@@ -87,7 +87,7 @@ void SpringNetwork<D>::ImplicitSystem::factorise(const SpringNetwork& body, cons
         solver_.factorize(sum);
     }
     if (solver_.info() != Eigen::Success)
-        throw DivergenceError("the stiffness of a spring body is no longer finite",
+        throw DivergenceError("the stiffness of an elastic body is no longer finite",
                               "lower numerics.step_factor or check the drive");
 }
 
@@ -136,7 +136,7 @@ double SpringNetwork<D>::ImplicitSystem::correct(const Vectors& residual, double
             const double dv = change[unknown_[node] + i];
             velocity[node][i] += dv;
             position[node][i] += dt / 2 * dv;
-            // Not std::max: a number that is none has to come out.
+            // Not std::max, which would lose a NaN.
             if (!(std::abs(dv) * dt / 2 <= largest)) largest = std::abs(dv) * dt / 2;
         }
     return largest;

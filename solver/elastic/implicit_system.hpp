@@ -10,26 +10,28 @@
 
 namespace dmp::solver {
 
-/// The matrix of one implicit midpoint step of a spring body, for the velocities of its free nodes at mid-step:
+/// The matrix of one implicit midpoint step of an elastic body, for the velocities of its free nodes at mid-step:
 ///   A = M + dt/2 (C + k_v) + dt^2/4 K
-/// with K and C of every spring along its own direction of stretch or turning (Gauss-Newton), and in K what springs
-/// under tension resist sideways: all terms of the exact stiffness that are positive for certain, so that A is
-/// symmetric and positive definite in any state. It is factorised again only when corrections no longer converge fast.
+/// K and C include each spring along the gradient of its length or angle (Gauss-Newton), and K the lateral stiffness
+/// of springs under tension: all terms of the exact stiffness that are guaranteed to be positive, so that A is
+/// symmetric and positive definite in any state. It is factorised again only when corrections no longer converge
+/// fast.
 template <int D>
 class SpringNetwork<D>::ImplicitSystem {
   public:
     explicit ImplicitSystem(const SpringNetwork& body);
 
-    /// True when the present factors serve for a step dt: corrections then converge nearly as fast as with its own.
+    /// True if the present factors can be used for a step dt: corrections then converge nearly as fast as with
+    /// factors for dt.
     [[nodiscard]] bool fits(double dt) const { return std::abs(dt - dt_) < 1e-2 * dt_; }
     void factorise(const SpringNetwork& body, const Vectors& position, double dt) { factorise(body, position, dt, {}); }
-    /// Factors of A plus `more` on the diagonal, by node and axis [kg]; none: of A.
+    /// Factorises A plus `more` on the diagonal, by node and axis [kg]; if empty, A.
     void factorise(const SpringNetwork& body, const Vectors& position, double dt, std::span<const Vec> more);
     /// values = scale A values, and values = scale (A + more)^-1 values; 0 for fixed nodes.
     void multiply(std::span<Vec> values, double scale) const;
     void solve(std::span<Vec> values, double scale) const;
-    /// The factors are what the past made them, and results depend on them in their last bits: they are made again from
-    /// the state they came from.
+    /// The factors depend on the history of the run, and the last bits of results depend on them: loading recomputes
+    /// them from the state they were computed from.
     void archive(Archive& file, const std::string& name, const SpringNetwork& body);
 
     /// Solves A dv = residual, adds dv to the velocities and dt/2 dv to the positions of free nodes; returns the
@@ -46,11 +48,11 @@ class SpringNetwork<D>::ImplicitSystem {
     template <class Map>
     void change(std::span<Vec> values, double scale, const Map& map) const;
 
-    std::vector<int> unknown_;  ///< node -> its first unknown, -1 when fixed
+    std::vector<int> unknown_;  ///< first unknown by node, -1 if fixed
     Matrix matrix_;             ///< lower triangle
     Eigen::SimplicialLLT<Matrix> solver_;
     double dt_ = -1;
-    Vectors position_;  ///< that the factors were made for
+    Vectors position_;  ///< for which the factors were computed
 };
 
 }  // namespace dmp::solver

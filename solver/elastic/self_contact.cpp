@@ -35,7 +35,7 @@ bool SelfContact<D>::moved_far(const Vectors& position) const {
     const double least = 0.5 * skin * contact_.range;
     for (std::size_t n = 0; n < position.size(); ++n) {
         const auto way = position[n] - pruned_at_[n];
-        if (!(dot(way, way) < least * least)) return true;  // no number: true too
+        if (!(dot(way, way) < least * least)) return true;  // also true for NaN
     }
     return false;
 }
@@ -47,7 +47,7 @@ void SelfContact<D>::search_around(const Vectors& position) {
     Coordinates points;
     for (int axis = 0; axis < D; ++axis)
         for (const auto& at : position) {
-            // A place that is no number belongs to no cell; the step that follows says so.
+            // A position that is not finite belongs to no cell; the next step reports it.
             if (!std::isfinite(at[axis])) return;
             points[axis].push_back(at[axis]);
         }

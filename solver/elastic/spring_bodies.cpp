@@ -28,7 +28,7 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
     number_nodes();
 }
 
-/// Named after the first of names() that a node of it comes from: an elastic solid, if there is one.
+/// Named after the first of names() among the origins of its nodes: an elastic solid, if there is one.
 std::unique_ptr<SpringBody> SpringBodies::made_of(const BodyParts& parts) const {
     std::size_t origin = names_.size();
     for (const BodyParts::Node& node : parts.nodes)
@@ -182,7 +182,7 @@ SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int th
 double SpringBodies::show_positions(ParticleStore& particles) const {
     const PositionQuantum& quantum = particles.quantum();
     double farthest = 0;
-    // The store's positions may have been moved by whole periods: hand on the displacement.
+    // The store's positions may have been moved by whole periods, so add the displacement.
     show(particles, Field::position, [&](const SpringBody& body, std::size_t node) {
         const Vec now = body.position(node), before = body.position_before(node);
         Vec way = Vec::Zero();

@@ -180,7 +180,7 @@ double SpringNetwork<D>::step_limit() const {
     const double small = 1e-6 * longest;
     const Vectors at_rest(ids_.size(), Point{});
     Vectors mode(ids_.size());
-    for (std::size_t n = 0; n < ids_.size(); ++n)  // any start that is no eigenvector of a smooth mode
+    for (std::size_t n = 0; n < ids_.size(); ++n)  // any start that is not an eigenvector of a smooth mode
         for (int axis = 0; axis < D; ++axis)
             mode[n][axis] = std::sin((12.9898 + 65.2432 * axis) * static_cast<double>(n + 1) + 1.5708 * axis);
 
@@ -208,7 +208,7 @@ double SpringNetwork<D>::step_limit() const {
             omega_square += fixed_[n] ? 0 : dot(image, image);
             mode[n] = image;
         }
-        omega_square = std::sqrt(omega_square);  // |M^-1 K mode| of a unit mode: approaches omega^2 from below
+        omega_square = std::sqrt(omega_square);  // M^-1 K mode| of a unit mode: approaches omega^2 from below
     }
     return 2 / std::sqrt(1.02 * omega_square);
 }

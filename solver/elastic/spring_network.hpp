@@ -29,7 +29,7 @@ struct LocalSpring {
             arms[k] = of[node[Law::arms[k].end]] - of[node[Law::arms[k].start]];
         return arms;
     }
-    /// What a slope along the arms is for the nodes.
+    /// Distributes slopes along the arms to the nodes.
     template <class Arms, class Visit>
     void for_each_node(const Arms& along, const Visit& visit) const {
         for (std::size_t k = 0; k < along.size(); ++k) {
@@ -39,7 +39,7 @@ struct LocalSpring {
     }
 };
 
-/// Nodes, their bonds, hinges and, in 3-D, dihedrals: a spring body in D dimensions.
+/// Nodes, their bonds, hinges and, in 3-D, dihedrals: an elastic body in D dimensions.
 template <int D>
 class SpringNetwork final : public SpringBody {
   public:
@@ -55,7 +55,7 @@ class SpringNetwork final : public SpringBody {
     SpringNetwork& operator=(const SpringNetwork&) = delete;
 
     struct Impulses {
-        Point of_anchors{};  ///< given to the free nodes by the anchored ones [N s]
+        Point of_anchors{};  ///< on the free nodes by the anchored ones [N s]
         Point of_drag{};     ///< by lab-frame drag [N s]
     };
 
@@ -68,25 +68,24 @@ class SpringNetwork final : public SpringBody {
     void solve_in_fluid(std::span<Vec> values) const override;
     void expect(std::span<const Vec> w) override;
 
-    /// Velocities change by dt F / m, F the forces of the fluid and of contact on the nodes. Returns the impulse that
-    /// the fixed nodes' holders give [N s].
+    /// Changes velocities by dt F / m, where F are the forces of the fluid and of contact on the nodes. Returns the
+    /// impulse of the fixed nodes' supports [N s].
     Point kick_from_outside(std::span<const Point> force, double dt);
 
-    /// Moves the nodes over dt under the body's own forces, in `substeps` equal drift-kick-drift steps.
+    /// Advances the nodes by dt under the body's own forces, in `substeps` equal drift-kick-drift steps.
     Impulses advance_subcycled(double dt, int substeps);
 
-    /// Moves the nodes over dt in one implicit midpoint step: stable for any dt, and free of the resonance between
-    /// kicks of the fluid and spring modes that sub-cycling has (Stern & Grinspun 2009: "IMEX").
-    /// A step whose equations cannot be solved is halved, and halved again; throws DivergenceError when that is in
-    /// vain.
+    /// Advances the nodes by dt in one implicit midpoint step: stable for any dt, and without the resonance between
+    /// kicks by the fluid and spring modes that occurs with sub-cycling (Stern & Grinspun 2009: "IMEX").
+    /// A step whose equations cannot be solved is halved repeatedly; throws DivergenceError if that fails.
     Impulses advance_implicit(double dt);
 
-    /// What the fluid is to see of the last advance: a node's mean velocity, displacement over dt (fast vibration of
-    /// the springs is none of the fluid's business) ...
+    /// Mean velocity of a node over the last advance: its displacement over dt, used in the fluid (fast vibration of
+    /// the springs must not affect the fluid).
     [[nodiscard]] Point mean_velocity(std::size_t node, double dt) const {
         return (1 / dt) * (position_[node] - position_before_[node]);
     }
-    /// ... and where it was.
+    /// Positions before the last advance.
     [[nodiscard]] const Vectors& positions_before() const { return position_before_; }
 
     [[nodiscard]] Vec position(std::size_t node) const override { return in_space(position_[node]); }
@@ -107,10 +106,10 @@ class SpringNetwork final : public SpringBody {
     [[nodiscard]] std::vector<std::array<double, 6>> virial() const override;
 
     [[nodiscard]] const Vectors& positions() const { return position_; }
-    /// For tests and static solves: nodes may be put anywhere.
+    /// For tests and static solutions: nodes may be moved anywhere.
     Vectors& positions() { return position_; }
     [[nodiscard]] const Vectors& velocities() const { return velocity_; }
-    /// Spring forces (dashpots included) of nodes at these places and velocities [N].
+    /// Spring forces (including dashpots) on nodes with these positions and velocities [N].
     [[nodiscard]] Vectors forces(const Vectors& position, const Vectors& velocity) const;
 
   private:
@@ -128,7 +127,7 @@ class SpringNetwork final : public SpringBody {
         for (int axis = 0; axis < D; ++axis) point[axis] = in[axis];
         return point;
     }
-    /// visit(spring) of each bond, hinge and dihedral.
+    /// Calls visit(spring) for each bond, hinge and dihedral.
     template <class Visit>
     void for_each_spring(const Visit& visit) const {
         for (const auto& bond : bonds_) visit(bond);
@@ -139,23 +138,23 @@ class SpringNetwork final : public SpringBody {
     void add_forces(const Vectors& position, const Vectors& velocity, Vectors& force) const;
     void drift(double h);
     void advance_in_parts(double dt, int halvings_left, Impulses& impulses);
-    /// One implicit midpoint step; false, and nothing changed, when Newton finds no solution.
+    /// One implicit midpoint step; returns false and changes nothing if Newton's method finds no solution.
     bool solve_step(double dt, Impulses& impulses);
     Impulses advance_as_expected(double dt);
-    /// v += h F / m on free nodes; adds up what anchors and drag gave.
+    /// v += h F / m on free nodes; adds up the impulses of anchors and drag.
     void kick(double h, const Vectors& force, const Vectors& drag_velocity, Impulses& impulses);
 
     std::vector<LocalSpring<BondForce<D>>> bonds_;
     std::vector<LocalSpring<HingeForce<D>>> hinges_;
     [[no_unique_address]] Dihedrals dihedrals_;
-    double spacing_;                       ///< scale of the nodes' distances [m]
-    Vectors position_, velocity_, force_;  ///< positions never wrap: bodies may cross periodic borders
+    double spacing_;                       ///< length scale of the distances between nodes [m]
+    Vectors position_, velocity_, force_;  ///< positions are never wrapped: bodies may cross periodic boundaries
     Vectors position_before_;              ///< before the last advance
-    Vectors position_at_rest_;             ///< as drawn
-    Vectors expected_;                     ///< mean velocities of the next step, where they are known
+    Vectors position_at_rest_;             ///< initial
+    Vectors expected_;                     ///< mean velocities of the next step, if known
     std::unique_ptr<ImplicitSystem> system_, in_fluid_;
-    double in_fluid_step_ = 0;                      ///< that the latter was made for [s]
-    std::unique_ptr<SelfContact<D>> self_contact_;  ///< none where contact is off
+    double in_fluid_step_ = 0;                      ///< for which in_fluid_ was factorised [s]
+    std::unique_ptr<SelfContact<D>> self_contact_;  ///< null if contact is off
 };
 
 extern template class SpringNetwork<2>;

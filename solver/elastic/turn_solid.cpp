@@ -8,7 +8,7 @@ namespace dmp::solver {
 
 namespace {
 
-/// Of liquid particle i of a cluster to the nearest of the walls' particles in its list, or `range` if that is less
+/// Distance of fluid particle i of a cluster to the nearest wall particle in its list, or `range` if that is smaller
 /// [m].
 double distance_to_walls(const ParticleStore& particles, const ClusterList& list, std::size_t cluster, std::int32_t i,
                          double range) {

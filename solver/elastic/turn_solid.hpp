@@ -8,10 +8,10 @@
 
 namespace dmp::solver {
 
-/// Makes liquid particles of this rank, of those whose ids these are (in order), particles of spring bodies. Id, part,
-/// mass, velocity, volume and density stay what they are; they stand `ahead` [s] of their velocity further on, as the
-/// nodes of spring bodies do. Walls repel them from no farther than where they stand. The list must be up to date.
-/// Copies go, and neighbours have to be found anew.
+/// Turns this rank's fluid particles with these ids (sorted) into particles of elastic bodies. Id, part, mass,
+/// velocity, volume and density stay the same; positions are advanced by `ahead` [s] at their velocity, as those of
+/// the nodes of elastic bodies. The range of repulsion by walls is at most their distance to the walls. The list must
+/// be up to date. Ghosts are dropped, and neighbours must be found again.
 void solidify_particles(ParticleStore& particles, std::span<const std::int64_t> ids, double ahead,
                         const ClusterList& list);
 

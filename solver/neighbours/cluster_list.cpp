@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 namespace {
 
-/// The smallest box around a cluster.
+/// The bounding box of a cluster.
 struct Bounds {
     std::array<double, 3> low{}, high{};
 
@@ -26,7 +26,7 @@ struct Bounds {
     }
 };
 
-/// Kinds that clusters of `own` may have to do with: walls do not act on walls.
+/// True if particles of these kinds can interact: walls do not act on walls.
 bool may_meet(PartKind own, PartKind other, Pairs pairs) {
     if (pairs == Pairs::within_solids) return own == other && own != PartKind::fluid;
     return own != PartKind::rigid || other != PartKind::rigid;
@@ -118,12 +118,13 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
         list.count.resize(3 * clusters);
         list.near.resize(3 * clusters);
         list.at_border.resize(clusters);
-        // As many runs of clusters as threads, each listed on its own.
+        // One run of clusters per thread, each listed separately.
         const auto begin = [&](std::ptrdiff_t run) {
             return clusters * static_cast<std::size_t>(run) / static_cast<std::size_t>(threads);
         };
         each_of(threads, threads, [&](std::ptrdiff_t run) {
-            // In a vector of this thread's: it grows all the time, and those of the runs lie side by side.
+            // A local vector: it grows continuously, and the runs' own vectors are adjacent in memory (false
+            // sharing).
             Entries entries = std::move(list.of_run[run]);
             find_for<D>(particles, grids, own, begin(run), begin(run + 1), reach, pairs, entries);
             list.of_run[run] = std::move(entries);

@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 namespace {
 
-/// `stride` is a constant where coordinates are side by side, so that the compiler may use vectors.
+/// `stride` is a compile-time constant for contiguous coordinates, so that the compiler can vectorise.
 template <int D, class Stride, class Weight>
 double largest_square(const Positions& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
                       const std::array<double, 3>& origin, Stride stride, const Weight& weight) {
@@ -46,8 +46,9 @@ template <class Weight>
 double farthest(const Positions& now, int threads, const std::array<std::vector<float>, 3>& from_origin,
                 const std::array<double, 3>& origin, const Weight& weight) {
     if (now.count != from_origin[0].size())
-        throw std::logic_error("places of " + std::to_string(now.count) + " particles, of which " +
-                               std::to_string(from_origin[0].size()) + " were noted");
+        throw std::logic_error("positions of " + std::to_string(now.count) +
+                               " particles given, but reference positions of " + std::to_string(from_origin[0].size()) +
+                               " stored");
     const auto of = [&]<int D>() {
         return now.stride == 1 ? largest_square<D>(now, threads, from_origin, origin,
                                                    std::integral_constant<std::ptrdiff_t, 1>{}, weight)
@@ -75,7 +76,7 @@ void ReferencePositions::take(const Positions& positions, int threads) {
         }
         largest_of_all = std::max(largest_of_all, static_cast<double>(largest));
     }
-    // Half a last digit along each axis, and what doubles lose.
+    // Half a unit in the last place along each axis, plus the rounding of doubles.
     inexact_ = 0.51 * std::sqrt(dimension_) * largest_of_all * std::numeric_limits<float>::epsilon();
 }
 

@@ -9,23 +9,23 @@
 
 namespace dmp::solver {
 
-/// Where particles stand, in arrays of any layout.
+/// Particle positions, in arrays of any layout.
 struct Positions {
     std::size_t count = 0;
     int dimension = 2;
-    std::array<const double*, 3> first{};  ///< by axis: of the first particle [m]
-    std::size_t stride = 1;                ///< from one particle to the next [numbers]
-    std::array<double, 3> common{};        ///< what all have gone together, which does not count [m]
+    std::array<const double*, 3> first{};  ///< by axis: coordinate of the first particle [m]
+    std::size_t stride = 1;                ///< from one particle to the next, in doubles
+    std::array<double, 3> common{};        ///< common displacement of all particles, to be ignored [m]
 };
 
-/// Where particles stood at one moment, as exact as telling how far they have gone since then needs.
+/// Particle positions at one moment, stored as precisely as displacements since then require.
 class ReferencePositions {
   public:
     void take(const Positions& positions, int threads);
-    /// How far the farthest has gone [m], or a little more; infinite where a place is no number.
+    /// The largest displacement [m] or slightly more; infinite if a position is NaN.
     [[nodiscard]] double farthest_gone(const Positions& now, int threads) const;
-    /// The same in lengths of each particle's own, as 1 / length^2 [1/m^2] and the shortest of them [m]: exact to their
-    /// last digits.
+    /// The same with each displacement in units of the particle's own length, given as 1 / length^2 [1/m^2], with the
+    /// shortest length [m]; accurate to the last digits.
     [[nodiscard]] double farthest_gone(const Positions& now, int threads, std::span<const float> inverse_squares,
                                        double shortest) const;
     [[nodiscard]] std::size_t bytes() const;
@@ -34,25 +34,25 @@ class ReferencePositions {
     int dimension_ = 2;
     std::array<std::vector<float>, 3> from_origin_;
     std::array<double, 3> origin_{};
-    double inexact_ = 0;  ///< what floats cannot tell [m]
+    double inexact_ = 0;  ///< rounding error of the floats [m]
 };
 
-/// How far particles may have gone since a moment: a bound, by how fast the fastest one is at each time, until that
-/// says that they went too far; then it is measured, as it is seldom the same one that is the fastest, nor goes
-/// straight on.
+/// An upper bound of the particles' displacement since a moment. It adds up the distance covered by the fastest
+/// particle at each time. When this sum reaches a given distance, the displacement is measured: it is usually
+/// smaller, because the fastest particle is seldom the same one and does not move straight.
 class DisplacementTracker {
   public:
     void start() { *this = {}; }
-    /// They have gone at most this much farther [m].
+    /// Particles have moved by at most this additional distance [m].
     void add(double distance) { farthest_ += distance; }
     [[nodiscard]] double farthest() const { return farthest_; }
-    /// Whether some have gone this far, or nearly so. `measure` returns how far the farthest has gone; where ranks
-    /// share particles, over all of them.
+    /// True if particles have moved this far, or nearly so. `measure` returns the largest displacement, over all
+    /// ranks if several share the particles.
     template <class Measure>
     [[nodiscard]] bool beyond(double distance, const Measure& measure) {
         if (too_far_ || farthest_ < distance) return too_far_;
         farthest_ = std::min(farthest_, measure());
-        // Measuring for the little that is left does not pay.
+        // Close to the limit, measuring again and again does not pay.
         too_far_ = farthest_ >= 0.8 * distance;
         return too_far_;
     }

@@ -12,9 +12,8 @@ namespace {
 constexpr double first_skin = 0.4, least_skin = 0.1, most_skin = 0.8;
 constexpr double least_near_skin = 0.02;
 
-/// What making a list, and looking through it, costs: as much time as one step's sweeps (for the list: one step's looks
-/// through it) take longer with this much more skin [spacings]. Measured on disordered particles, in 2-D and in
-/// space.
+/// Cost of building a list and of pruning it, as the additional skin [spacings] that slows down the sweeps of one
+/// step (for a list: the prunings of one step) by the same time. Measured on disordered particles in 2-D and in 3-D.
 constexpr double cost_of_a_list = 15, cost_of_pruning = 0.3;
 
 Positions positions_of(const ParticleGroup& group) {
@@ -34,7 +33,7 @@ Neighbours::Neighbours(const Ranks& ranks, const ParticleSpace& space, double su
       domain_(ranks, space, threads),
       halos_{Halo(ranks, space, threads), Halo(ranks, space, threads), Halo(ranks, space, threads)} {}
 
-/// With skin s a list lasts s / (2 v) steps of length v; c / (s / 2v) + s is least at s = sqrt(2 v c). All in
+/// With skin s a list lasts s / (2 v) steps of length v; c / (s / 2v) + s is smallest at s = sqrt(2 v c). All in
 /// spacings.
 double Neighbours::skin_for(double cost, double least, double most, double otherwise) const {
     if (half_steps_ == 0) return otherwise * spacing_;
@@ -44,7 +43,7 @@ double Neighbours::skin_for(double cost, double least, double most, double other
 
 double Neighbours::best_skin() const { return skin_for(cost_of_a_list, least_skin, most_skin, skin_ / spacing_); }
 
-/// No wider than what the list still covers.
+/// At most the skin that the list still covers.
 double Neighbours::best_near_skin() const {
     return std::min(skin_for(cost_of_pruning, least_near_skin, most_skin, least_near_skin),
                     skin_ - 2 * since_list_.farthest());
@@ -55,7 +54,7 @@ void Neighbours::note_positions(const ParticleStore& particles, PositionsByKind&
         then[kind].take(positions_of(particles.groups()[kind]), threads_);
 }
 
-/// On all ranks.
+/// Over all ranks.
 double Neighbours::farthest_gone(const ParticleStore& particles, const PositionsByKind& then) const {
     double farthest = 0;
     for (std::size_t kind = 0; kind < then.size(); ++kind)
@@ -85,26 +84,23 @@ void Neighbours::renew(ParticleStore& particles) {
     note_positions(particles, listed_at_);
     since_list_.start();
     half_steps_ = 0;
-    // All that is listed is near at first; the next look narrows it.
+    // Initially all entries count as near; the next pruning removes the far ones.
     near_skin_ = 0;
-    last_renewal_ = Clock::now();
+    last_renewal_ = WallClock::now();
     ++renewals_;
 }
 
-/// Divides space anew when the time that ranks have waited for the busiest one is more than dividing takes.
+/// Divides space again once the ranks have waited longer for the busiest one than a division takes.
 void Neighbours::balance(const GroupList& groups) {
-    const auto seconds_since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
     time_lost_ += (imbalance_ - 1) * ranks_->largest(seconds_since(last_renewal_));
     if (renewals_ > 1 && time_lost_ < time_to_divide_) return;
-    const auto start = Clock::now();
+    const auto start = WallClock::now();
     domain_.divide(groups, weights_);
     time_to_divide_ = ranks_->largest(seconds_since(start));
     time_lost_ = 0;
 }
 
-/// A kind's share of the work is its share of the pairs.
+/// The weight of a kind is its number of pairs per particle.
 KindWeights Neighbours::measured_weights(const ParticleStore& particles) const {
     const auto weight_of = [&](PartKind own_kind) {
         std::int64_t pairs = 0;

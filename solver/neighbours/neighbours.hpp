@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <optional>
 
+#include "base/wall_clock.hpp"
 #include "solver/domain/domain.hpp"
 #include "solver/domain/halo.hpp"
 #include "solver/neighbours/cluster_list.hpp"
@@ -12,25 +12,25 @@
 
 namespace dmp::solver {
 
-/// Keeps at hand what is near each particle: particles spatially sorted on the rank that owns their place, copies of
-/// those beyond its border, and the list of neighbours.
+/// Maintains the neighbourhood of each particle: spatially sorted particles on the rank that owns their position,
+/// ghosts of those beyond its border, and the neighbour list.
 class Neighbours {
   public:
     /// `support` radius [m].
     Neighbours(const Ranks& ranks, const ParticleSpace& space, double support, int threads);
 
-    /// Particles have moved by at most this much more [m] in half a step; the same on all ranks.
+    /// Particles have moved by at most this additional distance [m] in half a step; the same on all ranks.
     void moved(double distance) {
         since_list_.add(distance);
         since_pruning_.add(distance);
         ++half_steps_;
     }
-    /// Whether the list may miss pairs. All ranks take part.
+    /// True if the list may miss pairs. All ranks must call it.
     [[nodiscard]] bool outdated(const ParticleStore& particles) {
         return list_.empty() || since_list_.beyond(skin_ / 2, [&] { return farthest_gone(particles, listed_at_); });
     }
-    /// Brings the near ones among those that are listed up to date when they may miss pairs, through
-    /// `prune(list, reach)`. Copies must have their present positions. Returns whether it did.
+    /// Prunes the list with `prune(list, reach)` if the pruned list may miss pairs. Ghosts must have their current
+    /// positions. Returns true if it did.
     template <class KeepNear>
     bool prune_list(const ParticleStore& particles, const KeepNear& prune) {
         if (!pruned_list_outdated(particles)) return false;
@@ -40,39 +40,39 @@ class Neighbours {
         since_pruning_.start();
         return true;
     }
-    /// Whether prune_list would look. All ranks take part.
+    /// True if prune_list would prune. All ranks must call it.
     [[nodiscard]] bool pruned_list_outdated(const ParticleStore& particles) {
         return near_skin_ == 0 ||
                since_pruning_.beyond(near_skin_ / 2, [&] { return farthest_gone(particles, pruned_at_); });
     }
-    /// Particles are no longer those that were listed.
+    /// Discards the list because the particles have changed.
     void forget() { list_ = {}; }
     /// From the next list on, pairs within solids are listed as well.
     void list_within_solids() { within_solids_.emplace(); }
-    /// Those pairs; null where nobody asked for them.
+    /// List of the pairs within solids; null without list_within_solids().
     [[nodiscard]] const ClusterList* within_solids() const { return within_solids_ ? &*within_solids_ : nullptr; }
-    /// Sorts, sends particles to their ranks, copies and lists anew. Indices of particles change.
+    /// Sorts the particles, sends them to their ranks, and builds ghosts and list again. Indices of particles change.
     void renew(ParticleStore& particles);
-    /// Gives copies the present values of these fields, where their group has them.
+    /// Copies the current values of these fields to the ghosts, where their group has them.
     void exchange(ParticleStore& particles, const FieldList& fields) {
         start_exchange(particles, fields);
         finish_exchange(particles);
     }
-    /// The same in two steps, between which particles that are near no copies may be worked on.
+    /// The same in two steps; between them, particles without ghosts among their neighbours can be processed.
     void start_exchange(ParticleStore& particles, const FieldList& fields);
     void finish_exchange(ParticleStore& particles);
 
     [[nodiscard]] const ClusterList& list() const { return list_; }
-    /// The busiest rank's load over the mean, as of the last list; 1 is perfect.
+    /// Load of the busiest rank divided by the mean, at the last list; 1 is perfect.
     [[nodiscard]] double imbalance() const { return imbalance_; }
-    /// Copies for each owned particle over all ranks and kinds. All ranks take part.
+    /// Ghosts per owned particle over all ranks and kinds. All ranks must call it.
     [[nodiscard]] double ghosts_per_owned(const ParticleStore& particles) const;
-    /// What this rank has sent.
+    /// Data that this rank has sent.
     [[nodiscard]] HaloTraffic traffic() const;
     [[nodiscard]] const Ranks& ranks() const { return *ranks_; }
-    /// Distance by which two particles may approach each other before the list is out of date [m].
+    /// Distance by which two particles may approach each other before the list is outdated [m].
     [[nodiscard]] double skin() const { return skin_; }
-    /// Times the list was made.
+    /// Number of times the list was built.
     [[nodiscard]] long renewals() const { return renewals_; }
 
   private:
@@ -94,16 +94,15 @@ class Neighbours {
     std::optional<ClusterList> within_solids_;
     PositionsByKind listed_at_, pruned_at_;
     DisplacementTracker since_list_, since_pruning_;
-    double near_skin_ = 0;  ///< with which the list was looked through [m]; 0: it was not
-    long half_steps_ = 0;   ///< since the list was made
+    double near_skin_ = 0;  ///< of the last pruning [m]; 0: not pruned since the list was built
+    long half_steps_ = 0;   ///< since the list was built
     long renewals_ = 0;
 
-    using Clock = std::chrono::steady_clock;
     KindWeights weights_;
-    Clock::time_point last_renewal_ = Clock::now();
+    WallClock::time_point last_renewal_ = WallClock::now();
     double imbalance_ = 1;
-    double time_lost_ = 0;       ///< that ranks waited for the busiest one since space was divided [s]
-    double time_to_divide_ = 0;  ///< what dividing it took [s]
+    double time_lost_ = 0;       ///< time that ranks waited for the busiest one since space was last divided [s]
+    double time_to_divide_ = 0;  ///< duration of the last division [s]
 };
 
 }  // namespace dmp::solver

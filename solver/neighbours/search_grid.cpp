@@ -22,7 +22,7 @@ SearchGrid::SearchGrid(const ParticleGroup& group, double cell_size, int threads
         origin_[axis] = low;
         extent[axis] = high - low;
     }
-    // A lone stray particle must not make a grid of billions of empty cells.
+    // A single stray particle must not cause a grid of billions of empty cells.
     const auto cells_at = [&](double size) {
         double cells = 1;
         for (const double length : extent) cells *= std::floor(length / size) + 1;

@@ -12,11 +12,11 @@
 
 namespace dmp::solver {
 
-/// All particles of a group, copies too, sorted into cells with their coordinates side by side, so that what lies near
-/// a cluster is found in a few runs of memory.
+/// All particles of a group including ghosts, sorted into cells with contiguous coordinates, so that the particles
+/// near a cluster are found in a few runs of memory.
 class SearchGrid {
   public:
-    /// Cells of at least `cell_size` (larger if there would be too many of them).
+    /// Cells of at least `cell_size` (larger if there would be too many).
     SearchGrid(const ParticleGroup& group, double cell_size, int threads);
 
     /// Appends to `found` every particle within `reach` of the box [low, high].
@@ -25,7 +25,7 @@ class SearchGrid {
                      Uninitialized<std::int32_t>& found) const;
 
   private:
-    struct Gap {  ///< distance between an interval of the box and one cell of an axis
+    struct Gap {  ///< distance between an interval of the box and one cell along an axis
         double operator()(double low, double high, double cell_low, double cell_high) const {
             return std::max({0.0, low - cell_high, cell_low - high});
         }
@@ -56,7 +56,7 @@ void SearchGrid::append_near(const std::array<double, 3>& low, const std::array<
         last[axis] = cell_at(axis, high[axis] + reach);
     }
     const auto gap_square = [&](int axis, int cell) {
-        // Particles outside the grid's range are kept in its first and last cells: these have no outer side.
+        // The first and last cells also contain the particles outside the grid, so they are unbounded outwards.
         const double cell_low = cell == 0 ? -HUGE_VAL : origin_[axis] + cell * size_;
         const double cell_high = cell == cells_[axis] - 1 ? HUGE_VAL : origin_[axis] + (cell + 1) * size_;
         const double gap = Gap{}(low[axis], high[axis], cell_low, cell_high);

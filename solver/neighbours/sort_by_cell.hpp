@@ -14,18 +14,18 @@
 
 namespace dmp::solver {
 
-/// The numbers of particles, those of the first cell first, those of one cell in their own order.
+/// Particle numbers by cell; within a cell they keep their order.
 struct SortedByCell {
     Uninitialized<std::int32_t> order;
-    std::vector<std::int32_t> start;  ///< where each cell begins in it; one more at the end
+    std::vector<std::int32_t> start;  ///< first element of each cell in `order`, and its size at the end
 };
 
-/// @param cell by particle, from 0 to `cells` - 1; another is an std::logic_error
-/// A counting sort. Each thread reads all, and counts what lies in cells of its own, then places what lies in others
-/// of its own, such that all place alike: no counter is of two threads.
+/// @param cell by particle, from 0 to `cells` - 1; another value is a std::logic_error
+/// A counting sort. Each thread reads all particles; it counts those in its own range of cells and places those in
+/// another range, chosen such that all threads place about the same number. No two threads share a counter.
 template <class Cell>
 SortedByCell sort_by_cell(std::span<const Cell> cell, std::size_t cells, int threads) {
-    // Each reads all: more of them than this wait for memory.
+    // Every thread reads all particles: more threads than this would wait for memory.
     threads = cell.size() < worth_threads ? 1 : std::min(threads, 8);
     SortedByCell sorted;
     sorted.start.assign(cells + 1, 0);
@@ -43,7 +43,7 @@ SortedByCell sort_by_cell(std::span<const Cell> cell, std::size_t cells, int thr
     std::partial_sum(sorted.start.begin(), sorted.start.end(), sorted.start.begin());
     if (static_cast<std::size_t>(sorted.start.back()) != cell.size())
         throw std::logic_error("sort_by_cell: a particle is in no cell");
-    std::vector<std::int32_t> next(sorted.start.begin(), sorted.start.end() - 1);  // free place, by cell
+    std::vector<std::int32_t> next(sorted.start.begin(), sorted.start.end() - 1);  // next free position, by cell
     const auto first_cell = [&](int t) {
         const auto begin = sorted.start.begin(), end = sorted.start.end() - 1;
         return t == threads

@@ -17,11 +17,11 @@ namespace {
 
 constexpr int cells_a_column = 64;
 
-/// The cells that a group is sorted by: two spacings wide, x fastest inside a column, then y and z; columns side by
-/// side.
+/// The cells for sorting a group: two spacings wide; x fastest inside a column, then y and z; one column after the
+/// other.
 class Cells {
   public:
-    /// Half a spacing of room below, so that the rows of a lattice fall into the cells two by two.
+    /// Starts half a spacing below the lowest particle, so that each cell contains two rows of a lattice.
     Cells(const ParticleGroup& group, double spacing, int threads) : inverse_size_(0.5 / spacing) {
         for (int axis = 0; axis < group.dimension(); ++axis) {
             const double* x = group.data(Field::position, axis);
@@ -33,7 +33,7 @@ class Cells {
         columns_ = (count_[0] + cells_a_column - 1) / cells_a_column;
     }
 
-    /// Too many to count particles by: some particle is far from all others.
+    /// True if there are too many cells for a counting sort: some particle is far from all others.
     [[nodiscard]] bool sparse(std::size_t particles) const {
         return static_cast<double>(columns_) * cells_a_column * static_cast<double>(count_[1]) *
                    static_cast<double>(count_[2]) >
@@ -48,7 +48,7 @@ class Cells {
         const std::int64_t column = cell[0] / cells_a_column;
         return strip(column, cell[1], cell[2]) * cells_a_column + cell[0] % cells_a_column;
     }
-    /// The strip that a cell belongs to.
+    /// The strip that contains a cell.
     static std::int64_t strip_of(std::int64_t cell) { return cell / cells_a_column; }
 
   private:
@@ -62,8 +62,8 @@ class Cells {
     std::int64_t columns_ = 1;
 };
 
-/// Particle numbers by body and cell. A counting sort where cells are few enough, which they are unless a particle flew
-/// away.
+/// Particle numbers sorted by body and cell. Uses a counting sort if there are few enough cells, as is usual unless a
+/// particle has flown away.
 Uninitialized<std::int32_t> order_by_cell(const ParticleGroup& group, const Cells& cells,
                                           const Uninitialized<std::int64_t>& cell, int threads) {
     Uninitialized<std::int32_t> order(group.owned());
@@ -78,7 +78,7 @@ Uninitialized<std::int32_t> order_by_cell(const ParticleGroup& group, const Cell
     return sort_by_cell(std::span<const std::int64_t>(cell), static_cast<std::size_t>(cells.size()), threads).order;
 }
 
-/// What particles are cut into clusters by.
+/// Criteria for cutting particles into clusters.
 struct Strips {
     const double* x;
     const Uninitialized<std::int64_t>& cell;
@@ -89,7 +89,7 @@ struct Strips {
     }
 };
 
-/// Sorts order[begin, end), which are whole strips, along x in each of them, and cuts them into clusters.
+/// Sorts order[begin, end), which consists of whole strips, along x within each strip, and cuts it into clusters.
 std::vector<Cluster> cut_strips(Uninitialized<std::int32_t>& order, std::size_t begin, std::size_t end_of_all,
                                 const Strips& strips, double longest) {
     std::vector<Cluster> clusters;
@@ -98,7 +98,7 @@ std::vector<Cluster> cut_strips(Uninitialized<std::int32_t>& order, std::size_t 
     while (begin < end_of_all) {
         std::size_t end = begin + 1;
         while (end < end_of_all && strips.are_one(order[begin], order[end])) ++end;
-        // Cells come in order along x already: few places change.
+        // Cells are already in order along x: few particles move.
         for (std::size_t k = begin + 1; k < end; ++k) {
             const std::int32_t moving = order[k];
             std::size_t position = k;
@@ -137,7 +137,7 @@ std::vector<Cluster> sort_in_space(ParticleGroup& group, double spacing, int thr
 
     Uninitialized<std::int32_t> order = order_by_cell(group, cells, cell, threads);
     const Strips strips{x[0], cell, group.tags()};
-    // As many runs of strips as threads, each cut on its own; the clusters are then joined.
+    // One run of strips per thread, each cut separately; then the clusters are joined.
     std::vector<std::size_t> begin{0};
     for (int t = 1; t < threads; ++t) {
         std::size_t k = std::max(begin.back(), owned * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads));

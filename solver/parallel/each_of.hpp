@@ -6,8 +6,8 @@
 
 namespace dmp::solver {
 
-/// task(k) for every k below `count`, dealt out one by one to threads. No exception may leave a parallel loop: the one
-/// of the lowest k (memory may run out) is thrown again when all are done.
+/// Calls task(k) for every k below `count`, distributed round-robin over threads. No exception may leave a parallel
+/// loop: the one with the lowest k (memory may run out) is rethrown when all calls have ended.
 template <class Task>
 void each_of(std::ptrdiff_t count, int threads, const Task& task) {
     std::exception_ptr error;

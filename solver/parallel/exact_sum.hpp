@@ -10,9 +10,9 @@
 
 namespace dmp::solver {
 
-/// A sum of doubles without any rounding, so that it does not depend on the order of what is added, nor on how many
-/// threads and ranks share the work: a fixed-point number of 32-bit digits over the whole range of double. Each digit
-/// has the room of 64 bits, so that carries wait until about a thousand numbers were added.
+/// A sum of doubles without rounding. It therefore depends neither on the order of the summands nor on the number of
+/// threads and ranks: a fixed-point number of 32-bit digits over the whole range of double. Each digit is stored in
+/// 64 bits, so that carries can wait until about a thousand numbers have been added.
 class ExactSum {
   public:
     ExactSum() = default;
@@ -28,7 +28,7 @@ class ExactSum {
             return;
         }
         const std::uint64_t fraction = bits & (hidden_bit - 1);
-        // value = +- mantissa 2^(place - 1074)
+        // value = +- mantissa 2^(position - 1074)
         const std::uint64_t mantissa = biased == 0 ? fraction : fraction | hidden_bit;
         const int position = biased == 0 ? 0 : biased - 1;
         const int digit = position / digit_bits, shift = position % digit_bits;
@@ -45,21 +45,21 @@ class ExactSum {
         add_words(addend.carried_words());
     }
 
-    /// The sum, rounded once: to the nearest double, ties to even. Infinite beyond the range of double or if infinities
-    /// of one sign were added; NaN if a NaN or infinities of both signs were.
+    /// The sum, rounded once: to the nearest double, ties to even. Infinite beyond the range of double or if
+    /// infinities of one sign were added; NaN if a NaN or infinities of both signs were added.
     [[nodiscard]] double value() const;
 
     static constexpr int digit_bits = 32;
-    /// 2098 bits of doubles and 46 for carries; then how many NaN, +inf and -inf were added.
+    /// 2098 bits for doubles and 46 for carries; then the numbers of NaN, +inf and -inf that were added.
     static constexpr std::size_t digits = 67, words = digits + 3;
     using Words = std::array<std::int64_t, words>;
 
-    /// The sum as integers: those of up to 2^30 sums, added entry by entry, are the words of the sum of them all.
+    /// The sum as integers. Up to 2^30 sums can be added entry by entry; the result represents their total.
     [[nodiscard]] const Words& carried_words() {
         carry();
         return words_;
     }
-    /// Adds such integers.
+    /// Adds integers returned by carried_words().
     void add_words(const Words& addends) {
         carry();
         for (std::size_t k = 0; k < words; ++k) words_[k] += addends[k];
@@ -73,7 +73,7 @@ class ExactSum {
                                  negative_infinities = digits + 2;
     static constexpr int most_waiting = 1024;  // 2^10 numbers below 2^52 and a digit stay below 2^63
 
-    /// Brings every digit but the last, which holds the sign, into [0, 2^32).
+    /// Brings every digit except the last, which holds the sign, into [0, 2^32).
     void carry() {
         for (std::size_t k = 0; k + 1 < digits; ++k) {
             words_[k + 1] += words_[k] >> digit_bits;
@@ -103,11 +103,11 @@ inline double ExactSum::value() const {
     while (top > 0 && sum.words_[top] == 0) --top;
     const auto digit = [&sum](std::size_t k) { return static_cast<std::uint64_t>(sum.words_[k]); };
 
-    // The leading 64 bits; what lies below them only tells a tie from more than a tie.
+    // The leading 64 bits; the lower ones only distinguish a tie from more than a tie.
     std::uint64_t leading = digit(top);
     if (leading == 0) return 0;
     std::size_t next = top;
-    int position = digit_bits * static_cast<int>(top);  // of leading's last bit, counted from that of the least double
+    int position = digit_bits * static_cast<int>(top);  // of leading's last bit; 0: the smallest double's
     while (next > 0 && std::countl_zero(leading) >= digit_bits) {
         leading = leading << digit_bits | digit(--next);
         position -= digit_bits;

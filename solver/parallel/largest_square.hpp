@@ -8,8 +8,8 @@
 
 namespace dmp::solver {
 
-/// The largest of many squares, infinite where one is no number. Side by side in lanes, so that the compiler may use
-/// vectors: it may not change the order of comparisons, in which a NaN matters, by itself.
+/// The largest of many squares; infinite if one is NaN. Computed in separate lanes, so that the compiler can
+/// vectorise: it may not itself reorder comparisons, because their order matters for NaN.
 class LargestSquare {
   public:
     static constexpr std::ptrdiff_t lanes = 8, at_a_time = 4 * lanes;

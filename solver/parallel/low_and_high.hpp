@@ -9,8 +9,9 @@
 
 namespace dmp::solver {
 
-/// The least and the largest of value(i), i in [0, count); infinity and -infinity of none. Side by side in lanes, so
-/// that the compiler may use vectors: it may not change the order of comparisons, in which a NaN matters, by itself.
+/// The smallest and the largest value(i) for i in [0, count); infinity and -infinity if count is 0. Computed in
+/// separate lanes, so that the compiler can vectorise: it may not itself reorder comparisons, because their order
+/// matters for NaN.
 template <class Value>
 std::pair<double, double> low_and_high(std::ptrdiff_t count, int threads, const Value& value) {
     constexpr std::ptrdiff_t lanes = 8, block = 64 * lanes;

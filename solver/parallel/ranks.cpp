@@ -15,7 +15,7 @@ namespace {
 
 constexpr int exchange_tag = 1;
 
-/// MPI counts with int: long messages go in pieces.
+/// MPI counts are of type int: long messages are sent in pieces.
 constexpr std::size_t piece = std::size_t{1} << 30;
 
 template <class Bytes, class Transfer>
@@ -28,7 +28,7 @@ void in_pieces(Bytes bytes, const Transfer& transfer) {
 
 int mpi_count(std::int64_t count) {
     if (count > std::numeric_limits<int>::max())
-        throw ResourceError("the ranks' values together are too many for one MPI call: " + std::to_string(count),
+        throw ResourceError("the ranks send too many values in one MPI call: " + std::to_string(count),
                             "Use a coarser spacing, or write less at once.");
     return static_cast<int>(count);
 }
@@ -58,7 +58,7 @@ double Ranks::largest(double value) const {
 
 void Ranks::largest(std::span<double> values) const {
     if (size_ == 1) return;
-    // MPI_MAX makes of a NaN what it likes, so that it travels as a mark of its own.
+    // The result of MPI_MAX with a NaN is undefined, so NaN is sent as a separate flag.
     const std::size_t count = values.size();
     std::vector<double> marked(2 * count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -184,13 +184,13 @@ void Ranks::exchange_bytes(const std::vector<std::span<const std::byte>>& sent,
 MpiSession::MpiSession() {
     if (!started_by_mpirun()) return;
     int provided = MPI_THREAD_SINGLE;
-    // hwloc would ask display :0 for graphics cards, and end with it: another dmp draws its pictures on one for a
-    // moment.
+    // Otherwise hwloc queries display :0 for graphics cards and ends with it: another dmp process may use that
+    // display briefly to render its pictures.
     setenv("HWLOC_COMPONENTS", "-gl", 0);
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     if (provided < MPI_THREAD_FUNNELED) {
         MPI_Finalize();
-        throw ResourceError("this MPI does not let a process have threads",
+        throw ResourceError("this MPI does not support threads",
                             "Install an MPI with MPI_THREAD_FUNNELED, such as Debian's Open MPI.");
     }
     running_ = true;

@@ -16,43 +16,43 @@ namespace dmp::solver {
 
 struct Communicator;
 
-/// What may be sent from rank to rank as it lies in memory.
+/// Types that can be sent between ranks as raw bytes.
 template <class T>
 concept Sendable = std::is_trivially_copyable_v<T>;
 
-/// The processes that share a run, and what they tell each other. Every function but rank(), size() and is_first() must
-/// be called by all ranks, in the same order; each comes back with the same value on all ranks unless it says
-/// otherwise. One rank alone calls no MPI. Copies of a Ranks are the same ranks.
+/// The processes of a run and their communication. All functions except rank(), size() and is_first() must be called
+/// by all ranks, in the same order; each returns the same value on all ranks unless stated otherwise. On one rank no
+/// MPI is called. Copies of a Ranks refer to the same ranks.
 class Ranks {
   public:
-    /// This process and nobody else; MPI need not be running.
+    /// This process alone; MPI need not be running.
     static Ranks alone() { return {}; }
     /// All processes that mpirun started; MPI must be running (MpiSession).
     static Ranks world();
-    /// The processes of an MPI communicator, of which it takes a duplicate: messages do not mix with other people's.
+    /// The processes of an MPI communicator, which is duplicated: messages do not mix with those of other users.
     explicit Ranks(const Communicator& communicator);
 
     [[nodiscard]] int rank() const { return rank_; }
     [[nodiscard]] int size() const { return size_; }
     [[nodiscard]] bool is_first() const { return rank_ == 0; }
-    /// For those who speak MPI themselves; there must be several ranks.
+    /// For direct calls of MPI; there must be several ranks.
     [[nodiscard]] const Communicator& communicator() const { return *communicator_; }
 
     /// NaN if it is NaN on any rank.
     [[nodiscard]] double largest(double value) const;
     [[nodiscard]] double smallest(double value) const { return -largest(-value); }
-    /// Entry by entry; as many on every rank.
+    /// Entry by entry; every rank must pass the same number of values.
     void largest(std::span<double> values) const;
     [[nodiscard]] bool any(bool value) const;
     [[nodiscard]] std::int64_t sum(std::int64_t value) const;
-    /// Entry by entry; as many on every rank.
+    /// Entry by entry; every rank must pass the same number of values.
     void sum(std::span<std::int64_t> values) const;
-    /// Adds the other ranks' sums: the same bits however the summands are spread over ranks.
+    /// Adds the sums of all ranks. The result has the same bits for any distribution of the summands over ranks.
     void sum(ExactSum& value) const;
-    /// The same entry by entry, in one message; as many on every rank.
+    /// The same entry by entry, in one message; every rank must pass the same number of values.
     void sum(std::span<ExactSum> values) const;
 
-    /// The first rank's on every rank.
+    /// Copies rank 0's values to all ranks.
     template <Sendable T>
     void broadcast(std::vector<T>& values) const {
         values.resize(static_cast<std::size_t>(first_ranks(static_cast<std::int64_t>(values.size()))));
@@ -60,7 +60,7 @@ class Ranks {
     }
     void broadcast(std::string& text) const;
 
-    /// Every rank's values, rank by rank.
+    /// The values of all ranks, in the order of the ranks.
     template <Sendable T>
     [[nodiscard]] std::vector<T> all_gather(std::span<const T> values) const {
         const std::vector<std::int64_t> counts = all_counts(static_cast<std::int64_t>(values.size()));
@@ -69,7 +69,8 @@ class Ranks {
         return all;
     }
 
-    /// Values for each rank, to_each[rank], which may be empty; what each rank sent to this one. Differs by rank.
+    /// Sends to_each[rank], which may be empty, to each rank; returns the values received from each rank. The result
+    /// differs between ranks.
     template <Sendable T>
     [[nodiscard]] std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>>& to_each) const {
         std::vector<std::int64_t> counts;
@@ -88,7 +89,7 @@ class Ranks {
         return from_each;
     }
 
-    /// Every rank's values, rank by rank, on the first rank; nothing on the others.
+    /// The values of all ranks on rank 0, in the order of the ranks; empty on the others.
     template <Sendable T>
     [[nodiscard]] std::vector<T> gather_to_first(std::span<const T> values) const {
         std::vector<std::vector<T>> to_each(static_cast<std::size_t>(size_));
@@ -98,7 +99,7 @@ class Ranks {
         return all;
     }
 
-    // Vectors are not deduced as spans.
+    // Vectors do not convert to spans in template argument deduction.
     template <Sendable T>
     [[nodiscard]] std::vector<T> all_gather(const std::vector<T>& values) const {
         return all_gather(std::span<const T>(values));
@@ -120,13 +121,13 @@ class Ranks {
     void exchange_bytes(const std::vector<std::span<const std::byte>>& sent,
                         const std::vector<std::span<std::byte>>& received) const;
 
-    std::shared_ptr<const Communicator> communicator_;  ///< none: alone
+    std::shared_ptr<const Communicator> communicator_;  ///< null on a single rank
     int rank_ = 0;
     int size_ = 1;
 };
 
-/// Starts MPI, if mpirun started this process, and ends it again. One a process, around all that uses MPI. MPI is told
-/// that only the thread that made the session will call it.
+/// Initialises MPI, if mpirun started this process, and finalises it. Make one per process, around all use of MPI.
+/// MPI is initialised for calls from this thread only.
 class MpiSession {
   public:
     MpiSession();
@@ -134,16 +135,16 @@ class MpiSession {
     MpiSession(const MpiSession&) = delete;
     MpiSession& operator=(const MpiSession&) = delete;
 
-    /// True: mpirun (or another starter of MPI processes) started this process.
+    /// True if mpirun (or another starter of MPI processes) started this process.
     static bool started_by_mpirun();
-    /// All processes, or this one alone.
+    /// All processes, or this one alone if mpirun did not start it.
     [[nodiscard]] Ranks ranks() const;
-    /// Ends all ranks at once with this exit code: for an error of one rank, which the others, waiting for it, do not
-    /// see. Comes back only where this process runs alone.
+    /// Ends all ranks at once with this exit code: for an error on one rank, which the others, waiting for it, cannot
+    /// detect. Returns only if this process runs alone.
     void end_all(int exit_code) const;
 
   private:
-    bool running_ = false;  ///< MPI is, and this session ends it
+    bool running_ = false;  ///< true if this session has initialised MPI
 };
 
 }  // namespace dmp::solver

@@ -31,7 +31,7 @@ VectorUnit chosen_vector_unit(VectorUnit asked) {
     if (asked == VectorUnit::widest) return units.back();
     if (std::find(units.begin(), units.end(), asked) == units.end())
         throw ResourceError("this processor has no " + std::string(to_string(asked)) + " instructions",
-                            "leave the vector unit out: the widest there is will be taken");
+                            "leave the vector unit out: dmp then uses the widest one available");
     return asked;
 }
 

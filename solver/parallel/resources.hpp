@@ -10,20 +10,20 @@
 
 namespace dmp::solver {
 
-/// The processor's vector instructions that the loops over pairs use. Results do not depend on it.
+/// Vector instructions used by the loops over pairs. Results do not depend on the choice.
 enum class VectorUnit { widest, avx2, avx512, generic };
 
-/// Those that this processor has, narrowest first. Throws ResourceError when there are none.
+/// The vector units of this processor, narrowest first. Throws ResourceError if there are none.
 std::vector<VectorUnit> available_vector_units();
-/// `asked`, or the widest there is. Throws ResourceError when the processor lacks it.
+/// Returns `asked`, or the widest available. Throws ResourceError if the processor does not have it.
 VectorUnit chosen_vector_unit(VectorUnit asked);
 
-/// What a run may use. Results do not depend on it.
+/// Computing resources of a run. Results do not depend on them.
 struct Resources {
-    // NOLINTNEXTLINE(google-explicit-constructor): most only say how many threads
+    // NOLINTNEXTLINE(google-explicit-constructor): most callers give the number of threads only
     Resources(int threads_of_a_rank = 0) : threads(threads_of_a_rank) {}
 
-    int threads;  ///< of each rank; 0: all the machine has
+    int threads;  ///< per rank; 0: all of the machine
     VectorUnit vector_unit = VectorUnit::widest;
     Ranks ranks = Ranks::alone();
 };

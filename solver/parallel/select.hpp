@@ -8,7 +8,7 @@
 
 namespace dmp::solver {
 
-/// Fewer than this are not worth waking threads for.
+/// With fewer elements than this, threads cost more than they save.
 constexpr std::size_t worth_threads = 20000;
 
 /// The indices below `count` for which test(index) is true, in order.
@@ -23,7 +23,7 @@ std::vector<std::int32_t> select(std::size_t count, int threads, const Test& tes
         std::size_t size = 0;
         for (std::size_t i = k * block; i < std::min((k + 1) * block, count); ++i) {
             chosen[size] = static_cast<std::int32_t>(i);
-            size += test(i) ? 1 : 0;  // without a branch, which would be guessed wrong
+            size += test(i) ? 1 : 0;  // no branch: it would be mispredicted
         }
         found[k].assign(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(size));
     }

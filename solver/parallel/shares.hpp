@@ -5,8 +5,8 @@
 
 namespace dmp::solver {
 
-/// Calls work(thread) for each of so many threads. One alone is called here and now: OpenMP's region of one thread
-/// takes a call to the kernel, which few particles feel.
+/// Calls work(thread) for each thread index below `threads`. A single thread is called directly: an OpenMP region of
+/// one thread makes a system call, which is slow compared with the work on few particles.
 template <class Work>
 void on_each_thread(int threads, const Work& work) {
     if (threads == 1) {

@@ -8,8 +8,8 @@
 
 namespace dmp::solver {
 
-/// What makes a group one that cannot be kept, or "": arrays whose lengths do not fit the number of particles or bonds,
-/// components other than 1, 3 and 6, a bond to a particle outside the group.
+/// Describes why a group cannot be stored, or "": array lengths that do not match the number of particles or bonds,
+/// numbers of components other than 1, 3 and 6, a bond to a particle outside the group.
 inline std::string problem_with(const FrameGroup& group) {
     const auto length = [&](const std::string& what, std::size_t found, std::size_t expected) {
         return found == expected ? std::string()
@@ -32,9 +32,9 @@ inline std::string problem_with(const FrameGroup& group) {
     for (const FrameField& field : group.bond_fields) look_at(field, group.bonds());
     const auto outside = [&](std::int32_t end) { return end < 0 || static_cast<std::size_t>(end) >= group.size(); };
     if (problem.empty() && std::any_of(group.bond_ends.begin(), group.bond_ends.end(), outside))
-        problem = "frame group '" + group.name + "': a bond names a particle outside the group";
+        problem = "frame group '" + group.name + "': a bond refers to a particle outside the group";
     if (problem.empty() && (group.triangles.size() % 3 != 0 || std::ranges::any_of(group.triangles, outside)))
-        problem = "frame group '" + group.name + "': a triangle names a particle outside the group";
+        problem = "frame group '" + group.name + "': a triangle refers to a particle outside the group";
     return problem;
 }
 

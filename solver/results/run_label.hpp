@@ -5,7 +5,7 @@
 
 namespace dmp::solver {
 
-/// What every file says of the run it belongs to.
+/// Identifies the run in each of its files.
 struct RunLabel {
     std::string title;       ///< of the scene
     std::string scene_hash;  ///< of the resolved scene, 16 hex digits

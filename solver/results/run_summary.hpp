@@ -16,37 +16,37 @@
 
 namespace dmp::solver {
 
-/// Momentum and mass, and what came and went.
+/// Conserved quantities.
 struct Conserved {
     double mass = 0;                   ///< of all moving particles [kg]
     std::array<double, 3> momentum{};  ///< of all moving particles [kg m/s]
 };
 
-/// How much work implicit viscosity has been.
+/// Number of solves and iterations of implicit viscosity.
 struct ViscousSolves {
-    std::int64_t solves = 0, iterations = 0, most_iterations = 0;  ///< the last: of one solve
+    std::int64_t solves = 0, iterations = 0, most_iterations = 0;  ///< most_iterations: of one solve
     [[nodiscard]] double mean_iterations() const {
         return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0;
     }
 };
 
-/// Where a species has come from and gone.
+/// Balance of a species.
 struct SpeciesBalance {
-    std::string name, unit;     ///< of amounts
+    std::string name, unit;     ///< unit of amounts
     double start = 0, end = 0;  ///< in all particles that carry it
-    double from_walls = 0;      ///< given off by walls that are held at a concentration or give off a flux
-    /// What is unaccounted for, over the larger of what was there.
+    double from_walls = 0;      ///< from walls held at a concentration or with a given flux
+    /// The unaccounted amount, divided by the larger of start and end.
     [[nodiscard]] double residual() const {
         const double scale = std::max(std::abs(start), std::abs(end));
         return scale > 0 ? (end - start - from_walls) / scale : 0;
     }
 };
 
-/// How the ranks shared the work.
+/// Distribution of the work over the ranks.
 struct RankShares {
-    double imbalance = 1;         ///< the busiest rank's load over the mean, at the last list [-]
-    double ghosts_per_owned = 0;  ///< copies of particles, periodic images included, for each particle [-]
-    /// What the rank that sends most has sent to others for copies in a step, on average.
+    double imbalance = 1;         ///< load of the busiest rank divided by the mean, at the last list [-]
+    double ghosts_per_owned = 0;  ///< ghosts, including periodic images, per particle [-]
+    /// Messages and bytes per step that the rank sending most has sent for ghosts, on average.
     double messages_per_step = 0, bytes_per_step = 0;
 };
 
@@ -56,21 +56,21 @@ struct SphereEnergy {
     [[nodiscard]] double kinetic() const { return translation + rotation; }
 };
 
-/// How a run of spheres went.
+/// Results of a run of spheres.
 struct SphereSummary {
     SphereEnergy start, end;
-    std::size_t contacts = 0;    ///< of spheres that touch each other, at the end
-    double largest_overlap = 0;  ///< at the end, over the smaller radius; with walls too [-]
-    double still_since = 0;      ///< [s]; when nothing changed any more; 0: that was not asked for, or did not come
+    std::size_t contacts = 0;    ///< between spheres, at the end
+    double largest_overlap = 0;  ///< at the end, divided by the smaller radius; including walls [-]
+    double still_since = 0;      ///< [s] start of the steady state; 0: not requested, or not reached
 };
 
-/// How large the solid of one elastic solid or [[solidify]] is now, and what has happened to its bonds.
+/// Size of one elastic solid, or of the solid of one [[solidify]], at present, and the changes of its bonds.
 struct Aggregate {
     std::string name;
     std::int64_t particles = 0;
     double mass = 0;           ///< [kg]
-    std::int64_t pieces = 0;   ///< bodies that hold some of it
-    std::int64_t largest = 0;  ///< most of its particles in one body
+    std::int64_t pieces = 0;   ///< number of bodies with some of it
+    std::int64_t largest = 0;  ///< largest number of its particles in one body
     std::int64_t bonds_made = 0, bonds_broken = 0;
 };
 
@@ -89,8 +89,8 @@ struct RunSummary {
     std::array<double, 3> impulse_of_body_forces{};  ///< given to moving particles [N s]
     std::array<double, 3> impulse_of_fixed{};        ///< given to moving particles by walls and anchors [N s]
     std::array<double, 3> impulse_of_drag{};         ///< given to moving particles by lab-frame drag [N s]
-    double momentum_residual = 0;  ///< |end - start - impulses| over the sum of the impulses' magnitudes [-]
-    /// Extremes over the whole run of density over rest density, times the first fluid's rest density [kg/m^3].
+    double momentum_residual = 0;  ///< end - start - impulses| divided by the sum of the impulses' magnitudes [-]
+    /// Extremes of density / rest density over the whole run, times the first fluid's rest density [kg/m^3].
     double density_low = 0, density_high = 0;
     std::size_t lost = 0;
     std::string state_hash;  ///< of all particles, their final positions, velocities and densities, 16 hex digits
@@ -99,13 +99,13 @@ struct RunSummary {
     std::string_view vector_unit;  ///< of the loops over pairs
     RankShares shares;
     std::optional<SphereSummary> spheres;
-    ViscousSolves viscous_solves;  ///< none where viscosity is explicit
+    ViscousSolves viscous_solves;  ///< none if viscosity is explicit
     std::vector<SpeciesBalance> species;
-    ViscousSolves species_solves;       ///< none where diffusion is explicit
-    std::vector<Aggregate> aggregates;  ///< where bodies may change
-    long first_step = 0;                ///< that this process made; 0 unless it resumed
-    bool interrupted = false;           ///< left before its end
-    bool out_of_time = false;           ///< by the wall time's limit
+    ViscousSolves species_solves;       ///< none if diffusion is explicit
+    std::vector<Aggregate> aggregates;  ///< of bodies that may change
+    long first_step = 0;                ///< of this process; 0 unless it resumed
+    bool interrupted = false;           ///< stopped before its end
+    bool out_of_time = false;           ///< stopped at the wall-time limit
 };
 
 }  // namespace dmp::solver

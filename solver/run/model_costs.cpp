@@ -2,22 +2,18 @@
 #include "solver/run/model_costs.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <memory>
 
 #include "base/errors.hpp"
+#include "base/wall_clock.hpp"
 #include "solver/output/species_measures.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::solver {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A model that a scene runs with, and the scene without it.
 struct Omission {
@@ -127,11 +123,11 @@ Scene for_trials(Scene scene) {
 }  // namespace
 
 ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const Resources& resources, double seconds) {
-    const auto start = Clock::now();
+    const auto start = WallClock::now();
     const Scene whole_scene = for_trials(scene);
     Trial whole(whole_scene, particles, resources);
     (void)whole.run(2);  // lists and memory
-    const auto first = Clock::now();
+    const auto first = WallClock::now();
     (void)whole.run(2);
     const double step_seconds = std::max(1e-6, seconds_since(first) / 2);
 

@@ -150,18 +150,15 @@ void SphereNeighbours::renew(ParticleGroup& group, SphereRows& rows, SphereWalls
     prune(group, rows, &memory_);
     memory_.clear();
     if (ranks_->size() > 1) imbalance_ = domain_.imbalance({&group}, {});
-    last_renewal_ = Clock::now();
+    last_renewal_ = WallClock::now();
     ++renewals_;
 }
 
 /// Divides space anew where the time that ranks have waited for the busiest one is more than dividing takes.
 void SphereNeighbours::balance(ParticleGroup& group) {
-    const auto seconds_since = [](Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
     time_lost_ += (imbalance_ - 1) * ranks_->largest(seconds_since(last_renewal_));
     if (renewals_ > 1 && time_lost_ < time_to_divide_) return;
-    const auto start = Clock::now();
+    const auto start = WallClock::now();
     domain_.divide({&group}, {});
     time_to_divide_ = ranks_->largest(seconds_since(start));
     time_lost_ = 0;

@@ -1,8 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
-
+#include "base/wall_clock.hpp"
 #include "solver/domain/domain.hpp"
 #include "solver/domain/halo.hpp"
 #include "solver/neighbours/displacement_tracker.hpp"
@@ -88,8 +87,7 @@ class SphereNeighbours {
     long steps_ = 0, renewals_ = 0, searches_ = 0;
     std::vector<bool> fixed_by_id_;
 
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point last_renewal_ = Clock::now();
+    WallClock::time_point last_renewal_ = WallClock::now();
     double imbalance_ = 1, time_lost_ = 0, time_to_divide_ = 0;
 
   public:

@@ -47,7 +47,7 @@ void Archive::operator()(const std::string& name, std::vector<Vector<double, 3>>
 void Archive::operator()(const std::string& name, std::array<double, 3>& values) {
     std::vector<double> three(values.begin(), values.end());
     array(name, three);
-    if (three.size() != 3) reader_->refuse("'" + name + "' has not three numbers");
+    if (three.size() != 3) reader_->refuse("'" + name + "' does not have three numbers");
     std::copy(three.begin(), three.end(), values.begin());
 }
 

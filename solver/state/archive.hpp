@@ -13,13 +13,13 @@
 
 namespace dmp::solver {
 
-/// A state on its way into a checkpoint or out of one. Whoever has state names each value once, for both ways:
+/// Saves a state to a checkpoint or loads it from one. A class with state lists each value once, for both directions:
 ///     void archive(Archive& file) { file("step", step_); file("time", time_); }
-/// Values are the same on all ranks, and all ranks call with the same names; particles are each rank's own. Saving, the
-/// first rank alone holds a file; loading, every rank reads.
+/// Values are the same on all ranks, and all ranks must call with the same names; particles are distributed. When
+/// saving, only rank 0 has a file; when loading, every rank reads.
 class Archive {
   public:
-    /// `file` may be null on all ranks but the first.
+    /// `file` may be null on all ranks except rank 0.
     Archive(const Ranks& ranks, Hdf5Writer* file) : ranks_(ranks), writer_(file) {}
     Archive(const Ranks& ranks, const Hdf5Reader& file) : ranks_(ranks), reader_(&file) {}
 
@@ -31,8 +31,8 @@ class Archive {
     void operator()(const std::string& name, std::vector<Vector<double, 2>>& values);
     void operator()(const std::string& name, std::vector<Vector<double, 3>>& values);
     void operator()(const std::string& name, std::array<double, 3>& values);
-    /// A group's owned particles, their tags and all they take along. Loading, each rank gets a share, wherever they
-    /// lie. Throws InputError when the group's fields are not those in the file.
+    /// A group's owned particles with their tags and state fields. When loading, each rank gets a share, regardless
+    /// of position. Throws InputError if the group's fields differ from those in the file.
     void operator()(const std::string& name, ParticleGroup& group);
 
   private:

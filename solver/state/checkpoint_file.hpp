@@ -7,18 +7,18 @@
 
 namespace dmp::solver {
 
-/// What checkpoints are sealed as; a change of their contents that an earlier dmp cannot read counts the version up.
+/// Kind and version in a checkpoint's seal; the version increases with each change that an earlier dmp cannot read.
 inline constexpr SealedKind checkpoint_kind{"checkpoint", 1};
 
-/// Writes one checkpoint, whole or not at all: contents() takes the arrays and texts, finish() seals the file and gives
-/// it its name. Throws ResourceError. One process writes it.
+/// Writes one checkpoint, completely or not at all: contents() receives the arrays and texts, finish() seals the file
+/// and renames it to its final name. Throws ResourceError. Used by one process.
 class CheckpointWriter : public SealedWriter {
   public:
     explicit CheckpointWriter(const std::filesystem::path& file) : SealedWriter(file, checkpoint_kind) {}
 };
 
-/// Reads one checkpoint, checked in full before anything in it is believed. Throws InputError that says what it is:
-/// not readable, no checkpoint, of a newer format, truncated, damaged.
+/// Reads one checkpoint, after checking it completely. Throws an InputError with the reason: not readable, no
+/// checkpoint, of a newer format, truncated, damaged.
 class CheckpointReader : public SealedReader {
   public:
     explicit CheckpointReader(const std::filesystem::path& file) : SealedReader(file, checkpoint_kind) {}

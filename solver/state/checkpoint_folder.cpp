@@ -20,7 +20,7 @@ const NumberedFiles& files() {
     return kind;
 }
 
-/// The checkpoints in a folder, by step.
+/// The checkpoints in a folder by step, newest first.
 std::map<long, fs::path, std::greater<>> newest_first(const fs::path& folder) {
     const auto found = files().in(folder);
     return {found.begin(), found.end()};

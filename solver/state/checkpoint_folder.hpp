@@ -9,43 +9,43 @@
 
 namespace dmp::solver {
 
-/// A checkpoint that a run can go on from.
+/// A checkpoint from which a run can resume.
 struct FoundCheckpoint {
     std::filesystem::path file;
     long step = 0;
-    std::vector<std::string> messages;  ///< one for each newer checkpoint that is not whole, newest first
+    std::vector<std::string> messages;  ///< one for each newer checkpoint that is unusable, newest first
 };
 
-/// The checkpoints of one run: OUT/checkpoints/step_000001234.h5. What else is in the folder is left alone.
+/// The checkpoints of one run: OUT/checkpoints/step_000001234.h5. Other files in the folder are left alone.
 class CheckpointFolder {
   public:
-    /// `out` is the run's folder. Makes nothing.
+    /// `out` is the run's folder. Creates nothing.
     explicit CheckpointFolder(const std::filesystem::path& out) : folder_(out / "checkpoints") {}
 
-    /// Throws InputError when the folder cannot be made or written to.
+    /// Throws InputError if the folder cannot be created or written to.
     void make() const;
 
     [[nodiscard]] std::filesystem::path path_for(long step) const;
 
-    /// The newest checkpoint that passes check_seal; none when there are none at all.
-    /// Throws InputError when there are some and all are bad.
+    /// The newest checkpoint that passes check_seal; nothing if there are no checkpoints.
+    /// Throws InputError if there are some and all are bad.
     [[nodiscard]] std::optional<FoundCheckpoint> newest_good();
 
-    /// To be called when the checkpoint of `written` is finished: that one and the newest good one before it stay. All
-    /// others go, those of later steps too (what a run that went on from an earlier step left behind it), and files
-    /// that were never finished. Throws ResourceError when one cannot be removed.
+    /// Must be called when the checkpoint of step `written` is finished. Keeps it and the newest good one before it.
+    /// Removes all others, including those of later steps (left over when a run was resumed from an earlier step) and
+    /// unfinished files. Throws ResourceError if a file cannot be removed.
     void keep_last_two(long written);
 
-    /// Removes all checkpoints, those never finished too, and the folder if that leaves it empty. Returns how many
-    /// files went. Throws ResourceError when one cannot be removed.
+    /// Removes all checkpoints, including unfinished ones, and the folder if it is then empty. Returns the number of
+    /// removed files. Throws ResourceError if one cannot be removed.
     std::size_t remove();
 
   private:
-    /// What is wrong with it, "" if nothing; a good one is read once only.
+    /// Describes what is wrong with the file, "" if nothing; a good file is read only once.
     [[nodiscard]] std::string problem_with(long step, const std::filesystem::path& file);
 
     std::filesystem::path folder_;
-    std::set<long> good_;  ///< steps whose files were checked, or written, by this object's owner
+    std::set<long> good_;  ///< steps whose files this object has checked or its owner has written
 };
 
 }  // namespace dmp::solver

@@ -12,7 +12,7 @@ namespace dmp::solver {
 
 namespace {
 
-/// The lines of a scene that results depend on.
+/// The lines of a scene that affect results.
 std::vector<std::string> lines_that_count(const std::string& scene) {
     std::vector<std::string> lines;
     std::istringstream text(scene);
@@ -21,7 +21,7 @@ std::vector<std::string> lines_that_count(const std::string& scene) {
     return lines;
 }
 
-/// A few lines that are in one scene and not at their place in the other, with the table they stand in.
+/// The first few lines that differ between the scenes, with their table.
 std::string difference(const std::string& before, const std::string& now) {
     const auto old_lines = lines_that_count(before), new_lines = lines_that_count(now);
     constexpr int most = 5;
@@ -52,7 +52,7 @@ bool Checkpoints::due() const {
 void Checkpoints::save(long step, const ArchiveAll& archive_all) {
     std::string problem, what_to_do;
     std::unique_ptr<CheckpointWriter> file;
-    // The other ranks must not wait for a first one that gave up: what it met is told to all at the end.
+    // The other ranks must not wait for rank 0 after an error: it continues, and broadcasts the error at the end.
     const auto on_first = [&](const auto& work) {
         if (!ranks_.is_first() || !problem.empty()) return;
         try {
@@ -93,7 +93,7 @@ FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const 
     if (lines_that_count(before) != lines_that_count(scene))
         throw InputError({found->file.string()},
                          "the scene is not the one this run was started with:" + difference(before, scene),
-                         "Resume with the scene as it was, or start a new run in another folder with --out.");
+                         "Resume with the original scene, or start a new run in another folder with --out.");
     return *found;
 }
 

@@ -11,14 +11,14 @@
 
 namespace dmp::solver {
 
-/// What a run does about checkpoints.
+/// Checkpoint settings of a run.
 struct CheckpointOptions {
-    std::filesystem::path folder;  ///< the run's; checkpoints lie in a folder below it. Empty: none are written
-    double every = 600;            ///< wall time between two of them [s]; 0: only when the run is stopped
-    std::string scene;             ///< resolved text of the scene, kept in each for comparison
+    std::filesystem::path folder;  ///< of the run; checkpoints are in a subfolder. Empty: none are written
+    double every = 600;            ///< wall time between checkpoints [s]; 0: only when the run is stopped
+    std::string scene;             ///< resolved text of the scene, stored in each for comparison
 };
 
-/// Writes the checkpoints of a run; the first rank holds the pen. The last two stay.
+/// Writes the checkpoints of a run and keeps the last two. Rank 0 writes the files.
 class Checkpoints {
   public:
     using ArchiveAll = std::function<void(Archive&)>;
@@ -26,9 +26,9 @@ class Checkpoints {
     Checkpoints(const Ranks& ranks, CheckpointOptions options);
 
     [[nodiscard]] bool wanted() const { return !options_.folder.empty(); }
-    /// By this rank's clock.
+    /// True if it is time for a checkpoint, by this rank's clock.
     [[nodiscard]] bool due() const;
-    /// Throws ResourceError, on all ranks, when the disk does not take it.
+    /// Throws ResourceError, on all ranks, if the file cannot be written.
     void save(long step, const ArchiveAll& archive_all);
 
   private:
@@ -40,9 +40,9 @@ class Checkpoints {
     Clock::time_point last_ = Clock::now();
 };
 
-/// Where a run in `folder` can go on, for a scene of this resolved text (how many threads it asks for may differ). One
-/// process asks. Throws InputError when there is no checkpoint, none that is whole, or it is of another scene: with the
-/// lines that differ.
+/// Finds the checkpoint from which a run in `folder` can resume, for a scene with this resolved text (the number of
+/// threads may differ). Called by one process. Throws InputError if there is no checkpoint, if all are unusable, or
+/// if it belongs to another scene, with the lines that differ.
 FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const std::string& scene);
 
 }  // namespace dmp::solver

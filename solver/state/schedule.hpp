@@ -8,12 +8,12 @@
 
 namespace dmp::solver {
 
-/// The times k * every, k = 0, 1, ..., one after another, without drift.
+/// The times k * every, k = 0, 1, ..., without drift.
 class Schedule {
   public:
     explicit Schedule(double every) : every_(every) {}
     [[nodiscard]] double next() const { return static_cast<double>(count_) * every_; }
-    /// True when `time` has reached the next of them (within rounding), which is then ticked off.
+    /// Returns true if `time` has reached the next of them (within rounding), and then moves on to the one after it.
     bool due(double time) {
         if (time < next() - 1e-9 * every_) return false;
         ++count_;

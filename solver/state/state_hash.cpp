@@ -20,7 +20,7 @@ class Fnv {
     void add(std::uint64_t bits) {
         for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3ULL;
     }
-    /// Stirred (MurmurHash3's last step), so that sums of hashes tell sets apart.
+    /// With MurmurHash3's finaliser applied, so that sums of hashes distinguish different sets.
     [[nodiscard]] std::uint64_t stirred() const {
         std::uint64_t hash = hash_;
         for (const std::uint64_t factor : {0xff51afd7ed558ccdULL, 0xc4ceb9fe1a85ec53ULL}) {
@@ -34,16 +34,16 @@ class Fnv {
     std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
 
-/// Of who a particle is, where (in the box, along periodic axes), how fast and how dense.
+/// Hash of a particle's id, position (in the box, along periodic axes), velocity and density.
 std::uint64_t hash_of(const ParticleGroup& group, const ParticleSpace& space, std::size_t i) {
     Fnv hash;
     hash.add(static_cast<std::uint64_t>(group.tags()[i].id));
     for (int axis = 0; axis < group.dimension(); ++axis) {
         const double x = group.data(Field::position, axis)[i], v = group.data(Field::velocity, axis)[i];
-        // A liquid's particle beyond a plane of symmetry stands for its image.
-        const double shown = space.periodic[axis] ? wrapped(x, space.box.low[axis], space.box.high[axis])
+        // A fluid particle beyond a plane of symmetry is equivalent to its image.
+        const double shown = space.periodic[axis]              ? wrapped(x, space.box.low[axis], space.box.high[axis])
                              : group.kind() == PartKind::fluid ? space.mirrored_back(x, axis)
-                                                                   : x;
+                                                               : x;
         hash.add(std::bit_cast<std::uint64_t>(shown));
         hash.add(std::bit_cast<std::uint64_t>(space.is_mirrored(axis) && shown != x ? -v : v));
     }

@@ -9,10 +9,10 @@
 
 namespace dmp::solver {
 
-/// A number for all bits of the particles' ids, positions, velocities and densities, as 16 hex digits: the sum of a
-/// hash of each particle, which needs no order and no memory. Positions as they are in the box, along periodic axes and
-/// between planes of symmetry.
-/// All ranks take part; the first one gets the hash.
+/// A hash of all bits of the particles' ids, positions, velocities and densities, as 16 hex digits: the sum of a hash
+/// of each particle, which needs neither an order nor memory. Positions are first moved into the box, along periodic
+/// axes and between planes of symmetry.
+/// All ranks must call it; rank 0 gets the hash.
 std::string state_hash(std::span<const ParticleGroup> groups, const ParticleSpace& space, const Ranks& ranks);
 inline std::string state_hash(const ParticleStore& particles, const Ranks& ranks) {
     return state_hash(particles.groups(), particles.space(), ranks);

@@ -7,7 +7,7 @@
 
 namespace dmp::solver {
 
-/// The per-particle arrays a model may ask for.
+/// The per-particle arrays that a model can declare.
 enum class Field {
     position,
     velocity,
@@ -48,7 +48,7 @@ enum class Field {
     angular_velocity,
     contact_force,
     contact_torque,
-    count  // how many there are
+    count  // number of fields
 };
 
 using FieldList = std::vector<Field>;
@@ -57,14 +57,14 @@ struct FieldInfo {
     std::string_view name;
     std::string_view unit;
     bool is_vector;
-    /// True: a particle takes its value along when it is sorted, sent to another rank or saved. False: it is worked out
-    /// anew before it is used.
+    /// True: the value moves with the particle when it is sorted, sent to another rank or saved. False: it is
+    /// recomputed before use.
     bool is_state;
-    /// The model it is there for, or a part of its name (ModelUse::model); empty: more than one needs it.
+    /// The model that needs the field, or a part of its name (ModelUse::model); empty if several need it.
     std::string_view needed_by{};
 };
 
-/// By Field, in its order.
+/// In the order of Field.
 inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> field_info{{
     {"position", "m", true, true},
     {"velocity", "m/s", true, true},
@@ -93,7 +93,7 @@ inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> f
     {"viscous_residual", "N", true, false, "implicit viscosity"},
     {"viscous_direction", "m/s", true, false, "implicit viscosity"},
     {"viscous_diagonal", "kg/s", true, false, "implicit viscosity"},
-    // Of species, an array each, in units of the species.
+    // Fields of species: one array per species, in its units.
     {"species_amount", "1", false, true, "diffusion of"},
     {"concentration", "1", false, false, "diffusion of"},
     {"species_diffusivity", "m^2/s", false, true, "diffusion of"},

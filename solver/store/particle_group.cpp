@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t lanes_behind_the_end = 16;
 
-/// Resizes, and where that needs new memory takes a little more, not twice as much: copies come and go.
+/// Resizes. If this needs new memory, reserves a little more instead of twice as much, because the number of ghosts
+/// varies.
 template <class Vector>
 void resize_with_room(Vector& values, std::size_t size) {
     if (size > values.capacity()) values.reserve(size + size / 16);
@@ -52,7 +53,7 @@ void ParticleGroup::resize(std::size_t owned, std::size_t ghosts) {
 
 void ParticleGroup::reorder(std::span<const std::int32_t> order, int threads) {
     Uninitialized<ParticleTag> tags;
-    tags.reserve(tags_.capacity());  // with room for copies
+    tags.reserve(tags_.capacity());  // with space for ghosts
     tags.resize(order.size());
     const auto count = static_cast<std::ptrdiff_t>(order.size());
 #pragma omp parallel for num_threads(threads) schedule(static)

@@ -13,18 +13,17 @@
 
 namespace dmp::solver {
 
-/// Who a particle is. Travels with it.
+/// Identity of a particle. Moves with it.
 struct ParticleTag {
     std::int64_t id = 0;     ///< unique over all kinds and ranks, for the whole run
-    std::int32_t body = -1;  ///< spring body it belongs to; -1: none
+    std::int32_t body = -1;  ///< elastic body that it belongs to; -1: none
     std::uint16_t part = 0;  ///< index into ParticleSpace::parts
     friend bool operator==(const ParticleTag&, const ParticleTag&) = default;
 };
 
-/// The particles of one kind that this rank works on: one array a field and axis. First those it owns, [0, owned()),
-/// spatially sorted; then copies of particles near by, [owned(), total()): periodic images and other ranks' particles.
-/// Only fields that a model declared exist. Arrays have room for a vector's width behind their end, so that a cluster's
-/// lanes may be loaded whole.
+/// The particles of one kind on this rank: one array per field and axis. Owned particles come first, [0, owned()),
+/// spatially sorted; then ghost particles, [owned(), total()): periodic images and particles of other ranks. Only
+/// declared fields exist. Arrays are padded by a vector's width, so that all lanes of a cluster can be loaded.
 class ParticleGroup {
   public:
     ParticleGroup(PartKind kind, int dimension) : kind_(kind), dimension_(dimension) {
@@ -37,29 +36,29 @@ class ParticleGroup {
     [[nodiscard]] std::size_t total() const { return tags_.size(); }
     [[nodiscard]] bool empty() const { return owned_ == 0; }
 
-    /// Allocates the fields (zero-filled) that are not there yet.
+    /// Allocates those of the fields that do not exist yet, filled with zeros.
     void declare(const FieldList& fields);
-    /// The same for a field of `arrays` arrays (residence_time: one a region).
+    /// The same for a field with `arrays` arrays (residence_time: one per region).
     void declare(Field field, int arrays);
     [[nodiscard]] bool has(Field field) const { return declared_[static_cast<std::size_t>(field)] > 0; }
-    /// The declared fields that particles take along, in the order of Field.
+    /// The declared state fields, which move with the particles, in the order of Field.
     [[nodiscard]] FieldList state() const;
     [[nodiscard]] FieldList declared() const;
-    /// Arrays of a field: as many as were declared, else 1 or the dimension.
+    /// Number of arrays of a field: as declared, otherwise 1 or the dimension.
     [[nodiscard]] int axes(Field field) const {
         return has(field) ? declared_[static_cast<std::size_t>(field)] : info(field).is_vector ? dimension_ : 1;
     }
 
-    /// The scalar field, or one axis of a vector field, over owned particles and copies.
+    /// The scalar field, or one axis of a vector field, over owned particles and ghosts.
     [[nodiscard]] double* data(Field field, int axis = 0) { return array(field, axis).data(); }
     [[nodiscard]] const double* data(Field field, int axis = 0) const { return array(field, axis).data(); }
     [[nodiscard]] std::span<ParticleTag> tags() { return tags_; }
     [[nodiscard]] std::span<const ParticleTag> tags() const { return tags_; }
 
-    /// Makes room: the first `owned` particles and then `copies`. Particles that were there keep their values; those of
-    /// new ones have yet to be written.
+    /// Resizes to `owned` particles followed by `ghosts` ghosts. Existing particles keep their values; the values of
+    /// new ones must be set by the caller.
     void resize(std::size_t owned, std::size_t ghosts);
-    /// Owned particle k becomes what order[k] was; owned ones that are not in `order` and all copies go.
+    /// Moves owned particle order[k] to index k; drops owned particles that are not in `order`, and all ghosts.
     void reorder(std::span<const std::int32_t> order, int threads = 1);
 
     [[nodiscard]] std::size_t bytes() const;
@@ -74,10 +73,10 @@ class ParticleGroup {
     PartKind kind_;
     int dimension_;
     std::size_t owned_ = 0;
-    Uninitialized<ParticleTag> tags_;  ///< written by the threads that will read them
+    Uninitialized<ParticleTag> tags_;  ///< first written by the threads that read them later
     std::array<int, static_cast<std::size_t>(Field::count)> declared_{};             ///< arrays; 0: none
-    std::array<std::vector<Array>, static_cast<std::size_t>(Field::count)> arrays_;  ///< three or more each
-    Array moved_;  ///< where an array is put in a new order
+    std::array<std::vector<Array>, static_cast<std::size_t>(Field::count)> arrays_;  ///< at least three each
+    Array moved_;                                                                    ///< buffer for reordering an array
 };
 
 }  // namespace dmp::solver

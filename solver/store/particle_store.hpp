@@ -11,11 +11,11 @@ namespace dmp::solver {
 
 inline constexpr std::array<PartKind, 3> all_kinds{PartKind::fluid, PartKind::rigid, PartKind::elastic};
 
-/// The running particles, a group a kind, and the space they live in.
+/// The particles of a run, one group per kind, and the space that contains them.
 class ParticleStore {
   public:
-    /// This rank's share of the particles, wherever they lie, with their positions, at rest, and with the mass that
-    /// their volume has at the density of the liquid (`density` by part number [kg/m^3]).
+    /// This rank's share of the particles, regardless of position. They are at rest and have the mass of their volume
+    /// at the density of the fluid (`density` by part number [kg/m^3]).
     ParticleStore(const ParticleSet& set, const std::vector<double>& density, const Ranks& ranks = Ranks::alone());
 
     [[nodiscard]] ParticleGroup& of(PartKind kind) { return groups_[static_cast<std::size_t>(kind)]; }

@@ -11,7 +11,7 @@ PositionQuantum::PositionQuantum(const ParticleSpace& space) {
     for (int axis = 0; axis < space.dimension; ++axis)
         farthest = std::max({farthest, std::abs(space.box.low[axis]), std::abs(space.box.high[axis]),
                              space.box.high[axis] - space.box.low[axis]});
-    // Eight times the farthest point is still below 2^51 quanta.
+    // Eight times the farthest coordinate is still below 2^51 quanta.
     size_ = std::ldexp(1.0, std::ilogb(farthest) + 1 + 3 - 51);
     magic_ = 1.5 * std::ldexp(size_, 52);
 }

@@ -6,26 +6,26 @@
 
 namespace dmp::solver {
 
-/// The smallest step a position can make: a power of two, a few parts in 10^16 of the scene's size. All positions and
-/// periods are whole multiples of it, so that moving a particle by a period, and the separation of two particles, are
-/// exact: it changes no bit of a result where a particle was wrapped, when its neighbours were listed, or which rank
-/// holds it.
+/// The spacing of representable positions: a power of two, a few parts in 10^16 of the scene's size. All positions
+/// and periods are multiples of it, so that shifts by a period and separations of particles are exact. Results
+/// therefore have the same bits regardless of when a particle is wrapped, when its neighbours are listed, and which
+/// rank owns it.
 class PositionQuantum {
   public:
     /// For positions in and around the box.
     explicit PositionQuantum(const ParticleSpace& space);
 
-    /// The nearest multiple [m]. Exact for anything up to some box sizes away; farther out it rounds less finely.
+    /// The nearest multiple [m]. Exact up to some box sizes away; the rounding is coarser farther out.
     [[nodiscard]] double round(double x) const { return (x + magic_) - magic_; }
     [[nodiscard]] double size() const { return size_; }
-    /// 1.5 2^52 quanta: adding it pushes everything below a quantum out of a double.
+    /// 1.5 2^52 quanta: adding it removes everything below a quantum from a double.
     [[nodiscard]] double magic() const { return magic_; }
 
   private:
     double size_, magic_;
 };
 
-/// The same space with its periods made whole multiples of the quantum.
+/// The same space with its periods rounded to multiples of the quantum.
 ParticleSpace with_whole_periods(const ParticleSpace& space, const PositionQuantum& quantum);
 
 }  // namespace dmp::solver

@@ -7,7 +7,7 @@
 
 namespace dmp::solver {
 
-/// The first rank's particles on all ranks; each then takes up its share of them (ParticleStore).
+/// Copies rank 0's particles to all ranks; each then selects its share (ParticleStore).
 void share_particles(ParticleSet& particles, const Ranks& ranks);
 
 }  // namespace dmp::solver

@@ -10,7 +10,7 @@
 
 namespace dmp::solver {
 
-/// Calls visit(i, sums) for the owned particles, and adds up what it adds to `sums` without rounding.
+/// Calls visit(i, sums) for each owned particle and adds up the terms that it adds to `sums`, without rounding.
 template <std::size_t Count, class Visit>
 std::array<ExactSum, Count> sums_over(const ParticleGroup& group, int threads, const Visit& visit) {
     const auto count = static_cast<std::ptrdiff_t>(group.owned());
@@ -26,8 +26,8 @@ std::array<ExactSum, Count> sums_over(const ParticleGroup& group, int threads, c
     return all;
 }
 
-/// The same for terms that are multiples of one quantum: 32 of them add up exactly in doubles (ReproducibleSum), which
-/// is faster than one by one.
+/// The same for terms that are multiples of one quantum: 32 of them add up exactly in doubles (ReproducibleSum),
+/// which is faster than adding them one by one.
 template <std::size_t Count, class Visit>
 std::array<ExactSum, Count> sums_of_multiples(const ParticleGroup& group, int threads, const Visit& visit) {
     constexpr std::ptrdiff_t at_a_time = 32;
@@ -48,7 +48,7 @@ std::array<ExactSum, Count> sums_of_multiples(const ParticleGroup& group, int th
     return all;
 }
 
-/// A number that ReproducibleSum can be made for.
+/// Raises tiny values to the smallest for which a ReproducibleSum can be made.
 inline double at_least_something(double value) { return std::max(value, 1e-280); }
 
 }  // namespace dmp::solver

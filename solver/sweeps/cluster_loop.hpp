@@ -7,12 +7,13 @@
 
 namespace dmp::solver {
 
-/// Particles that are worked on together, a cluster or the part of one that the lanes hold, and what is near them.
+/// Particles that are processed together (a cluster, or the part of one that fits into the lanes) and their
+/// neighbours.
 struct Neighbourhood {
     const ClusterList& list;
-    PartKind kind;   ///< of the cluster
+    PartKind kind;       ///< of the cluster
     std::size_t number;  ///< of the cluster
-    Cluster cluster;     ///< as much of it as the lanes hold
+    Cluster cluster;     ///< the part of it that is in the lanes
 
     /// Indices into the group of `other`.
     [[nodiscard]] std::span<const std::int32_t> of(PartKind other) const {
@@ -20,11 +21,10 @@ struct Neighbourhood {
     }
 };
 
-/// Calls visit(Neighbourhood) for every chosen cluster of a kind, `width` of its particles at a time. Each particle is
-/// written by one thread alone.
+/// Calls visit(Neighbourhood) for every chosen cluster of a kind, for `width` of its particles at a time. Each
+/// particle is written by one thread only.
 template <std::size_t Width, class Visit>
-void for_each_cluster(const ClusterList& list, PartKind kind, ClusterChoice choice, int threads,
-                      const Visit& visit) {
+void for_each_cluster(const ClusterList& list, PartKind kind, ClusterChoice choice, int threads, const Visit& visit) {
     constexpr auto width = static_cast<std::int32_t>(Width);
     const auto clusters = list.clusters(kind);
     const auto count = static_cast<std::ptrdiff_t>(clusters.size());

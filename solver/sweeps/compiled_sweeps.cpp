@@ -1,8 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All sweeps for one vector unit and one kernel. Compiled once for each, with the unit's instructions switched on and
-// DMP_VECTOR_UNIT and DMP_KERNEL the words for both. Everything that is compiled here carries the type of the lanes or
-// the unit in its name, so that no part of it can stand in for another unit's (a test looks).
+// All sweeps for one vector unit and one kernel. Compiled once for each combination, with the unit's instructions
+// enabled and DMP_VECTOR_UNIT and DMP_KERNEL as their names. Every symbol compiled here has the type of the lanes or
+// the unit in its name, so that the linker cannot replace it by another unit's (a test checks this).
 #include "solver/sweeps/compiled_sweeps.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace dmp::solver {
 
 namespace {
 
-/// Calls then(std::bool_constant<flag>), so that a run-time switch picks a compiled variant.
+/// Calls then(std::bool_constant<flag>), so that a run-time flag selects a compiled variant.
 template <class Then>
 void with_flag(bool flag, const Then& then) {
     if (flag) {
@@ -101,7 +101,7 @@ class Sweeps final : public PairSweeps {
         const auto run = [&]<class Solid, DensityTerms with>() {
             run_with.template operator()<Solid, with>(NoSpecies{});
         };
-        if (along != nullptr) {  // comes with diffusion, of whatever strength
+        if (along != nullptr) {  // always with diffusion, even of strength 0
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
                     constexpr DensityTerms with{.diffusion = true,
@@ -183,8 +183,8 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
   private:
-    /// Calls then(term) with the viscous term of these settings: the default law in a loop of its own, for fluids of
-    /// like and of unlike viscosity, all others in one loop that chooses at run time.
+    /// Calls then(term) with the viscous term of these settings. The default law has its own loops, for fluids of
+    /// like and of unlike viscosity; all others share one loop that selects the law at run time.
     template <class Then>
     void with_viscosity(const Then& then) const {
         const bool arithmetic = settings_.viscosity.mean == ViscosityMean::arithmetic;
@@ -197,7 +197,7 @@ class Sweeps final : public PairSweeps {
         }
     }
 
-    /// Calls run<Solid, terms>() with what the density rates of these settings are summed of.
+    /// Calls run<Solid, terms>() with the wall model and the terms of the density rates for these settings.
     template <class Run>
     void with_density_terms(const Run& run) const {
         if (settings_.density.by_summation) {
@@ -205,7 +205,7 @@ class Sweeps final : public PairSweeps {
             if (settings_.shifting > 0) run.template operator()<ExtrapolatedSolid<D>, shifts>();
             return;
         }
-        if (settings_.walls.slip) {  // rare: one variant with diffusion, of whatever strength
+        if (settings_.walls.slip) {  // rare: always with diffusion, even of strength 0
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
                     constexpr DensityTerms with{.diffusion = true,
@@ -224,7 +224,7 @@ class Sweeps final : public PairSweeps {
                         constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
                                                     .shifting = decltype(shifting)::value,
                                                     .hydrostatic = decltype(hydrostatic)::value};
-                        // The hydrostatic correction comes with diffusion, of strength 0 where there is none.
+                        // The hydrostatic correction always includes diffusion, if need be of strength 0.
                         if constexpr (with.diffusion || !with.hydrostatic) run.template operator()<Solid, with>();
                     });
                 });
@@ -278,8 +278,8 @@ class Sweeps final : public PairSweeps {
         }
         return largest;
     }
-    /// Of one pair: by a pressure that compresses the liquid by a tenth, by viscosity at a tenth of the sound speed
-    /// between neighbours, or in contact [N].
+    /// Largest expected force of one pair [N]: by a pressure that compresses the fluid by a tenth, by viscosity at a
+    /// tenth of the sound speed between neighbours, or by contact.
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
         const double pressure = 0.1 * settings_.density.largest * c0 * c0 + settings_.background_pressure;

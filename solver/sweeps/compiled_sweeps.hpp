@@ -7,8 +7,8 @@
 
 namespace dmp::solver {
 
-/// The sweeps as compiled for one vector unit and one kernel, each pair in a file of its own; only to be called on a
-/// processor that has the unit. Unit `generic` is what the compiler takes for granted, on processors that are no x86.
+/// The sweeps compiled for one vector unit and one kernel, each combination in its own file. Call only on a processor
+/// that has the unit. The unit `generic` is the compiler's default, for processors other than x86.
 template <VectorUnit unit, KernelKind kernel>
 std::unique_ptr<PairSweeps> compiled_sweeps(const PairSettings& settings, int dimension);
 

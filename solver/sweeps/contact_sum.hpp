@@ -8,16 +8,16 @@
 
 namespace dmp::solver {
 
-/// Sums the repulsion by the neighbours of a cluster, L of its particles at a time. It knows nothing of the fluid's
-/// laws, so that it is compiled once for all of them.
+/// Sums the repulsion by the neighbours of a cluster, L of its particles at a time. It does not depend on the fluid's
+/// laws, so that it is compiled only once for all of them.
 template <class L, int D>
 class ContactSum {
   public:
     ContactSum(const ParticleStore& particles, const Repulsion& repulsion, const ReproducibleSum& rounding)
         : particles_(particles), repulsion_(repulsion), rounding_(rounding) {}
 
-    /// By the particles of one kind [N]; `ranges` is the field with r* by particle. Zero where the scene has no
-    /// contact.
+    /// Repulsion by the particles of one kind [N]; `ranges` is the field with r* by particle. Zero if the scene has
+    /// no contact.
     [[nodiscard]] Vector<L, D> operator()(const Neighbourhood& near, PartKind kind, Field ranges) const {
         if (repulsion_.strength == 0 || near.of(kind).empty()) return Vector<L, D>::zero();
         return sum(near, kind, ranges);

@@ -10,14 +10,14 @@
 
 namespace dmp::solver {
 
-/// What the sums of a correction sweep are rounded to.
+/// Rounding of the sums of a correction sweep.
 struct CorrectionRounding {
     ReproducibleSum matrix, force, rate;
 };
 
-/// The corrected gradient (models/sph/gradient_correction.hpp), L of a cluster's particles at a time: `matrices` before
-/// the forces, for the fluid; `forces` and `rates` add to what the usual sweeps have left. Solids are seen as `Solid`
-/// shows them.
+/// The corrected gradient (models/sph/gradient_correction.hpp), L of a cluster's particles at a time: `matrices` must
+/// be called before the forces, for the fluid; `forces` and `rates` add to the results of the usual sweeps. `Solid`
+/// is the wall model.
 template <class L, int D, class Kernel, class Solid>
 class CorrectionSweep {
   public:
@@ -62,7 +62,7 @@ class CorrectionSweep {
     using Force = Vector<L, D>;
     using Matrix = Symmetric<L, D>;
 
-    /// E of one particle, or of a cluster's side by side.
+    /// E of one particle, or of the particles of a cluster in lanes.
     template <class Index>
     [[nodiscard]] auto correction(const Index& at) const {
         using T = decltype(load<L>(static_cast<const double*>(nullptr), at));
@@ -109,8 +109,7 @@ class CorrectionSweep {
         for (const std::int32_t index : near.of(PartKind::fluid))
             force += force_of_pair(i, fluid_(index), own, correction(index));
         for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, rigid_(index), own);
-        for (const std::int32_t index : near.of(PartKind::elastic))
-            force += force_by<false>(i, springs_(index), own);
+        for (const std::int32_t index : near.of(PartKind::elastic)) force += force_by<false>(i, springs_(index), own);
         return force;
     }
 

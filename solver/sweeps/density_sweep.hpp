@@ -10,19 +10,19 @@
 
 namespace dmp::solver {
 
-/// What the sums of a density sweep are rounded to.
+/// Rounding of the sums of a density sweep.
 struct DensityRounding {
     ReproducibleSum rate, shift, divergence;
 };
 
-/// Where no species is summed.
+/// For sweeps without species.
 struct NoSpecies {
     struct Sum {};
     static Sum around(const Cluster& /*any*/) { return {}; }
 };
 
-/// What a density sweep sums. `hydrostatic`: with the hydrostatic correction, as a body force or a free surface is there, see HydrostaticDiffusion and
-/// Shifting. `species`: diffusion of one on the way.
+/// Terms of a density sweep. `hydrostatic`: with the hydrostatic correction, for a body force or a free surface (see
+/// HydrostaticDiffusion and Shifting). `species`: with fused diffusion of a species.
 struct DensityTerms {
     bool rate = true, diffusion = false, shifting = false, hydrostatic = false, species = false;
 };
@@ -50,7 +50,7 @@ class DensitySweep {
 
     void run(ClusterChoice choice) {
         fluid(choice);
-        if constexpr (with.rate && Solid::needs_state) {  // these walls carry a density that the fluid's motion changes
+        if constexpr (with.rate && Solid::needs_state) {  // the density of these walls changes with the fluid's motion
             solids(PartKind::rigid, choice, rigid_);
             solids(PartKind::elastic, choice, springs_);
         }
@@ -81,7 +81,7 @@ class DensitySweep {
         });
     }
 
-    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
+    // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(near.cluster)};

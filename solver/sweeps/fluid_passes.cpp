@@ -19,7 +19,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Calls visit(i) for the owned particles of a group, several at a time: none may need what another one brings about.
+/// Calls visit(i) for the owned particles of a group, several at a time: calls must not depend on each other.
 template <class Visit>
 void for_each_owned(const ParticleGroup& group, int threads, const Visit& visit) {
     const auto count = static_cast<std::ptrdiff_t>(group.owned());
@@ -34,14 +34,14 @@ std::array<double*, D> axes(ParticleGroup& group, Field field) {
     return arrays;
 }
 
-/// Whether fourth powers of speeds up to this one have a quantum.
+/// True if a quantum exists for the fourth powers of speeds up to this one.
 bool can_round(double largest_speed) { return largest_speed > 0 && std::pow(largest_speed, 4) < infinity; }
 
 ReproducibleSum rounding_of_powers(double largest_speed) {
     return ReproducibleSum(at_least_something(std::pow(largest_speed, 4)));
 }
 
-/// Of so few the sum is exact (ReproducibleSum).
+/// For so few values the sum is exact (ReproducibleSum).
 double sum_of_fourth_powers(const LargestSquare::Squares& squares, const ReproducibleSum& rounded) {
     constexpr std::ptrdiff_t lanes = LargestSquare::lanes;
     std::array<double, lanes> sums{};
@@ -51,7 +51,7 @@ double sum_of_fourth_powers(const LargestSquare::Squares& squares, const Reprodu
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// Of a largest square that is infinite where a number was none.
+/// Root of a largest square, which is infinite if a value was NaN.
 double root(double square) { return std::sqrt(square); }
 
 }  // namespace
@@ -99,7 +99,7 @@ void FluidPasses::update_density(ParticleGroup& group, double dt) const {
     for_each_owned(group, threads_, [=](std::ptrdiff_t i) { density[i] += dt * rate[i]; });
 }
 
-/// Pressure and volume from density_of(i), which may bring the density up to date.
+/// Pressure and volume from density_of(i), which may also update the density.
 template <class DensityOf>
 void FluidPasses::update_pressure(ParticleGroup& group, const DensityOf& density_of) const {
     const double* mass = group.data(Field::mass);
@@ -241,7 +241,7 @@ PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, cons
     return extremes;
 }
 
-/// Takes note of the extremes of density_of(i), which may bring the density up to date.
+/// Determines the extremes of density_of(i), which may also update the density.
 template <class DensityOf>
 void FluidPasses::update_density_range(const ParticleGroup& fluid, const DensityOf& density_of,
                                        PassExtremes& extremes) const {

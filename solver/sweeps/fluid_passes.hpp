@@ -10,46 +10,47 @@
 
 namespace dmp::solver {
 
-/// What a pass over the fluid found on the way.
+/// Extremes found during a pass over the fluid.
 struct PassExtremes {
-    double largest_speed = 0;                  ///< [m/s]; infinite when any velocity is not finite
+    double largest_speed = 0;                  ///< [m/s]; infinite if any velocity is not finite
     double longest_shift = 0;                  ///< [m]
     double density_low = 0, density_high = 0;  ///< relative to the rest density [-]
 };
 
-/// What a kick finds of the new speeds on the way.
+/// Sums over the new speeds, computed during a kick.
 struct SpeedSums {
-    double largest = 0;      ///< [m/s]; infinite when any velocity is not finite
+    double largest = 0;      ///< [m/s]; infinite if any velocity is not finite
     ExactSum fourth_powers;  ///< [m^4/s^4]
 };
 
-/// How far shifting moves a particle for a unit of its sum.
+/// Displacement of a particle by shifting, per unit of its sum.
 struct ShiftStep {
     double per_sum = 0;  ///< [m^2]
     double longest = 0;  ///< [m]
 };
 
-/// The passes over particles, one by one, that a fluid step makes between its sweeps over pairs. Each does in one go
-/// what it can while a particle's values are at hand: they cost memory traffic, not arithmetic.
+/// Passes over single particles between the pair sweeps of a fluid step. Each combines as many updates as possible,
+/// because these passes are limited by memory traffic, not by arithmetic.
 class FluidPasses {
   public:
     /// Equations of state by part number.
     FluidPasses(std::vector<LiquidState> state_of_part, int threads);
 
-    /// x += dt v, rho += dt drho/dt (also of solids that carry a density), then pressure and volume.
+    /// x += dt v, rho += dt drho/dt (also for solids that carry a density), then pressure and volume.
     void drift_to_middle(ParticleStore& particles, double dt) const;
-    /// v += dt (F / m + g). With the largest speed of all ranks that is expected, the fourth powers of the new speeds
-    /// are summed on the way, as they would be for that speed; with none (0) they are not.
+    /// v += dt (F / m + g). If the expected largest speed of all ranks is given (not 0), also sums the fourth powers
+    /// of the new speeds, rounded for that speed.
     [[nodiscard]] SpeedSums kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
                                  double expected_speed = 0) const;
-    /// Sum of the fourth powers of the speeds [m^4/s^4], the largest of all ranks at hand; the same bits in any order.
+    /// Sum of the fourth powers of the speeds [m^4/s^4], for the largest speed of all ranks; the same bits in any
+    /// order.
     [[nodiscard]] ExactSum fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const;
-    /// Whether a kick that expected one largest speed and found another summed the same bits.
+    /// True if the sum for the expected largest speed has the same bits as that for the actual one.
     [[nodiscard]] static bool sum_alike(double expected_speed, double largest_speed);
-    /// x += dt v + shift, rho += dt drho/dt. What it finds: the longest shift and the extremes of density.
+    /// x += dt v + shift, rho += dt drho/dt. Returns the longest shift and the extremes of density.
     [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
 
-    /// Velocity of transport less the fluid's own, of a step dt whose particles were moved by the shift.
+    /// Sets the transport velocity minus the fluid velocity, for a step dt in which the shift moved the particles.
     void note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const;
 
     /// Pressure and volume from density.
@@ -69,7 +70,7 @@ class FluidPasses {
     void update_pressure(ParticleGroup& group, const DensityOf& density_of) const;
 
     std::vector<LiquidState> state_of_part_;
-    bool one_state_;  ///< all parts share one equation
+    bool one_state_;  ///< all parts have the same equation of state
     int threads_;
 };
 

@@ -9,7 +9,7 @@
 namespace dmp::solver {
 
 /// Sums pressure, viscous and contact forces over the neighbours of each cluster, L of its particles at a time.
-/// `Viscosity` is a law of models/sph/ (NoViscosity where viscous forces are not this sweep's business).
+/// `Viscosity` is a law of models/sph/ (NoViscosity if viscous forces are computed elsewhere).
 template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ForceSweep {
   public:
@@ -44,7 +44,7 @@ class ForceSweep {
         });
     }
 
-    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
+    // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         Force force = Force::zero();
@@ -63,12 +63,11 @@ class ForceSweep {
     }
 
     [[nodiscard, gnu::flatten]] Force force_on_elastic(const Neighbourhood& near) const {
-        return reaction_to_fluid<false>(near, springs_) +
-               contact_(near, PartKind::rigid, Field::wall_contact_range) +
+        return reaction_to_fluid<false>(near, springs_) + contact_(near, PartKind::rigid, Field::wall_contact_range) +
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
-    /// On a fluid particle by a solid one, in whose place it sees liquid.
+    /// Force on a fluid particle by a solid particle, which the wall model replaces by a fluid particle.
     template <bool IsRigid, class F, class S>
     [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
         const auto separation = fluid.position - solid.position;
@@ -79,7 +78,7 @@ class ForceSweep {
         }
     }
 
-    /// What the fluid feels, on the other side.
+    /// Reaction to the force on the fluid, on the solid.
     template <bool IsRigid, class Reader>
     [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);

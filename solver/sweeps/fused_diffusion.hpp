@@ -7,14 +7,14 @@
 
 namespace dmp::solver {
 
-/// Sums the diffusion of a species between fluid particles of one diffusivity (SpeciesDiffusion) on the way of a sweep
-/// that has the kernel's slope already, L of a cluster's particles at a time.
-/// Where particles are about to be shifted, by d that follows from that sweep itself, SpeciesDiffusion::law_with_shift
-/// is taken apart into what does not depend on d: with w_ij = V_i V_j (c_i - c_j) (1/r dW/dr),
+/// Sums the diffusion of a species between fluid particles of one diffusivity (SpeciesDiffusion) within a sweep that
+/// has already computed the kernel's slope, L of a cluster's particles at a time.
+/// If particles are then shifted by d, which follows from the same sweep, SpeciesDiffusion::law_with_shift is split
+/// into terms that do not depend on d: with w_ij = V_i V_j (c_i - c_j) (1/r dW/dr),
 ///   dw_i = (2 D dt + d^2) SUM_j w_ij - d . SUM_j w_ij x_ij
-/// The terms of the first sum are rounded as 2 D dt w_ij, the amounts that diffuse, so that what one particle takes,
-/// the other gives. Where next to nothing diffuses that would be too coarse for d^2; they are then rounded as d^2 w_ij
-/// with the longest d.
+/// The terms of the first sum are rounded as 2 D dt w_ij, the amounts that diffuse, so that one particle receives
+/// exactly the amount that the other loses. If the diffusion is very slow, this would be too coarse for d^2; they are
+/// then rounded as d^2 w_ij with the longest d.
 template <class L, int D, bool Shifting>
 class FusedDiffusion {
   public:
@@ -31,15 +31,15 @@ class FusedDiffusion {
         left_ = exactly_ ? 0 : diffuses;
     }
 
-    /// What a cluster's particles have summed so far.
+    /// Sums of a cluster's particles so far.
     struct Sum {
         L concentration;                             ///< of the particles themselves
-        L taken = 0.0;                               ///< by diffusion; where particles are shifted, SUM factor w_ij
+        L taken = 0.0;                               ///< amount received by diffusion; with shifting, SUM factor w_ij
         Vector<L, D> moment = Vector<L, D>::zero();  ///< SUM w_ij x_ij
     };
     [[nodiscard]] Sum around(const Cluster& cluster) const { return {load<L>(concentration_, cluster)}; }
 
-    /// A neighbour.
+    /// Adds a neighbour.
     void add(const L& volumes, std::int32_t neighbour, const Vector<L, D>& separation, const L& slope, Sum& sum) const {
         const L difference = sum.concentration - concentration_[neighbour];
         if constexpr (Shifting) {
@@ -51,7 +51,7 @@ class FusedDiffusion {
         }
     }
 
-    /// @param shift_sum SUM of the shifting law; ignored where nothing is shifted
+    /// @param shift_sum SUM of the shifting law; ignored without shifting
     void store(const Sum& sum, const Vector<L, D>& shift_sum, const Cluster& cluster) const {
         double* to = result_ + cluster.first;
         L amount = sum.taken;
@@ -69,7 +69,7 @@ class FusedDiffusion {
     double* result_;
     ReproducibleSum whole_, moments_;
     bool exactly_;
-    double factor_, left_;  ///< of SUM w_ij: what the terms have; what is to be added with d^2 [m^2]
+    double factor_, left_;  ///< coefficients of SUM w_ij: in the terms; to be added with d^2 [m^2]
 };
 
 }  // namespace dmp::solver

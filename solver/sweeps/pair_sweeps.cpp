@@ -47,7 +47,7 @@ std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimensi
         case KernelKind::wendland_c2:
             return compiled_sweeps<unit, KernelKind::wendland_c2>(settings, dimension);
     }
-    throw std::logic_error("a kernel without sweeps");
+    throw std::logic_error("no sweeps for this kernel");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace dmp::solver {
 
-/// What the pair terms of a scene need, in SI, by model.
+/// Settings of the pair terms of a scene by model, in SI units.
 struct PairSettings {
     KernelKind kernel = KernelKind::wendland_c2;
     double spacing = 0;              ///< dx [m]
@@ -24,16 +24,16 @@ struct PairSettings {
 
     double sound_speed = 0;            ///< c0 [m/s]
     double background_pressure = 0;    ///< [Pa]
-    bool gradient_correction = false;  ///< of pressure forces and density rates
+    bool gradient_correction = false;  ///< for pressure forces and density rates
 
     struct {
         double largest = 0;         ///< largest rest density [kg/m^3]
-        bool by_summation = false;  ///< else by continuity
+        bool by_summation = false;  ///< otherwise by continuity
         double diffusion = 0;       ///< delta [-]; 0: none
     } density{};
 
-    /// With a free surface, or a body force along an axis that is not periodic: density diffusion acts on what
-    /// pressures differ by beyond the hydrostatic difference, and shifting vanishes at the surface.
+    /// With a free surface, or a body force along an axis that is not periodic: density diffusion acts on the
+    /// pressure difference minus the hydrostatic one, and shifting vanishes at the surface.
     bool hydrostatic = false;
 
     struct {
@@ -41,15 +41,15 @@ struct PairSettings {
         ViscosityMean mean = ViscosityMean::harmonic;
         bool unlike = false;    ///< fluids differ in viscosity
         double largest = 0;     ///< largest dynamic viscosity [Pa s]
-        bool implicit = false;  ///< the forces come without viscosity, which is solved for separately
+        bool implicit = false;  ///< viscosity is solved for separately and not part of the forces
     } viscosity{};
 
     double shifting = 0;              ///< s [-]; 0: none
-    bool transport_velocity = false;  ///< in place of shifting
+    bool transport_velocity = false;  ///< instead of shifting
 
     struct {
         WallModel model = WallModel::extrapolated;
-        bool slip = false;    ///< some walls let the fluid slip
+        bool slip = false;    ///< some walls have slip
         bool moving = false;  ///< some walls move
     } walls{};
 
@@ -59,40 +59,40 @@ struct PairSettings {
     VectorUnit vector_unit = VectorUnit::widest;
 };
 
-/// Which velocities the viscous force is wanted for.
+/// Velocities for which the viscous force is computed.
 struct ViscousMotion {
-    Field velocity = Field::velocity;  ///< of fluid particles and spring bodies; of copies too
-    double of_walls = 1;               ///< times their own velocity; 0: walls at rest
+    Field velocity = Field::velocity;  ///< of fluid particles and elastic bodies, including ghosts
+    double of_walls = 1;               ///< factor for the walls' velocity; 0: walls at rest
     double largest_term = 0;           ///< of one pair [N]; sums stay exact up to 128 times that
 };
 
-/// The pairs that a species diffuses between.
+/// The pairs between which a species diffuses.
 struct SpeciesPairs {
     const ClusterList& meeting;
-    const ClusterList* within_solids;  ///< null: no solid conducts
+    const ClusterList* within_solids;  ///< null: no species diffuses within solids
 };
 
-/// What is wanted of the diffusion of one species.
+/// Settings for summing the diffusion of one species.
 struct SpeciesSums {
     enum class Of {
-        amounts,      ///< what a particle takes from its neighbours
-        conductances  ///< of all its pairs: by how much its own concentration counts in that
+        amounts,      ///< amounts that particles receive from their neighbours
+        conductances  ///< sum over all pairs of a particle: coefficient of its own concentration
     };
     Of of = Of::amounts;
-    int species = 0;                      ///< its number
-    Field values = Field::concentration;  ///< taken for concentrations; of copies too
+    int species = 0;                      ///< number of the species
+    Field values = Field::concentration;  ///< used as concentrations, including ghosts
     int array_of_values = 0;
     Field result = Field::species_amount;
     int array_of_result = 0;
-    bool adds = false;                              ///< to what the result field has
-    double time = 1;                                ///< during which amounts are taken [s]
+    bool adds = false;                              ///< adds to the result field instead of replacing it
+    double time = 1;                                ///< duration of the diffusion [s]
     double largest_term = 0;                        ///< of one pair; sums stay exact up to 128 times that
     bool with_rigid = false, with_elastic = false;  ///< some of these particles take part
-    double shift_per_sum = 0;                       ///< displacement for a unit of Field::shift [m^2]; 0: none
+    double shift_per_sum = 0;                       ///< displacement per unit of Field::shift [m^2]; 0: none
     double longest_shift = 0;                       ///< [m]
     double diffusivity = -1;                        ///< of all fluid particles [m^2/s]; negative: by particle
 
-    /// By how much particles are about to be moved, from their sum of the shifting law [m].
+    /// Displacement of particles by the coming shift, from their sum of the shifting law [m].
     template <class V>
     [[nodiscard]] V displacement(const V& shift_sum) const {
         using std::min;
@@ -104,54 +104,56 @@ struct SpeciesSums {
     }
 };
 
-/// The sweeps over all pairs that one step makes: two, and one more for each that a scene asks for. Each sweep visits
-/// every pair of a cluster and a neighbour once and applies all pair terms of its stage.
+/// The sweeps over all pairs in one step: two, and one more for each additional model. Each sweep visits every pair
+/// of a cluster and a neighbour once and applies all pair terms of its stage.
 class PairSweeps {
   public:
     virtual ~PairSweeps() = default;
 
-    /// force [N] on every particle of the chosen clusters, fixed ones included (their reaction): pressure, viscosity,
-    /// repulsion.
+    /// Computes force [N] on every particle of the chosen clusters, including fixed ones (their reaction): pressure,
+    /// viscosity, repulsion.
     virtual void forces(ParticleStore& particles, const ClusterList& list,
                         const std::array<double, 3>& body_acceleration,
                         ClusterChoice choice = ClusterChoice::all) const = 0;
 
-    /// density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m]. Fluid
-    /// particles; with plain walls the solids' density rate too. `along`: a species whose diffusion is summed on the
-    /// way.
+    /// Computes density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m], for
+    /// fluid particles; with plain walls also the density rate of solids. `along`: a species whose diffusion is fused
+    /// into the sweep.
     virtual void density_rates(ParticleStore& particles, const ClusterList& list,
                                const std::array<double, 3>& body_acceleration,
                                ClusterChoice choice = ClusterChoice::all, const SpeciesSums* along = nullptr) const = 0;
-    /// Whether density_rates can do so: no solid takes part, all the fluid has one diffusivity, and walls and densities
-    /// are those of most scenes.
+    /// True if density_rates can fuse the diffusion: no solid takes part, the whole fluid has one diffusivity, and
+    /// walls and densities are those of most scenes.
     [[nodiscard]] virtual bool can_fuse(const SpeciesSums& sums) const = 0;
 
-    /// viscous_force [N] alone, of fluid and spring bodies, and, where walls move, of walls.
+    /// Computes viscous_force [N] alone, for fluid and elastic bodies and, if walls move, for walls.
     virtual void viscous_forces(ParticleStore& particles, const ClusterList& list, const ViscousMotion& motion,
                                 ClusterChoice choice = ClusterChoice::all) const = 0;
-    /// viscous_diagonal [kg/s]: by axis, the force that its own velocity costs a particle, of fluid and spring bodies.
+    /// Computes viscous_diagonal [kg/s] for fluid and elastic bodies: by axis, minus the derivative of a particle's
+    /// viscous force with respect to its own velocity.
     virtual void viscous_diagonal(ParticleStore& particles, const ClusterList& list,
                                   ClusterChoice choice = ClusterChoice::all) const = 0;
-    /// density [kg/m^3] of the fluid as a sum over neighbours; `rest_density` by part number.
+    /// Computes density [kg/m^3] of the fluid as a sum over neighbours; `rest_density` by part number.
     virtual void densities(ParticleStore& particles, const ClusterList& list, std::span<const double> rest_density,
                            ClusterChoice choice = ClusterChoice::all) const = 0;
 
-    /// Gradient correction of the fluid, which copies need too before forces and density rates are worked out with it.
+    /// Computes the gradient correction of the fluid. Ghosts need it too before forces and density rates are computed
+    /// with it.
     virtual void corrections(ParticleStore& particles, const ClusterList& list,
                              ClusterChoice choice = ClusterChoice::all) const = 0;
 
-    /// Diffusion of a species, of fluid and of the solids that take part.
+    /// Sums the diffusion of a species, for the fluid and the solids that take part.
     virtual void species(ParticleStore& particles, const SpeciesPairs& pairs, const SpeciesSums& sums) const = 0;
 
-    /// Makes the particles within `reach` [m] of a cluster's members its neighbours, of those that are listed.
+    /// Prunes the list to the particles within `reach` [m] of a cluster's members.
     virtual void prune(const ParticleStore& particles, ClusterList& list, double reach) const = 0;
 
     /// Largest stable c dt / support and nu dt / support^2 of the kernel (linear theory).
     [[nodiscard]] virtual double sound_limit() const = 0;
     [[nodiscard]] virtual double viscous_limit() const = 0;
-    /// What the viscous law makes of a viscosity on the lattice.
+    /// Scale factors of the viscous law on the lattice.
     [[nodiscard]] virtual ViscousScales viscous_scales() const = 0;
-    /// The same of the diffusion of species, D dt / support^2.
+    /// The same for the diffusion of species, D dt / support^2.
     [[nodiscard]] virtual double diffusion_limit() const = 0;
     /// W at distance r [1/m^D], for interpolation at points.
     [[nodiscard]] virtual double kernel_value(double r) const = 0;
@@ -162,8 +164,8 @@ class PairSweeps {
     [[nodiscard]] virtual double longest_shift() const = 0;
 };
 
-/// The sweeps for these settings, in 2-D or in 3-D as the particles are. Declares the fields they need. Throws
-/// ResourceError when the processor lacks the vector unit.
+/// Returns the sweeps for these settings, in 2-D or in 3-D as the particles. Declares the fields they need. Throws
+/// ResourceError if the processor does not have the vector unit.
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles);
 
 }  // namespace dmp::solver

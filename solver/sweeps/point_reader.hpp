@@ -10,7 +10,7 @@
 
 namespace dmp::solver {
 
-/// One value of a particle, or those of a cluster's members side by side.
+/// One value of a particle, or the values of a cluster's members in lanes.
 template <class L>
 double load(const double* values, std::int32_t index) {
     return values[index];
@@ -39,7 +39,7 @@ std::array<const double*, D> axes_of(const ParticleGroup& group, Field field) {
     return axes;
 }
 
-/// Reads fluid particles in the form that pair laws take: one of them in numbers, a cluster in lanes L.
+/// Reads fluid particles in the form used by pair laws: a single one as numbers, a cluster in lanes L.
 template <class L, int D>
 class FluidReader {
   public:
@@ -67,9 +67,9 @@ class FluidReader {
     const double *volume_, *density_, *pressure_, *viscosity_;
 };
 
-/// Reads particles of walls and spring bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
-/// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also, where the scene has
-/// them, its slip and its acceleration.
+/// Reads particles of walls and elastic bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
+/// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also the wall's slip and
+/// acceleration, if the scene has them.
 template <class L, int D, bool WithState, bool WithSurface, bool WithMotion = false>
 class SolidReader {
   public:

@@ -8,8 +8,8 @@
 
 namespace dmp::solver {
 
-/// Looks through all that is listed and keeps what is within `reach` of a member of its cluster as neighbours, L
-/// members at a time.
+/// Prunes a neighbour list: keeps the entries within `reach` of a member of their cluster as neighbours, L members at
+/// a time.
 template <class L, int D>
 class PruneSweep {
   public:

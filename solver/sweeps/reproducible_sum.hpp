@@ -7,11 +7,12 @@
 
 namespace dmp::solver {
 
-/// Rounds the terms of a sum to whole multiples of a power of two. Such sums are exact, hence the same bits in any
-/// order: of neighbours, of copies, on any number of threads and ranks, whenever the list was made.
+/// Rounds the terms of a sum to multiples of a power of two. Such sums are exact and therefore have the same bits for
+/// any order of neighbours, any number of threads and ranks, and any time of building the list.
 /// (Fixed-point accumulation in the mantissa of a double; after Demmel & Nguyen 2013, with one bin.)
-/// The quantum is 2^-46 of the largest term expected: terms up to 32 times that, and sums up to 128 times it, stay
-/// exact. What is larger still is added like any other number, and only its last bits then depend on the order.
+/// The quantum is 2^-46 of the largest expected term: terms up to 32 times as large, and sums up to 128 times as
+/// large, stay exact. Larger ones are added like any other numbers, and only their last bits then depend on the
+/// order.
 class ReproducibleSum {
   public:
     explicit ReproducibleSum(double largest_term) : magic_(1.5 * std::ldexp(1.0, std::ilogb(largest_term) - 46 + 52)) {}
@@ -26,7 +27,7 @@ class ReproducibleSum {
         for (int axis = 0; axis < D; ++axis) rounded[axis] = (*this)(term[axis]);
         return rounded;
     }
-    /// What terms are multiples of.
+    /// Terms are multiples of this.
     [[nodiscard]] double quantum() const { return std::ldexp(magic_ / 1.5, -52); }
 
   private:

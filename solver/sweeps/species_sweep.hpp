@@ -9,7 +9,7 @@
 
 namespace dmp::solver {
 
-/// Reads particles in the form that the diffusion of a species takes.
+/// Reads particles in the form used by the diffusion of a species.
 template <class L, int D, PartKind kind>
 class SpeciesReader {
   public:
@@ -26,7 +26,7 @@ class SpeciesReader {
     [[nodiscard]] auto operator()(const Index& at) const {
         return read(at, load<L>(diffusivity_, at));
     }
-    /// The same where all have one diffusivity.
+    /// The same if all have one diffusivity.
     template <class Index>
     [[nodiscard]] auto with(double diffusivity, const Index& at) const {
         using T = decltype(load<L>(volume_, at));
@@ -55,8 +55,9 @@ class SpeciesReader {
     const double *volume_, *concentration_, *diffusivity_, *depth_, *wall_;
 };
 
-/// What the particles that carry a species take from their neighbours, L of a cluster's particles at a time; walls that
-/// are held at a concentration too. `Alike`: all fluid particles have one diffusivity, and it is not read.
+/// The amounts that the particles carrying a species receive from their neighbours, L of a cluster's particles at a
+/// time; also for walls held at a concentration. `Alike`: all fluid particles have one diffusivity, which is not
+/// read.
 template <class L, int D, class Kernel, bool Alike>
 class SpeciesSweep {
   public:
@@ -114,7 +115,7 @@ class SpeciesSweep {
             return reader(at);
     }
 
-    // Flattened: the law becomes part of its loop, whatever the compiler thinks of its size.
+    // Flattened: inlines the law into the loop, regardless of its size.
     template <PartKind own, PartKind other>
     [[nodiscard, gnu::flatten]] L from(const Neighbourhood& near, std::span<const std::int32_t> others) const {
         L sum = 0.0;
@@ -138,7 +139,7 @@ class SpeciesSweep {
         return sum;
     }
 
-    /// Among fluid particles that are about to be shifted.
+    /// Between fluid particles that will be shifted.
     template <class I>
     [[nodiscard]] L with_shift(const Neighbourhood& near, const I& i, std::span<const std::int32_t> others,
                                const SpeciesReader<L, D, PartKind::fluid>& reader) const {
@@ -162,7 +163,7 @@ class SpeciesSweep {
             return diffusion_.law(i, j);
     }
 
-    /// A cluster's members are among their own neighbours.
+    /// The neighbours of a cluster include its own members.
     template <class I, class J>
     [[nodiscard]] L conductance(const I& i, const J& j) const {
         const auto separation = i.position - j.position;

@@ -11,7 +11,7 @@
 namespace dmp::solver {
 
 /// Sets the fluid's density to the sum over neighbours (models/sph/summation_density.hpp), L of a cluster's particles
-/// at a time. Particles count with their masses, so that neighbours' densities need not be known.
+/// at a time. Particles contribute by mass, so that the densities of neighbours are not needed.
 template <class L, int D, class Kernel>
 class SummationSweep {
   public:
@@ -39,12 +39,11 @@ class SummationSweep {
         L rest = 0.0;
         for (std::int32_t k = 0; k < near.cluster.count; ++k)
             rest.set(static_cast<std::size_t>(k), rest_density_[tags[near.cluster.first + k].part]);
-        return sum(near, PartKind::fluid, Field::mass, L(1.0)) +
-               sum(near, PartKind::rigid, Field::volume, rest) +
+        return sum(near, PartKind::fluid, Field::mass, L(1.0)) + sum(near, PartKind::rigid, Field::volume, rest) +
                sum(near, PartKind::elastic, Field::volume, rest);
     }
 
-    /// SUM factor_i weight_j W_ij, the particle itself included where it is of this kind.
+    /// SUM factor_i weight_j W_ij, including the particle itself if it is of this kind.
     [[nodiscard]] L sum(const Neighbourhood& near, PartKind kind, Field weights, const L& factor) const {
         const auto position = load_vector<L, D>(axes_of<D>(particles_.fluid(), Field::position), near.cluster);
         const auto others = axes_of<D>(particles_.of(kind), Field::position);

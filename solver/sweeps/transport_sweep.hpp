@@ -8,8 +8,8 @@
 
 namespace dmp::solver {
 
-/// After the force sweep: adds the forces of the transport velocity to the fluid's and sums what spreads the particles
-/// into Field::shift, L of a cluster's particles at a time.
+/// Runs after the force sweep: adds the forces due to the transport velocity to those of the fluid and stores the sum
+/// that spreads the particles in Field::shift, L of a cluster's particles at a time.
 template <class L, int D, class Kernel>
 class TransportSweep {
   public:

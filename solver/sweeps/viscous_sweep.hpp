@@ -8,15 +8,15 @@
 
 namespace dmp::solver {
 
-/// The viscous force alone, as a linear function of the velocities in a field of one's choice: what implicit viscosity
-/// solves for. Solids act as they do in the force sweep. L of a cluster's particles at a time.
+/// The viscous force alone, as a linear function of the velocities in a given field, for implicit viscosity. Solids
+/// act as in the force sweep. L of a cluster's particles at a time.
 template <class L, int D, class Kernel, class Solid, class Viscosity>
 class ViscousSweep {
   public:
     struct Motion {
         ReproducibleSum rounding;
-        Field velocity;      ///< of fluid particles and spring bodies
-        double wall_motion;  ///< times the walls' own velocity: 1, or 0 for what is proportional to `velocity`
+        Field velocity;      ///< of fluid particles and elastic bodies
+        double wall_motion;  ///< factor for the walls' velocity: 1, or 0 for the part proportional to `velocity`
     };
 
     ViscousSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
@@ -35,10 +35,9 @@ class ViscousSweep {
           fluid_velocity_(axes_of<D>(particles.fluid(), motion.velocity)),
           elastic_velocity_(axes_of<D>(particles.of(PartKind::elastic), motion.velocity)) {}
 
-    /// viscous_force on fluid and spring bodies; where walls move, theirs too.
+    /// Sets viscous_force of fluid and elastic bodies and, if walls move, of walls.
     void forces(ClusterChoice choice) {
-        sweep(PartKind::fluid, Field::viscous_force, choice,
-              [this](const auto& near) { return force_on_fluid(near); });
+        sweep(PartKind::fluid, Field::viscous_force, choice, [this](const auto& near) { return force_on_fluid(near); });
         sweep(PartKind::elastic, Field::viscous_force, choice,
               [this](const auto& near) { return reaction_to_fluid<false>(near, spring_at()); });
         if (wall_motion_ != 0)
@@ -46,7 +45,8 @@ class ViscousSweep {
                   [this](const auto& near) { return reaction_to_fluid<true>(near, wall_at()); });
     }
 
-    /// viscous_diagonal of fluid and spring bodies: by axis, how much force a particle's own velocity costs it [kg/s].
+    /// Sets viscous_diagonal of fluid and elastic bodies: by axis, minus the derivative of a particle's force with
+    /// respect to its own velocity [kg/s].
     void diagonal(ClusterChoice choice) {
         sweep(PartKind::fluid, Field::viscous_diagonal, choice,
               [this](const auto& near) { return diagonal_of_fluid(near); });
@@ -86,7 +86,7 @@ class ViscousSweep {
         };
     }
 
-    // Flattened: every law becomes part of its loop, whatever the compiler thinks of their size.
+    // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_at(near.cluster);
         Force force = Force::zero();
@@ -103,8 +103,7 @@ class ViscousSweep {
     [[nodiscard, gnu::flatten]] Force reaction_to_fluid(const Neighbourhood& near, const ReadAt& read_at) const {
         const auto solid = read_at(near.cluster);
         Force force = Force::zero();
-        for (const std::int32_t index : near.of(PartKind::fluid))
-            force -= force_by<IsRigid>(fluid_at(index), solid);
+        for (const std::int32_t index : near.of(PartKind::fluid)) force -= force_by<IsRigid>(fluid_at(index), solid);
         return force;
     }
 
@@ -116,7 +115,7 @@ class ViscousSweep {
             for (const std::int32_t index : near.of(PartKind::fluid)) {
                 const auto j = at_rest(fluid_(index));
                 const Force separation = moving.position - j.position;
-                // A cluster's members are among their own neighbours.
+                // The neighbours of a cluster include its own members.
                 const L term =
                     where_less(L(0.0), dot(separation, separation), pair(moving, j, separation)[axis], L(0.0));
                 sum[axis] -= rounding_(term);
@@ -150,7 +149,7 @@ class ViscousSweep {
         return moving;
     }
 
-    /// On a fluid particle by a solid one, in whose place it sees liquid.
+    /// Force on a fluid particle by a solid particle, which the wall model replaces by a fluid particle.
     template <bool IsRigid, class F, class S>
     [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
         const auto separation = fluid.position - solid.position;

@@ -3,16 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <vector>
 
 namespace dmp::solver {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Of the ranks' texts, that of the lowest rank whose text is not empty.
 std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
@@ -57,7 +52,7 @@ RunSummary Run::run(const RunOptions& options) {
 
 Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, double until) {
     const auto save = [&] { checkpoints.save(step(), [&](Archive& file) { archive(file); }); };
-    const auto start = Clock::now();
+    const auto start = WallClock::now();
     auto last_progress = start;
     End end;
     const double last = until * (1 - 1e-12);
@@ -77,7 +72,7 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
         if (requests[2] > 0) save();
         advance(options, until);
         if (options.progress && ranks().is_first() && seconds_since(last_progress) > 0.2) {
-            last_progress = Clock::now();
+            last_progress = WallClock::now();
             options.progress(progress(until));
         }
     }

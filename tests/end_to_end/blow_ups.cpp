@@ -8,7 +8,7 @@
 #include "tests/end_to_end/small_valve.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::blow_ups_tests {
 
 namespace {
 
@@ -76,4 +76,4 @@ TEST_F(BlowUp, FromAHoleInTheDrawnWallIsRefusedBeforehand) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::blow_ups_tests

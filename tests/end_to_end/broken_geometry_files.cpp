@@ -15,7 +15,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::broken_geometry_files_tests {
 
 namespace {
 
@@ -308,4 +308,4 @@ TEST(BrokenGeometryFiles, AreRepairedAsFarAsTheSceneSays) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::broken_geometry_files_tests

@@ -3,7 +3,7 @@
 
 #include "tests/end_to_end/program.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::command_line_tests {
 
 namespace {
 
@@ -92,4 +92,4 @@ TEST(CommandLine, CommandsThatDoNotUseSeveralRanksRefuseThem) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::command_line_tests

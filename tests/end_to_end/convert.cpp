@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/postproc/synthetic_run.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::convert_tests {
 
 namespace {
 
@@ -141,4 +141,4 @@ TEST_F(Convert, HelpSaysWhatItTakes) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::convert_tests

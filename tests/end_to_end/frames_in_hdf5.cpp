@@ -6,7 +6,7 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::frames_in_hdf5_tests {
 
 namespace {
 
@@ -141,4 +141,4 @@ TEST_F(FramesInHdf5, DoNotGoOnInTheOtherFormat) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::frames_in_hdf5_tests

@@ -5,7 +5,7 @@
 
 #include "tests/end_to_end/program.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::geometries_tests {
 
 namespace {
 
@@ -232,4 +232,4 @@ TEST_F(Geometries, ANewSceneKnowsSurfacesAndPointsThatTheDrawingNames) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::geometries_tests

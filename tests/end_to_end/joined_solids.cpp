@@ -6,7 +6,7 @@
 #include "tests/end_to_end/program.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::joined_solids_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -149,4 +149,4 @@ TEST_F(JoinedSolids, AreRefusedWithParticlesOfAnotherJoin) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::joined_solids_tests

@@ -7,7 +7,7 @@
 
 #include "tests/end_to_end/program.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::moving_walls_tests {
 
 namespace {
 
@@ -67,4 +67,4 @@ TEST_F(RockingLid, GoesOnWhereItWasStopped) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::moving_walls_tests

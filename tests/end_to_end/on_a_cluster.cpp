@@ -6,7 +6,7 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::on_a_cluster_tests {
 
 namespace {
 
@@ -120,4 +120,4 @@ TEST_F(OnACluster, ItDoesNotDoWhatItWasNotBuiltFor) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::on_a_cluster_tests

@@ -10,7 +10,7 @@
 #include "tests/end_to_end/triangle_texts.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::repaired_geometries_tests {
 
 namespace {
 
@@ -146,4 +146,4 @@ TEST_F(RepairedGeometries, AMillionTrianglesTakeSeconds) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::repaired_geometries_tests

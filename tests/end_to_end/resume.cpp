@@ -6,7 +6,7 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::resume_tests {
 
 namespace {
 
@@ -127,4 +127,4 @@ TEST_F(Resume, DoesNotTakeUpARunThatAnotherOneReplaced) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::resume_tests

@@ -8,7 +8,7 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::under_mpirun_tests {
 
 namespace {
 
@@ -141,4 +141,4 @@ TEST_F(SomeRanks, WhatOnlyTheFirstOneMeetsEndsThemAll) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::under_mpirun_tests

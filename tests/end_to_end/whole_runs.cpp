@@ -8,7 +8,7 @@
 
 #include "tests/end_to_end/program.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::whole_runs_tests {
 
 namespace {
 
@@ -239,4 +239,4 @@ TEST(Clotting, OfAllLiquidLeavesNoDensityToTell) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::whole_runs_tests

@@ -6,7 +6,7 @@
 
 #include "tests/end_to_end/program.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::wrong_input_tests {
 
 namespace {
 
@@ -291,4 +291,4 @@ TEST(FullDisk, EndsWithFourAndNamesTheFile) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::wrong_input_tests

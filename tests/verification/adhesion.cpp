@@ -9,7 +9,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::adhesion_tests {
 namespace {
 
 constexpr double pull_off = 2.58e-7, mass = 8.44e-14, z0 = 4e-10, drug = 2.5e-6, carrier = 50e-6;
@@ -86,4 +86,4 @@ TEST(Adhesion, HoldsAParticleThatSwings) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::adhesion_tests

@@ -13,7 +13,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::aggregate_tests {
 namespace {
 
 constexpr double interval = 1e-3;
@@ -59,8 +59,8 @@ TEST(Aggregate, FillsADiamondForCertain) {
     }
 }
 
-/// The same growth, made apart from the program: cells of a square that each make their own random trials, by how many of
-/// their four neighbours are solid. Means and variances of the size after some events.
+/// The same growth, made apart from the program: cells of a square that each make their own random trials, by how many
+/// of their four neighbours are solid. Means and variances of the size after some events.
 struct MonteCarlo {
     static constexpr int runs = 4000, half = 21, row = 2 * half + 1;
     std::array<double, 3> mean{}, variance{};
@@ -145,4 +145,4 @@ TEST(Aggregate, OfASeedAloneHasClosedForms) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::aggregate_tests

@@ -13,7 +13,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cantilever_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -24,8 +24,8 @@ class Swing : public FrameSink {
   public:
     explicit Swing(double length) : length_(length) {}
     void write(const Frame& frame) override {
-        const FrameGroup& nodes = group_of(frame, "solid");
-        const std::vector<float>& moved = field_of(nodes, "displacement").values;
+        const FrameGroup& nodes = required_group(frame, "solid");
+        const std::vector<float>& moved = required_field(nodes, "displacement").values;
         double sum = 0;
         end = {};
         for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -189,4 +189,4 @@ TEST(Cantilever, IsTheOscillatingPlate) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cantilever_tests

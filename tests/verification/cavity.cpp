@@ -3,7 +3,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cavity_tests {
 namespace {
 
 TEST(Cavity, StationsAreThoseOfTheTable) {
@@ -19,4 +19,4 @@ TEST(Cavity, AtReynolds100) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cavity_tests

@@ -66,8 +66,8 @@ class StationMeans : public FrameSink {
 
   private:
     static double value_at(const Station& station, const Frame& frame) {
-        const FrameGroup& fluid = group_of(frame, "fluid");
-        const std::vector<float>& velocity = field_of(fluid, "velocity").values;
+        const FrameGroup& fluid = required_group(frame, "fluid");
+        const std::vector<float>& velocity = required_field(fluid, "velocity").values;
         const double reach = 3 * frame.spacing;
         Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();

@@ -2,7 +2,7 @@
 #include "tests/modules.hpp"
 #include "tests/verification/cavity.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cavity_long_tests {
 namespace {
 
 TEST(Cavity, AtReynolds1000) {
@@ -13,4 +13,4 @@ TEST(Cavity, AtReynolds1000) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cavity_long_tests

@@ -13,7 +13,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::chain_tests {
 namespace {
 
 constexpr int links = 10;
@@ -142,4 +142,4 @@ TEST(Chain, OfOneLinkSwingsWithThePeriodOfItsSteps) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::chain_tests

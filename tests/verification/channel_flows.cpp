@@ -10,7 +10,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::channel_flows_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, width = 1e-3, viscosity = 1e-6;
@@ -41,8 +41,8 @@ class ProfileError : public FrameSink {
 
     void write(const Frame& frame) override {
         if (frame.time == 0) return;
-        const FrameGroup& fluid = group_of(frame, "fluid");
-        const std::vector<float>& velocity = field_of(fluid, "velocity").values;
+        const FrameGroup& fluid = required_group(frame, "fluid");
+        const std::vector<float>& velocity = required_field(fluid, "velocity").values;
         double square = 0, reference = 0;
         for (std::size_t k = 0; k < fluid.size(); ++k) {
             const double exact =
@@ -109,4 +109,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"40 across, Re 100, shifting 1", "couette", "0.025 mm", fast, 0.005, gentle}));
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::channel_flows_tests

@@ -8,7 +8,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::conservation_tests {
 namespace {
 
 TEST(Conservation, OfMassAndMomentumInAPeriodicFlow) {
@@ -26,9 +26,9 @@ class TotalEnergy : public FrameSink {
   public:
     explicit TotalEnergy(double sound_speed) : sound_speed_(sound_speed) {}
     void write(const Frame& frame) override {
-        const FrameGroup& fluid = group_of(frame, "fluid");
-        const std::vector<float>& velocity = field_of(fluid, "velocity").values;
-        const std::vector<float>& pressure = field_of(fluid, "pressure").values;
+        const FrameGroup& fluid = required_group(frame, "fluid");
+        const std::vector<float>& velocity = required_field(fluid, "velocity").values;
+        const std::vector<float>& pressure = required_field(fluid, "pressure").values;
         const double stiffness = sound_speed_ * sound_speed_ / 7;  // rho0 = 1
         double sum = 0;
         for (std::size_t k = 0; k < fluid.size(); ++k) {
@@ -67,4 +67,4 @@ TEST(Conservation, OfEnergyToTheOrderOfTheIntegrator) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::conservation_tests

@@ -9,7 +9,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::diffusion_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, face = 0.12, air = 20e-6;
@@ -17,8 +17,8 @@ constexpr double pi = std::numbers::pi, face = 0.12, air = 20e-6;
 /// Root mean square difference of a frame's concentrations from c(y), and the largest.
 template <class Exact>
 std::pair<double, double> errors(const Frame& frame, const Exact& exact) {
-    const FrameGroup& fluid = group_of(frame, "fluid");
-    const std::vector<float>& found = field_of(fluid, "concentration").values;
+    const FrameGroup& fluid = required_group(frame, "fluid");
+    const std::vector<float>& found = required_field(fluid, "concentration").values;
     double square = 0, worst = 0;
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double error = std::abs(found[k] - exact(fluid.position[3 * k + 1]));
@@ -31,8 +31,8 @@ std::pair<double, double> errors(const Frame& frame, const Exact& exact) {
 /// At the face: the flux D dc/dy is one on both sides, so that the values of the rows nearest to it count with their
 /// diffusivities.
 double at_face(const Frame& frame, double felt) {
-    const FrameGroup& fluid = group_of(frame, "fluid");
-    const std::vector<float>& found = field_of(fluid, "concentration").values;
+    const FrameGroup& fluid = required_group(frame, "fluid");
+    const std::vector<float>& found = required_field(fluid, "concentration").values;
     std::array<double, 2> sum{}, count{};
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double y = fluid.position[3 * k + 1] - face;
@@ -126,4 +126,4 @@ TEST(Conservation, OfASpeciesStirredForManySteps) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::diffusion_tests

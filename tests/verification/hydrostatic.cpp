@@ -9,7 +9,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::hydrostatic_tests {
 namespace {
 
 constexpr double g = 9.81, height = 1, width = 0.4;
@@ -45,8 +45,8 @@ TEST(Hydrostatic, PressureIsTheWeightOfTheWater) {
     LastFrame last;
     const RunSummary run = run_case("verification/hydrostatic", {}, 0, &last);
     const Column column({run.sound_speed, 1000}, run.end.mass);
-    const FrameGroup& fluid = group_of(last.frame, "fluid");
-    const std::vector<float>& pressure = field_of(fluid, "pressure").values;
+    const FrameGroup& fluid = required_group(last.frame, "fluid");
+    const std::vector<float>& pressure = required_field(fluid, "pressure").values;
     double largest_error = 0, square = 0;
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double error = (pressure[k] - column.pressure(fluid.position[3 * k + 1])) / (1000 * g * height);
@@ -64,4 +64,4 @@ TEST(Hydrostatic, PressureIsTheWeightOfTheWater) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::hydrostatic_tests

@@ -12,7 +12,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::impact_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -35,7 +35,7 @@ class Overlaps : public FrameSink {
   public:
     explicit Overlaps(double gap) : gap_(gap) {}
     void write(const Frame& frame) override {
-        const FrameGroup& spheres = group_of(frame, "spheres");
+        const FrameGroup& spheres = required_group(frame, "spheres");
         // Two balls approach each other at the same speed.
         of_time.emplace_back(frame.time, -static_cast<double>(spheres.size()) * spheres.position[2] - gap_);
     }
@@ -267,4 +267,4 @@ TEST(Impact, DampedByCoefficients) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::impact_tests

@@ -12,7 +12,7 @@
 
 #include "tests/end_to_end/small_valve.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::kill_trials_tests {
 
 namespace {
 
@@ -138,4 +138,4 @@ TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::kill_trials_tests

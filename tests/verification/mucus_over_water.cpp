@@ -13,7 +13,7 @@
 #include "tests/unit/solver/layered_channel.hpp"
 #include "tests/verification/record.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::mucus_over_water_tests {
 namespace {
 
 constexpr double water = 1.32e-6, mucus = 0.66e-6, speed = 1e-4;
@@ -76,4 +76,4 @@ TEST(MucusOverWater, is_the_same_bits_on_one_rank_and_on_four) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::mucus_over_water_tests

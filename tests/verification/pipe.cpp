@@ -9,7 +9,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::pipe_tests {
 namespace {
 
 constexpr double radius = 5e-4, viscosity = 1e-6, speed = 1.25e-5;  // the speed on the axis at last
@@ -30,8 +30,8 @@ class ProfileError : public FrameSink {
   public:
     void write(const Frame& frame) override {
         if (frame.time == 0) return;
-        const FrameGroup& fluid = group_of(frame, "fluid");
-        const std::vector<float>& velocity = field_of(fluid, "velocity").values;
+        const FrameGroup& fluid = required_group(frame, "fluid");
+        const std::vector<float>& velocity = required_field(fluid, "velocity").values;
         double square = 0, reference = 0;
         for (std::size_t k = 0; k < fluid.size(); ++k) {
             const double r = std::hypot(fluid.position[3 * k + 1], fluid.position[3 * k + 2]) / radius;
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"20 across, cubic lattice", {}, 0.03}));
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::pipe_tests

@@ -9,7 +9,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::plate_tests {
 namespace {
 
 constexpr double length = 2e-2, width = 1e-2, thickness = 1e-3, youngs_modulus = 1e6, load = 2e-5, spacing = 5e-4;
@@ -18,7 +18,7 @@ constexpr double length = 2e-2, width = 1e-2, thickness = 1e-3, youngs_modulus =
 class Sag : public FrameSink {
   public:
     void write(const Frame& frame) override {
-        const FrameGroup& nodes = group_of(frame, "solid");
+        const FrameGroup& nodes = required_group(frame, "solid");
         if (frame.time == 0) {
             double moments = 0, moment_at_root = 0;
             for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -58,4 +58,4 @@ TEST(Plate, SagsAsABeamDoes) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::plate_tests

@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::quality_levels_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -111,4 +111,4 @@ TEST(QualityLevels, keep_the_errors_of_the_table_and_cost_in_their_order) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::quality_levels_tests

@@ -8,7 +8,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::rolling_tests {
 namespace {
 
 constexpr double radius = 0.01, g = 9.81, friction = 0.3, start = 1;
@@ -52,4 +52,4 @@ TEST(Rolling, SlowsDownByRollingFriction) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::rolling_tests

@@ -93,13 +93,13 @@ inline std::vector<double> between(const MeasureSeries& series, const std::strin
     return values;
 }
 
-inline const FrameGroup& group_of(const Frame& frame, const std::string& name) {
+inline const FrameGroup& required_group(const Frame& frame, const std::string& name) {
     for (const FrameGroup& group : frame.groups)
         if (group.name == name) return group;
     throw std::invalid_argument("the frame has no group " + name);
 }
 
-inline const FrameField& field_of(const FrameGroup& group, const std::string& name) {
+inline const FrameField& required_field(const FrameGroup& group, const std::string& name) {
     for (const FrameField& field : group.fields)
         if (field.name == name) return field;
     throw std::invalid_argument("the group has no field " + name);

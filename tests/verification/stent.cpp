@@ -10,7 +10,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::stent_tests {
 namespace {
 
 constexpr double radius = 1.5e-3, first_strut = 16e-3;
@@ -24,8 +24,8 @@ class Profile : public FrameSink {
     explicit Profile(double from) : from_(from) {}
     void write(const Frame& frame) override {
         if (frame.time < from_) return;
-        const FrameGroup& blood = group_of(frame, "fluid");
-        const std::vector<float>& velocity = field_of(blood, "velocity").values;
+        const FrameGroup& blood = required_group(frame, "fluid");
+        const std::vector<float>& velocity = required_field(blood, "velocity").values;
         for (std::size_t k = 0; k < blood.size(); ++k) {
             const double x = blood.position[3 * k], y = blood.position[3 * k + 1], z = blood.position[3 * k + 2];
             if (x < from_x || x > to_x) continue;
@@ -84,4 +84,4 @@ TEST(Stent, ItsProfileIsParabolicAgainInFrontOfIt) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::stent_tests

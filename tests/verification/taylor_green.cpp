@@ -9,7 +9,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::taylor_green_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, viscosity = 0.01;
@@ -23,8 +23,8 @@ double exact_speed(double x, double y, double t) {
 
 /// Mean difference of the speeds over the mean speed, at the particles.
 double speed_error(const Frame& frame) {
-    const FrameGroup& fluid = group_of(frame, "fluid");
-    const std::vector<float>& velocity = field_of(fluid, "velocity").values;
+    const FrameGroup& fluid = required_group(frame, "fluid");
+    const std::vector<float>& velocity = required_field(fluid, "velocity").values;
     double difference = 0, speed = 0;
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double exact = exact_speed(fluid.position[3 * k], fluid.position[3 * k + 1], frame.time);
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"100 x 100, disordered, support 4, shifting 6", "0.01 m", "0.2", 0.005, 0.0025, fine}));
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::taylor_green_tests

@@ -13,7 +13,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::tricuspid_valve_tests {
 namespace {
 
 constexpr double cycle = 0.4, spacing = 0.625e-3;
@@ -23,7 +23,7 @@ constexpr double closed_from = 0.24;  // blood has turned at 0.21 s and taken th
 class Tips : public FrameSink {
   public:
     void write(const Frame& frame) override {
-        const FrameGroup& nodes = group_of(frame, "solid");
+        const FrameGroup& nodes = required_group(frame, "solid");
         const auto from_axis = [&](std::size_t node) {
             return std::hypot(nodes.position[3 * node + 1], nodes.position[3 * node + 2]);
         };
@@ -83,4 +83,4 @@ TEST(TricuspidValve, OpensAndClosesOnce) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::tricuspid_valve_tests

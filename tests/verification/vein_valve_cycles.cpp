@@ -8,7 +8,7 @@
 #include "tests/verification/record.hpp"
 #include "tests/verification/run_case.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::vein_valve_cycles_tests {
 namespace {
 
 constexpr double period = 4;            // of the drive [s]
@@ -71,4 +71,4 @@ TEST(VeinValve, WithoutLeafletsHardlyAnythingIsPumped) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::vein_valve_cycles_tests

@@ -5,7 +5,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::errors_tests {
 namespace {
 
 TEST(PlaceText, ShowsWhatIsKnown) {
@@ -46,4 +46,4 @@ TEST(ErrorKinds, CanBeToldApartAndCaughtTogether) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::errors_tests

@@ -15,7 +15,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::hdf5_file_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -252,4 +252,4 @@ TEST_F(Hdf5File, AFullDiskIsAResourceErrorAndTakesNoRoom) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::hdf5_file_tests

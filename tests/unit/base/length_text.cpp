@@ -5,7 +5,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::length_text_tests {
 namespace {
 
 TEST(LengthText, has_the_unit_that_reads_well) {
@@ -37,4 +37,4 @@ TEST(LengthText, of_a_box_is_its_extent) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::length_text_tests

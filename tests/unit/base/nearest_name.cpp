@@ -7,7 +7,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::nearest_name_tests {
 namespace {
 
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
@@ -56,4 +56,4 @@ TEST(QuotedList, ReadsLikeASentence) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::nearest_name_tests

@@ -9,7 +9,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::random_number_tests {
 namespace {
 
 constexpr int many = 200000;
@@ -69,4 +69,4 @@ TEST(RandomNumber, of_neighbouring_keys_are_not_correlated) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::random_number_tests

@@ -14,7 +14,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::sealed_file_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST(UnfinishedName, IsUndoneByFinishedName) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::sealed_file_tests

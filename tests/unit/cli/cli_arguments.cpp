@@ -7,7 +7,7 @@
 #include "cli/arguments.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cli_arguments_tests {
 
 namespace {
 
@@ -204,4 +204,4 @@ TEST(Arguments, VersionNamesVersionAndLicence) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cli_arguments_tests

@@ -7,7 +7,7 @@
 #include "solver/parallel/resources.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cli_diagnosis_tests {
 
 namespace {
 
@@ -124,4 +124,4 @@ TEST(Doctor, SeesThisMachine) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cli_diagnosis_tests

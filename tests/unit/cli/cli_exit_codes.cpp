@@ -12,7 +12,7 @@
 #include "cli/failure.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cli_exit_codes_tests {
 
 namespace {
 
@@ -75,4 +75,4 @@ TEST(ErrorText, IsColouredOnlyWhenAsked) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cli_exit_codes_tests

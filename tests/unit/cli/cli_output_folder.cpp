@@ -8,7 +8,7 @@
 #include "cli/output_folder.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cli_output_folder_tests {
 
 namespace {
 
@@ -123,4 +123,4 @@ TEST_F(OutputFolder, BelowAFileIsAnInputError) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cli_output_folder_tests

@@ -6,7 +6,7 @@
 #include "cli/progress.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cli_progress_tests {
 
 namespace {
 
@@ -49,4 +49,4 @@ TEST(Progress, NothingIsWrittenWhenStderrIsNoTerminal) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cli_progress_tests

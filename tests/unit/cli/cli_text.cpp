@@ -6,7 +6,7 @@
 #include "cli/text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cli_text_tests {
 
 namespace {
 
@@ -55,4 +55,4 @@ TEST(Text, AListingAlignsItsTexts) {
 
 }  // namespace
 
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cli_text_tests

@@ -8,7 +8,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::mesh_cache_tests {
 
 using namespace cli;
 namespace {
@@ -107,4 +107,4 @@ TEST_F(MeshCacheTest, a_cache_that_cannot_be_written_to_is_noted) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::mesh_cache_tests

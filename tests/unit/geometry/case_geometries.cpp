@@ -9,7 +9,7 @@
 #include "geometry/inside_test.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::case_geometries_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -341,4 +341,4 @@ TEST(PoiseuilleChannel, IsARectangle) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::case_geometries_tests

@@ -9,7 +9,7 @@
 #include "geometry/geometry.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::case_geometries_3d_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi, chord_error = 5e-6;
@@ -150,4 +150,4 @@ TEST(TricuspidValve, RefusesWhatCannotBeDrawn) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::case_geometries_3d_tests

@@ -7,7 +7,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::chains_tests {
 namespace {
 
 Vec p(double x, double y) { return {x, y, 0}; }
@@ -137,4 +137,4 @@ TEST(SelfCrossing, SeesLoopsThatOverlap) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::chains_tests

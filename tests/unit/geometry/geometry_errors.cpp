@@ -8,7 +8,7 @@
 #include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::geometry_errors_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -251,4 +251,4 @@ TEST_F(GeometryFileErrors, PointsThatAreNoPlaces) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::geometry_errors_tests

@@ -1,5 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // The process that reads geometries. Here stand-ins play the child; tests/end_to_end has the real one.
+#include "geometry/geometry_process.hpp"
+
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -9,12 +11,11 @@
 #include <sys/resource.h>
 
 #include "geometry/geometry_bytes.hpp"
-#include "geometry/geometry_process.hpp"
 #include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::geometry_process_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -172,4 +173,4 @@ TEST(GeometryBytes, ThatStateMoreThanTheyCanHoldAreRefusedBeforeRoomIsMade) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::geometry_process_tests

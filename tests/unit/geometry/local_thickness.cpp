@@ -7,7 +7,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::local_thickness_tests {
 namespace {
 
 TEST(LocalThickness, of_a_box_is_between_its_sides) {
@@ -86,4 +86,4 @@ TEST(LocalThickness, takes_blunt_edges_for_edges) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::local_thickness_tests

@@ -8,7 +8,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::mid_surface_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -63,4 +63,4 @@ TEST(MidSurface, other_bodies_are_refused_with_the_reason_and_a_place) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::mid_surface_tests

@@ -12,7 +12,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::nearest_curve_tests {
 namespace {
 
 CurveSet wave(int segments) {
@@ -98,4 +98,4 @@ TEST(NearestCurve, ManyPointsAreFast) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::nearest_curve_tests

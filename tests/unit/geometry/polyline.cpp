@@ -8,7 +8,7 @@
 #include "geometry/geometry.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::polyline_tests {
 namespace {
 
 const Polyline corner{.points = {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}};
@@ -81,4 +81,4 @@ TEST(Geometry, FindsItsPartsByNameAndListsEachNameOnce) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::polyline_tests

@@ -12,7 +12,7 @@
 #include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::read_geometry_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -147,8 +147,7 @@ TEST_F(ReadGeometry, AParameterMayBringOthersToLight) {
 }
 
 TEST_F(ReadGeometry, ReadsUnrolledScriptsAndOddFileNames) {
-    EXPECT_NEAR(read_geometry(options_for(write("a domain.geo_unrolled", named_square))).region("water")->area(), 1,
-                0);
+    EXPECT_NEAR(read_geometry(options_for(write("a domain.geo_unrolled", named_square))).region("water")->area(), 1, 0);
     EXPECT_NEAR(read_geometry(options_for(write("DRAWING.GEO", named_square))).region("water")->area(), 1, 0);
 }
 
@@ -209,4 +208,4 @@ TEST_F(ReadGeometry, SeveralThreadsMayRead) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::read_geometry_tests

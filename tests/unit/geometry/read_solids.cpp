@@ -5,7 +5,7 @@
 #include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::read_solids_tests {
 namespace {
 
 using ReadSolids = GeometryFileTest;
@@ -84,4 +84,4 @@ TEST_F(ReadSolids, AMeshIsTakenAsItIs) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::read_solids_tests

@@ -12,7 +12,7 @@
 #include "geometry/inside_test.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::region_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -182,4 +182,4 @@ TEST(InsideTest, ManyPointsAreFast) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::region_tests

@@ -16,7 +16,7 @@
 #include "surface_shapes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::remesh_surface_tests {
 namespace {
 
 /// By its ends, how many triangles each edge has.
@@ -132,4 +132,4 @@ TEST(RemeshSurface, refusesWhatHasOneSideOrBranches) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::remesh_surface_tests

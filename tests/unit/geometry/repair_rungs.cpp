@@ -16,7 +16,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::repair_rungs_tests {
 namespace {
 
 TEST(SurfaceEdges, are_counted_by_what_meets_in_them) {
@@ -231,4 +231,4 @@ TEST(WrapSurface, is_closed_and_outside_by_the_offset) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::repair_rungs_tests

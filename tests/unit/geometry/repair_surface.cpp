@@ -19,7 +19,7 @@
 #include "tests/unit/geometry/surface_shapes.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::repair_surface_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -416,4 +416,4 @@ TEST(Repair, of_a_million_triangles_takes_seconds) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::repair_surface_tests

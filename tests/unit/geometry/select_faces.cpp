@@ -9,7 +9,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::select_faces_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -109,4 +109,4 @@ TEST_F(SelectCurves, ByPlaceDirectionAndWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::select_faces_tests

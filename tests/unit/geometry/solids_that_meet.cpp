@@ -9,7 +9,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solids_that_meet_tests {
 namespace {
 
 using ::testing::IsEmpty;
@@ -96,4 +96,4 @@ TEST(SolidsThatMeet, do_not_where_round_surfaces_are_of_other_triangles) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solids_that_meet_tests

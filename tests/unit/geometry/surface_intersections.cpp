@@ -6,7 +6,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::surface_intersections_tests {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -90,4 +90,4 @@ TEST(SolidOverlap, of_bodies_that_touch_is_none) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::surface_intersections_tests

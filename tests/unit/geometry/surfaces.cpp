@@ -15,7 +15,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::surfaces_tests {
 namespace {
 
 std::vector<LineRow> rows_over(double low, double step, int count) {
@@ -208,4 +208,4 @@ TEST(OrientOutward, says_what_is_open_or_manifold) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::surfaces_tests

@@ -9,7 +9,7 @@
 #include "geometry/surface_edges.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::thickened_sheet_tests {
 namespace {
 
 const auto nowhere = [](const Vec&, const Vec&) { return false; };
@@ -54,4 +54,4 @@ TEST(ThickenedSheet, follows_a_bend) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::thickened_sheet_tests

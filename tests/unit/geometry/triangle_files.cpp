@@ -15,7 +15,7 @@
 #include "temporary_geometry.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::triangle_files_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -373,4 +373,4 @@ TEST(PlainName, IsWhatScenesAllow) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::triangle_files_tests

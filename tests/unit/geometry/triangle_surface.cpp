@@ -11,7 +11,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::triangle_surface_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(WrongStl, is_refused_with_its_line) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::triangle_surface_tests

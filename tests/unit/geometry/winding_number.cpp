@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::winding_number_tests {
 namespace {
 
 TEST(SolidAngle, of_an_octant_is_half_pi) {
@@ -108,4 +108,4 @@ TEST(TurnOpenPieces, turns_each_piece_by_its_own_vote) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::winding_number_tests

@@ -12,7 +12,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::bond_network_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -232,4 +232,4 @@ TEST(BondedSolids, whose_particles_are_too_far_apart_are_refused) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::bond_network_tests

@@ -15,7 +15,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cad_meshes_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -239,4 +239,4 @@ TEST(CadMeshes, AnOpenSurfaceIsNoFluidAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cad_meshes_tests

@@ -12,7 +12,7 @@
 #include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::case_meshes_tests {
 namespace {
 
 const MeshReport::PartLine& line_of(const Meshed& meshed, const std::string& part) {
@@ -331,4 +331,4 @@ TEST(PoiseuilleMesh, HasTwentyRowsAndExactWalls) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::case_meshes_tests

@@ -8,7 +8,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::close_pairs_tests {
 namespace {
 
 /// Particles anywhere in a box of 2 x 1 x 1.
@@ -112,4 +112,4 @@ TEST(ClosePairs, leaves_out_what_it_is_told_to) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::close_pairs_tests

@@ -8,7 +8,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::disorder_tests {
 namespace {
 
 using testing::Contains;
@@ -92,4 +92,4 @@ TEST(Disorder, StandsInTheReport) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::disorder_tests

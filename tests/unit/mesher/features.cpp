@@ -12,7 +12,7 @@
 #include "mesher/searchable_particles.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::features_tests {
 namespace {
 
 /// Distance of the nearest place on that side [m].
@@ -173,4 +173,4 @@ TEST(FittedFeatures, edges_in_space_keep_their_particles) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::features_tests

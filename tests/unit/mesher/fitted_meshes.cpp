@@ -11,7 +11,7 @@
 #include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::fitted_meshes_tests {
 namespace {
 
 /// Mean and standard deviation of SUM V W over fluid particles.
@@ -163,4 +163,4 @@ TEST(FittedMeshes, are_the_same_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::fitted_meshes_tests

@@ -11,7 +11,7 @@
 #include "mesher/searchable_particles.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::fitted_plane_tests {
 namespace {
 
 MeshReport inspected(const Meshed& meshed) {
@@ -182,9 +182,10 @@ TEST(FittedInPlane, leaflets_stay_where_they_are) {
 TEST(FittedInPlane, refuses_disorder) {
     EXPECT_EQ(
         fault_of(channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\nfill = \"relaxed\"\ndisorder = 0.1")),
-        "scene.toml:7:12: particles.disorder displaces particles from their lattice, and particles.fill = "
-        "\"relaxed\" leaves none\n  leave out disorder or fill");
+        "scene.toml:7:12: particles.disorder displaces particles from a lattice, which particles.fill = "
+        "\"relaxed\" does not keep\n"
+        "  leave out disorder or fill");
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::fitted_plane_tests

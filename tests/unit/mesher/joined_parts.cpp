@@ -8,7 +8,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::joined_parts_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -154,4 +154,4 @@ TEST(JoinedParts, that_are_held_have_nothing_to_gain) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::joined_parts_tests

@@ -9,7 +9,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::lattice_tests {
 namespace {
 
 constexpr std::array<bool, 3> open{}, along_x{true, false, false}, along_both{true, true, false};
@@ -99,4 +99,4 @@ TEST(HexagonalLattice, KeepsTheStaggerAcrossPeriodsAndMargins) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::lattice_tests

@@ -4,7 +4,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::mesh_errors_tests {
 namespace {
 
 TEST(MeshErrors, TheTestsOwnScenesAreGood) {
@@ -176,4 +176,4 @@ TEST(MeshErrors, SpringsThatCannotBeBothSoftAndStiff) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::mesh_errors_tests

@@ -12,7 +12,7 @@
 #include "mesher/leak_test.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::mesh_report_tests {
 namespace {
 
 const Texts duct{Texts(channel).with("schema = 1", "schema = 1\ndimension = 3").scene,
@@ -253,4 +253,4 @@ TEST(MeshReport, SaysSoInWordsAndForPrograms) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::mesh_report_tests

@@ -7,7 +7,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::plane_solids_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -192,7 +192,7 @@ TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {
     EXPECT_THAT(fault_of(block.with("Physical Surface(\"block\") = {2}", "Physical Curve(\"block\") = {11}")),
                 HasSubstr("'block' is a curve in the geometry, a strip of springs, which has no density"));
     EXPECT_THAT(fault_of(block.with("density = \"1200 kg/m^3\"", "density = \"1200 kg/m^3\"\ncross_bonds = true")),
-                HasSubstr("part 'block': cross_bonds is of a strip, and density says that the part is an area"));
+                HasSubstr("part 'block': cross_bonds is for strips, and a part with a density is an area"));
     EXPECT_THAT(fault_of(block.with("youngs_modulus = \"1 MPa\"\n", "")), HasSubstr("youngs_modulus is missing"));
     EXPECT_THAT(
         fault_of(block.with("anchor = \"wall\"", "anchor = \"feet\"")
@@ -207,4 +207,4 @@ TEST(PlaneSolids, end_at_periodic_sides_and_it_is_said) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::plane_solids_tests

@@ -13,7 +13,7 @@
 #include "mesher/searchable_particles.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::sampled_fluids_tests {
 namespace {
 
 constexpr double spacing = 0.05;
@@ -144,9 +144,10 @@ TEST(SampledMesh, leaves_leaflets_where_they_are) {
 TEST(SampledMesh, refuses_disorder) {
     EXPECT_EQ(
         fault_of(channel.with("spacing = \"0.125 m\"", "spacing = \"0.125 m\"\nfill = \"sampled\"\ndisorder = 0.1")),
-        "scene.toml:7:12: particles.disorder displaces particles from their lattice, and particles.fill = "
-        "\"sampled\" leaves none\n  leave out disorder or fill");
+        "scene.toml:7:12: particles.disorder displaces particles from a lattice, which particles.fill = "
+        "\"sampled\" does not keep\n"
+        "  leave out disorder or fill");
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::sampled_fluids_tests

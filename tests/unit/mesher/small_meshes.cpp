@@ -7,7 +7,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::small_meshes_tests {
 namespace {
 
 std::size_t count_of(const ParticleSet& set, const std::string& part) {
@@ -299,4 +299,4 @@ TEST(PeriodicInBothAxes, HasNoWalls) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::small_meshes_tests

@@ -9,7 +9,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::space_bodies_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -292,4 +292,4 @@ TEST(SpaceBodies, a_body_at_the_side_of_the_box_is_noted) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::space_bodies_tests

@@ -10,7 +10,7 @@
 #include "mesher/inspect.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::space_case_meshes_tests {
 namespace {
 
 /// Struts, and as much of the artery as they take.
@@ -129,4 +129,4 @@ TEST(TricuspidValveMesh, HasThreeLeafletsThatItsBloodKeepsOff) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::space_case_meshes_tests

@@ -10,7 +10,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::space_lattice_tests {
 namespace {
 
 std::vector<Vec> points_of(const SpaceLattice& lattice) {
@@ -89,4 +89,4 @@ TEST(SpaceLattice, is_stretched_to_a_period_and_to_a_plane_of_symmetry) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::space_lattice_tests

@@ -8,7 +8,7 @@
 #include "meshed_text.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::space_meshes_tests {
 namespace {
 
 /// A duct of 2 m x 1 m x 1 m along x between walls, periodic along x.
@@ -178,4 +178,4 @@ TEST(SpaceMeshes, wrong_dimensions_and_kinds) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::space_meshes_tests

@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::sphere_meshes_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -274,4 +274,4 @@ TEST(WrongSphereTable, says_where_and_what_to_do) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::sphere_meshes_tests

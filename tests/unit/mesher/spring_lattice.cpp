@@ -13,7 +13,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::spring_lattice_tests {
 namespace {
 
 Part part_with(double bending, double axial, bool lower) {
@@ -220,7 +220,7 @@ std::vector<Vec> moved(const ParticleSet& set, const Move& move) {
     std::vector<Vec> positions;
     for (std::size_t i = 0; i < set.size(); ++i)
         positions.push_back(set.kind(i) == PartKind::elastic ? move(set.position[i][1], set.position[i][0] - 2)
-                                                                 : set.position[i]);
+                                                             : set.position[i]);
     return positions;
 }
 
@@ -310,4 +310,4 @@ TEST(LadderEnergy, OfAMaterialWithCrossBondsIsThatOfTheBeamAskedFor) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::spring_lattice_tests

@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/geometry/surface_shapes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::touching_bodies_tests {
 namespace {
 
 using ::testing::Contains;
@@ -213,4 +213,4 @@ TEST(FacingPart, is_the_same_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::touching_bodies_tests

@@ -11,7 +11,7 @@
 #include "solver/domain/halo.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::balance_tests {
 namespace {
 
 constexpr double spacing = 1.0 / 1024;  // [m]; all other lengths are in spacings
@@ -87,4 +87,4 @@ TEST(Balance, BentTubeWithABulgeAndLeaflets) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::balance_tests

@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::domain_tests {
 namespace {
 
 const FieldList state{Field::position, Field::velocity, Field::density};
@@ -226,4 +226,4 @@ TEST(Domain, TellsAllRanksOfAParticleWithoutAPlace) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::domain_tests

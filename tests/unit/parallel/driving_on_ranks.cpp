@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/walled_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::driving_on_ranks_tests {
 namespace {
 
 TEST(DrivingOnRanks, water_that_is_pushed_and_stirred) {
@@ -42,4 +42,4 @@ TEST(DrivingOnRanks, water_that_is_pushed_and_stirred) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::driving_on_ranks_tests

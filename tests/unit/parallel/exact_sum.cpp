@@ -13,7 +13,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::exact_sum_tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -125,4 +125,4 @@ TEST(ExactSum, CarriesInTime) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::exact_sum_tests

@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::halo_tests {
 namespace {
 
 const FieldList all_fields{Field::position, Field::velocity, Field::density, Field::pressure};
@@ -257,4 +257,4 @@ TEST(Halo, HandlesFewParticles) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::halo_tests

@@ -9,7 +9,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/parallel/moving_particles.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::parallel_alone_tests {
 namespace {
 
 class Alone : public testing::Test {
@@ -93,4 +93,4 @@ TEST_F(Alone, AHaloHoldsTheImages) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::parallel_alone_tests

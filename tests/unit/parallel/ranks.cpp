@@ -12,7 +12,7 @@
 #include "solver/parallel/communicator.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::ranks_tests {
 namespace {
 
 struct Sample {
@@ -135,4 +135,4 @@ TEST(Ranks, Exchange) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::ranks_tests

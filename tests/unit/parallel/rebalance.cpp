@@ -10,7 +10,7 @@
 #include "solver/store/particle_store.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::rebalance_tests {
 namespace {
 
 constexpr int columns = 160, rows = 20;
@@ -67,4 +67,4 @@ TEST(Rebalance, follows_water_that_gathers_at_one_end) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::rebalance_tests

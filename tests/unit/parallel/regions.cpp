@@ -8,7 +8,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::regions_tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -99,4 +99,4 @@ TEST(Regions, RefuseBoxesThatDoNotComeFromCuts) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::regions_tests

@@ -12,7 +12,7 @@
 #include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::results_tests {
 namespace {
 
 constexpr double spacing = 0.1, viscosity = 0.7;
@@ -217,4 +217,4 @@ TEST(ResidenceTimes, cost_no_field_when_they_are_not_asked_for) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::results_tests

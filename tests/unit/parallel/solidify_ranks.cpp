@@ -9,7 +9,7 @@
 #include "tests/unit/solver/clot_scenes.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solidify_ranks_tests {
 namespace {
 
 /// A clot that grows from the lower wall into the flow, another from a seed in its middle, both torn by it.
@@ -158,4 +158,4 @@ TEST(SolidifyOnRanks, goes_on_after_a_restart_on_any_number_of_them) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solidify_ranks_tests

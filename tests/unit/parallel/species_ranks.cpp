@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/dissolved.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::species_ranks_tests {
 namespace {
 
 void expect_same_bits(SpeciesStepping stepping) {
@@ -33,4 +33,4 @@ TEST(SpeciesOnRanks, are_the_same_bits) { expect_same_bits(SpeciesStepping::expl
 TEST(SpeciesOnRanks, are_the_same_bits_implicitly) { expect_same_bits(SpeciesStepping::implicitly); }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::species_ranks_tests

@@ -9,7 +9,7 @@
 #include "tests/unit/solver/sphere_scenes.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::spheres_on_ranks_tests {
 namespace {
 
 Resources on(const Ranks& ranks) {
@@ -133,4 +133,4 @@ TEST(SpheresOnRanks, checkpoints_beside_fast_walls_are_of_any_number_of_ranks) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::spheres_on_ranks_tests

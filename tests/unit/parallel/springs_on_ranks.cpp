@@ -13,7 +13,7 @@
 #include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/solver/small_scenes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::springs_on_ranks_tests {
 namespace {
 
 using namespace lattice_solids;
@@ -176,4 +176,4 @@ TEST(PlanInSpace, names_hinges_and_dihedrals_of_the_bodies_that_have_them) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::springs_on_ranks_tests

@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/layered_channel.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::viscous_ranks_tests {
 namespace {
 
 RunSummary run_on(const SceneAndParticles& made, const Ranks& ranks) {
@@ -52,4 +52,4 @@ TEST(ImplicitViscosity, is_the_same_bits_on_any_number_of_ranks) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::viscous_ranks_tests

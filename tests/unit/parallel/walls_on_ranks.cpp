@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/mirrored_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::walls_on_ranks_tests {
 namespace {
 
 void expect_same_bits(const WalledWater& made) {
@@ -55,4 +55,4 @@ TEST(WallsOnRanks, a_lid_over_half_a_cavity) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::walls_on_ranks_tests

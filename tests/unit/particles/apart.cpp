@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::apart_tests {
 namespace {
 
 using testing::AllOf;
@@ -71,4 +71,4 @@ TEST(Apart, NoPlaceAtAllIsRefused) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::apart_tests

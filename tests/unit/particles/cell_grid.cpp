@@ -9,7 +9,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::cell_grid_tests {
 namespace {
 
 std::array<double, 3> point_of(const Coordinates& points, int dimension, std::size_t i) {
@@ -147,4 +147,4 @@ TEST(CellGrid, NoPointsOnePointAndEqualPoints) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::cell_grid_tests

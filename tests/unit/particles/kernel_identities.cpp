@@ -11,7 +11,7 @@
 #include "models/sph/kernels.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::kernel_identities_tests {
 namespace {
 
 /// Sums over a square lattice of spacing 1 around the particle at its origin, V = 1.
@@ -163,4 +163,4 @@ TEST(KernelIdentities, ConvergeToTheContinuum) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::kernel_identities_tests

@@ -7,7 +7,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::kernels_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -144,4 +144,4 @@ TEST(KernelValues, AtTheCentreAndHalfWay) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::kernels_tests

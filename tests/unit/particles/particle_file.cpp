@@ -16,7 +16,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::particle_file_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -334,4 +334,4 @@ TEST_F(ParticleFile, OtherFilesAreRefused) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::particle_file_tests

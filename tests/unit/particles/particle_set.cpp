@@ -5,7 +5,7 @@
 
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::particle_set_tests {
 namespace {
 
 TEST(ParticleSet, CountsByKindOverAllPartsOfIt) {
@@ -24,4 +24,4 @@ TEST(ParticleSet, CountsByKindOverAllPartsOfIt) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::particle_set_tests

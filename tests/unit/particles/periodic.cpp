@@ -10,7 +10,7 @@
 #include "particles/periodic_images.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::periodic_tests {
 namespace {
 
 /// source and number of periods along x, y, z
@@ -144,4 +144,4 @@ TEST(Wrapped, DoesNotHideWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::periodic_tests

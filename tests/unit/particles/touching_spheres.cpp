@@ -10,7 +10,7 @@
 #include "base/closest_point.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::touching_spheres_tests {
 namespace {
 
 /// Spheres of very unlike radii at random in a box of 1 m, among them a fluid particle.
@@ -83,4 +83,4 @@ TEST(ClosestOnTriangle, is_nearer_than_any_other_point_of_it) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::touching_spheres_tests

@@ -11,7 +11,7 @@
 #include "postproc/paraview_script.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::axis_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -120,4 +120,4 @@ TEST(ParaviewScript, KnowsTheSpacing) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::axis_tests

@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::mesh_pictures_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -60,4 +60,4 @@ TEST(MeshPictures, AreDrawnOfWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::mesh_pictures_tests

@@ -10,7 +10,7 @@
 #include "postproc/viewpoint.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::panel_layout_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(Viewpoint, SaysWhereASliceLies) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::panel_layout_tests

@@ -22,7 +22,7 @@
 #include "synthetic_run.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::pictures_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -352,4 +352,4 @@ TEST(Canvas, CountsColours) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::pictures_tests

@@ -18,7 +18,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::space_pictures_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -410,4 +410,4 @@ TEST_F(SpacePictures, SayWhatTheyCouldNotShow) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::space_pictures_tests

@@ -16,7 +16,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::sphere_pictures_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -134,4 +134,4 @@ TEST(SpherePictures, are_drawn_of_a_run_in_space) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::sphere_pictures_tests

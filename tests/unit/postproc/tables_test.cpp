@@ -14,7 +14,7 @@
 #include "synthetic_run.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::tables_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -179,4 +179,4 @@ TEST(Summary, NotANumberBecomesNull) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::tables_tests

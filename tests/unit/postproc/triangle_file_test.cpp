@@ -15,7 +15,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::triangle_file_tests {
 namespace {
 
 TEST(TriangleFile, is_what_vtk_reads_back) {
@@ -43,4 +43,4 @@ TEST(TriangleFile, that_cannot_be_written_is_an_error) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::triangle_file_tests

@@ -23,7 +23,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::vtk_sink_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -269,7 +269,7 @@ TEST(VtkSink, GoesOnWhereSolidsCameLateAndNotWhereFramesAreMissing) {
         VtkSink sink(folder.path(), label);
         return text_thrown<InputError>([&] { sink.go_on(frames); });
     };
-    EXPECT_THAT(problem(5), HasSubstr("the series names fewer frames than the run has written"));
+    EXPECT_THAT(problem(5), HasSubstr("the series lists fewer frames than the run has written"));
     VtkSink sink(folder.path(), label);
     sink.go_on(3);
     sink.write(channel_frame(0.35, false));
@@ -384,4 +384,4 @@ TEST(ReadFrames, BrokenFilesAreNamed) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::vtk_sink_tests

@@ -3,7 +3,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_driving_tests {
 namespace {
 
 const std::string driven_scene = good_scene + R"toml([[force]]
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"force_on_nobody", "part = \"leaflets\"\nforce", "part = \"leaflet\"\nforce",
               "scene.toml:48:8: the scene has no part 'leaflet'\n  did you mean 'leaflets'?"},
         Fault{"force_on_a_wall", "part = \"leaflets\"\nforce", "part = \"wall\"\nforce",
-              "scene.toml:48:8: part 'wall' is of kind 'rigid', which moves as it is told and feels no force\n"
+              "scene.toml:48:8: part 'wall' is of kind 'rigid', whose motion is prescribed: no force acts on it\n"
               "  give the part a velocity, or name a part of kind 'fluid', 'elastic' or 'spheres'"},
         Fault{"force_out_of_the_plane", "force = [0,", "force = [0, 0, \"1 N\"] # [0,",
               "scene.toml:49:9: the force 'squeeze' has a third component in a 2-D scene\n  leave it out, or write 0"},
@@ -83,15 +83,15 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"end_before_the_start", "from = \"0 s\"\nuntil", "from = \"2 s\"\nuntil",
               "scene.toml:52:9: the force 'squeeze' ends before it starts\n  give an until that is after from"},
         Fault{"period_without_an_end", "until = \"1.5 s\"\n", "",
-              "scene.toml:52:10: the force 'squeeze' has a period, and never ends within it\n  add until"},
+              "scene.toml:52:10: the force 'squeeze' has a period but no end\n  add until"},
         Fault{"period_too_short", "period = \"3 s\"", "period = \"1 s\"",
-              "scene.toml:53:10: the force 'squeeze' begins anew before it has ended\n"
+              "scene.toml:53:10: the force 'squeeze' repeats before it has ended\n"
               "  give a period of at least until - from"},
         Fault{"shape_felt_by_nobody", "parts = [\"leaflets\"]", "parts = []",
               "scene.toml:58:9: moving_shape.ghost.parts: found an empty list\n"
               "  give a list of names such as [\"cilia\"]"},
         Fault{"shape_felt_by_a_wall", "parts = [\"leaflets\"]", "parts = [\"blood\", \"wall\"]",
-              "scene.toml:58:9: part 'wall' is of kind 'rigid', which moves as it is told and feels no force\n"
+              "scene.toml:58:9: part 'wall' is of kind 'rigid', whose motion is prescribed: no force acts on it\n"
               "  give the part a velocity, or name a part of kind 'fluid', 'elastic' or 'spheres'"},
         Fault{"shape_that_bends", "position = [\"1 mm/s * t\"", "position = [\"0.1 * x\"",
               "scene.toml:59:12: the moving shape 'ghost': its position depends on x, y or z\n  give formulas of t"},
@@ -131,4 +131,4 @@ TEST(WrongDriving, across_a_plane_of_symmetry) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_driving_tests

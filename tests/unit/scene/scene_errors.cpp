@@ -3,7 +3,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_errors_tests {
 namespace {
 
 class BadScene : public testing::TestWithParam<Fault> {};
@@ -24,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"unquoted_quantity", "spacing = \"0.1 mm\"", "spacing = 0.1 mm",
               "scene.toml:8:15: this is not valid TOML: Error while parsing key-value pair: expected a comment or "
               "whitespace, saw 'm'\n"
-              "  correct the line; quantities and names stand in quotes, such as spacing = \"0.1 mm\""},
+              "  correct the line; quantities and names must be in quotes, such as spacing = \"0.1 mm\""},
         Fault{"wrong_dimension", "spacing = \"0.1 mm\"", "spacing = \"3 s\"",
               "scene.toml:8:11: particles.spacing: found \"3 s\" (time), expected a length such as \"0.1 mm\"\n"
               "  give a length for spacing"},
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"table_for_list_of_tables", "[[part]]", "[part]",
               "scene.toml:16:1: this is not valid TOML: Error while parsing table header: cannot redefine existing "
               "table 'part' as array-of-tables\n"
-              "  write each key and table once; only [[part]] and [[measure]], in double brackets, may stand several "
+              "  write each key and table once; only [[part]] and [[measure]], in double brackets, may occur several "
               "times"},
         Fault{"misspelt_list_of_tables", "[[part]]", "[[parts]]",
               "scene.toml:10:3: unknown key 'parts'\n"
@@ -111,25 +111,27 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:19:20: surface_velocity of 'wall' has a third component in a 2-D scene\n"
               "  leave it out, or write 0"},
         Fault{"wall_that_bends", "kind = \"rigid\"", "kind = \"rigid\"\nvelocity = [\"x / 1 s\", 0]",
-              "scene.toml:19:12: velocity of the rigid part 'wall' depends on x, y or z: it would not stay rigid\n"
-              "  give formulas of t; a surface that slides within itself has a surface_velocity"},
+              "scene.toml:19:12: velocity of the rigid part 'wall' depends on x, y or z: it would not stay "
+              "rigid\n"
+              "  give formulas of t; for a surface that slides along itself use surface_velocity"},
         Fault{"spin_by_place", "kind = \"rigid\"", "kind = \"rigid\"\nspin = \"y * 1 rad/m/s\"",
               "scene.toml:19:8: spin of the rigid part 'wall' depends on x, y or z: it would not stay rigid\n"
-              "  give formulas of t; a surface that slides within itself has a surface_velocity"},
+              "  give formulas of t; for a surface that slides along itself use surface_velocity"},
         Fault{"spin_of_a_length", "kind = \"rigid\"", "kind = \"rigid\"\nspin = \"2 m\"",
               "scene.toml:19:9: part.wall.spin: found \"2 m\" (length), expected a frequency such as \"2 rad/s\"\n"
               "  check the units of its factors: the whole formula must be a frequency"},
         Fault{"slip_that_slides", "kind = \"rigid\"",
               "kind = \"rigid\"\nslip = true\nsurface_velocity = [\"1 m/s\", 0]",
-              "scene.toml:20:20: the surface of 'wall' slides, and lets the fluid slip: it would not be felt\n"
+              "scene.toml:20:20: the surface of 'wall' slides, but the fluid slips on it: the motion would have "
+              "no effect\n"
               "  leave out surface_velocity, or slip"},
         Fault{"slip_at_plain_walls", "kind = \"rigid\"", "kind = \"rigid\"\nslip = true\n[numerics]\nwalls = \"plain\"",
               "scene.toml:19:8: the wall 'wall' has slip = true, and plain walls cannot let a fluid slip\n"
               "  write numerics.walls = \"extrapolated\", or leave out slip"},
         Fault{"plane_across_a_period", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\nsymmetry = [\"y_low\", \"x_high\"]",
-              "scene.toml:30:12: flow.symmetry: 'x_high' lies across an axis that is periodic\n"
-              "  take the axis out of flow.periodic, or the side out of flow.symmetry"},
+              "scene.toml:30:12: flow.symmetry: 'x_high' is perpendicular to a periodic axis\n"
+              "  remove the axis from flow.periodic, or the side from flow.symmetry"},
         Fault{"drive_across_a_plane", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\nacceleration = [0, \"1 m/s^2\"]\nsymmetry = [\"y_low\"]",
               "scene.toml:30:12: flow.acceleration pushes across the plane of symmetry 'y_low': the two sides would "
@@ -182,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:43:8: there is already a measure called 'flux_in', at scene.toml:37:8\n"
               "  give each measure its own name"},
         Fault{"missing_largest_speed", "largest_speed = \"0.2 m/s\"", "",
-              "scene.toml:27:1: flow.largest_speed is missing: numerics.sound_speed = \"auto\" is 10 times that speed\n"
+              "scene.toml:27:1: flow.largest_speed is missing: numerics.sound_speed = \"auto\" depends on it\n"
               "  add largest_speed = \"0.2 m/s\" (the largest speed you expect) to [flow], or give a sound_speed"},
         Fault{"formula_without_brackets", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\nacceleration = \"1 m/s^2\"",
@@ -215,11 +217,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"starting_velocity_in_time", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\ninitial_velocity = [0, \"1 m/s * sin(t / 1 s)\"]",
               "scene.toml:29:20: flow.initial_velocity depends on t: \"1 m/s * sin(t / 1 s)\"\n"
-              "  write a formula of x, y and z; a start has no time"},
+              "  write a formula of x, y and z: initial values do not depend on time"},
         Fault{"starting_pressure_in_time", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\ninitial_pressure = \"1 Pa/s * t\"",
               "scene.toml:29:20: flow.initial_pressure depends on t: \"1 Pa/s * t\"\n"
-              "  write a formula of x, y and z; a start has no time"},
+              "  write a formula of x, y and z: initial values do not depend on time"},
         Fault{"starting_pressure_without_unit", "largest_speed = \"0.2 m/s\"",
               "largest_speed = \"0.2 m/s\"\ninitial_pressure = 3",
               "scene.toml:29:20: missing unit: initial_pressure = 3, expected a pressure such as \"100 Pa\"\n"
@@ -234,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:29:13: flow.periodic: a scene in 2-D has no axis 'z'\n"
               "  give 'x' and 'y' only, or write dimension = 3"},
         Fault{"repeated_axis", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\", \"x\"]",
-              "scene.toml:29:18: flow.periodic: \"x\" stands twice\n"
+              "scene.toml:29:18: flow.periodic: \"x\" occurs twice\n"
               "  remove one of them"},
         Fault{"misspelt_auto", "[run]", "[numerics]\nsound_speed = \"atuo\"\n[run]",
               "scene.toml:31:15: numerics.sound_speed: found \"atuo\" (text), expected \"auto\" or a speed such as \"2 "
@@ -267,31 +269,30 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean \"implicit\"?"},
         Fault{"implicit_viscosity_and_subcycled_springs", "[run]",
               "[numerics]\nviscosity_stepping = \"implicit\"\nspring_stepping = \"subcycled\"\n[run]",
-              "scene.toml:32:19: numerics.viscosity_stepping = \"implicit\" solves for springs in the fluid as well, "
-              "which "
-              "numerics.spring_stepping = \"subcycled\" moves apart from it\n"
+              "scene.toml:32:19: numerics.viscosity_stepping = \"implicit\" solves for fluid and elastic solids "
+              "together; numerics.spring_stepping = \"subcycled\" integrates the solids separately\n"
               "  write spring_stepping = \"implicit\""},
         Fault{"implicit_viscosity_of_approaching_pairs", "[run]",
               "[numerics]\nviscosity_stepping = \"implicit\"\nviscous_law = \"monaghan_approaching\"\n[run]",
               "scene.toml:32:15: numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the "
-              "velocities, and numerics.viscous_law = \"monaghan_approaching\" is none\n"
+              "velocities; numerics.viscous_law = \"monaghan_approaching\" is not\n"
               "  write viscous_law = \"monaghan\" or \"morris\""},
         Fault{"diffusion_of_a_summed_density", "[run]",
               "[numerics]\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
-              "scene.toml:32:21: numerics.density_diffusion smooths a density that is integrated, and numerics.density "
-              "= \"summation\" integrates none\n"
+              "scene.toml:32:21: numerics.density_diffusion smooths an integrated density; numerics.density = "
+              "\"summation\" does not integrate it\n"
               "  leave density_diffusion out, or write density = \"continuity\""},
         Fault{"shifting_and_transport", "[run]", "[numerics]\ntransport_velocity = true\nshifting = 4\n[run]",
               "scene.toml:32:12: numerics.shifting and numerics.transport_velocity both spread the particles\n"
               "  leave one of them out"},
         Fault{"summation_beside_plain_walls", "[run]", "[numerics]\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
-              "scene.toml:32:9: numerics.walls = \"plain\" integrates a density of the walls' own, which "
-              "numerics.density = \"summation\" does not know\n"
+              "scene.toml:32:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
+              "numerics.density = \"summation\" does not support\n"
               "  leave walls out, or density"},
         Fault{"correction_beside_plain_walls", "[run]",
               "[numerics]\ngradient_correction = true\nwalls = \"plain\"\n[run]",
-              "scene.toml:32:9: numerics.walls = \"plain\" integrates a density of the walls' own, which "
-              "numerics.gradient_correction = true does not know\n"
+              "scene.toml:32:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
+              "numerics.gradient_correction = true does not support\n"
               "  leave walls out, or gradient_correction"},
         Fault{"background_below_zero", "[run]", "[numerics]\nbackground_pressure = \"-1 Pa\"\n[run]",
               "scene.toml:31:23: numerics.background_pressure: found \"-1 Pa\", expected at least 0\n"
@@ -320,12 +321,12 @@ INSTANTIATE_TEST_SUITE_P(
               "'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and 'concentration'\n"
               "  did you mean \"pressure\"?"},
         Fault{"item_without_brackets", "every = \"20 ms\"", "every = \"20 ms\"\nfields = \"pressure\"",
-              "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list out of 'velocity', "
+              "scene.toml:35:10: output.fields: found \"pressure\" (text), expected a list of any of 'velocity', "
               "'pressure', 'density', 'shear_stress', 'stress', 'von_mises', 'vorticity', 'residence_time' and "
               "'concentration'\n"
               "  put it in brackets: fields = [ ... ]"},
         Fault{"repeated_item", "every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"pressure\", \"pressure\"]",
-              "scene.toml:35:23: output.fields: \"pressure\" stands twice\n"
+              "scene.toml:35:23: output.fields: \"pressure\" occurs twice\n"
               "  remove one of them"},
         Fault{"text_for_boolean", "every = \"20 ms\"", "every = \"20 ms\"\npictures = \"yes\"",
               "scene.toml:35:12: output.pictures: found \"yes\" (text), expected true or false\n"
@@ -344,12 +345,12 @@ INSTANTIATE_TEST_SUITE_P(
               "  leave it out, or write 0"},
         Fault{"empty_file", "file = \"channel.geo\"", "file = \"\"",
               "scene.toml:5:8: geometry.file: found \"\", expected text\n"
-              "  name it, or remove the key"},
+              "  write some text, or remove the key"},
         Fault{"parameter_of_another_dimension", "file = \"channel.geo\"",
               "file = \"channel.geo\"\nparameters = { a = \"3 s\" }",
               "scene.toml:6:20: geometry.parameters.a: found \"3 s\" (time), expected a length, an angle or a plain "
               "number\n"
-              "  a geometry knows no other units: give a length such as \"2 mm\""},
+              "  other units are not possible: give a length such as \"2 mm\""},
         Fault{"boolean_parameter", "file = \"channel.geo\"", "file = \"channel.geo\"\nparameters = { a = true }",
               "scene.toml:6:20: geometry.parameters.a: found true (true or false), expected a length, an angle or a "
               "plain number\n"
@@ -371,4 +372,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_errors_tests

@@ -10,7 +10,7 @@
 #include "scene/formula.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_expressions_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -204,10 +204,10 @@ TEST(FormulaError, unknown_names) {
     EXPECT_EQ(message_for("1 m/s^2 * pii"),
               "scene.toml:12:28: unknown name 'pii' in \"1 m/s^2 * pii\"\n  did you mean 'pi'?");
     EXPECT_EQ(message_for("time * 2"),
-              "scene.toml:12:18: unknown name 'time' in \"time * 2\"\n  known are t, x, y, z, pi and functions such as "
+              "scene.toml:12:18: unknown name 'time' in \"time * 2\"\n  use t, x, y, z, pi or functions such as "
               "sin, exp, sqrt, min");
     EXPECT_EQ(message_for("1 m/sek"),
-              "scene.toml:12:22: unknown name 'sek' in \"1 m/sek\"\n  known are t, x, y, z, pi and "
+              "scene.toml:12:22: unknown name 'sek' in \"1 m/sek\"\n  use t, x, y, z, pi or "
               "functions such as sin, exp, sqrt, min");
     EXPECT_EQ(message_for("3 mmm"), "scene.toml:12:20: unknown unit 'mmm' after 3 in \"3 mmm\"\n  did you mean 'mm'?");
     EXPECT_EQ(message_for("sin(t/s)"),
@@ -251,4 +251,4 @@ TEST(FormulaError, deep_nesting_is_an_error_and_no_crash) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_expressions_tests

@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_joins_tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Fault{"unknown_part", "", "name = \"root\"\nparts = [\"leaflet\", \"wall\"]", "did you mean 'leaflets'?"},
         Fault{"fluid", "", "name = \"root\"\nparts = [\"leaflets\", \"blood\"]",
-              "part 'blood' is of kind 'fluid', and bonds join springs, or springs and a wall"},
-        Fault{"two_walls", "", "name = \"root\"\nparts = [\"wall\", \"wall\"]", "is of two rigid parts"},
+              "part 'blood' is of kind 'fluid'; bonds join elastic solids, or an elastic solid and a rigid part"},
+        Fault{"two_walls", "", "name = \"root\"\nparts = [\"wall\", \"wall\"]", "joins two rigid parts"},
         Fault{"a_part_s_name", "", "name = \"wall\"\nparts = [\"leaflets\", \"wall\"]",
               "there is already a part called 'wall'"},
         Fault{"three_parts", "", "name = \"root\"\nparts = [\"leaflets\", \"wall\", \"wall\"]", "parts"},
@@ -66,8 +66,8 @@ TEST(SceneJoins, of_a_wall_that_moves_are_refused) {
     std::string text = joined("name = \"root\"\nparts = [\"leaflets\", \"wall\"]");
     const std::string wall = "kind = \"rigid\"\n";
     text.insert(text.find(wall) + wall.size(), "velocity = [\"1 mm/s\", 0]\n");
-    EXPECT_THAT(fault_of(text), HasSubstr("part 'wall' moves, and bonds to walls hold at places that stay"));
+    EXPECT_THAT(fault_of(text), HasSubstr("part 'wall' moves; a rigid part with bonds must be at rest"));
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_joins_tests

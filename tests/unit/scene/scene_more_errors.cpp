@@ -3,7 +3,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_more_errors_tests {
 namespace {
 
 class BadOverride : public testing::TestWithParam<Fault> {};
@@ -60,7 +60,7 @@ TEST(GoodScene, has_no_fault) { EXPECT_EQ(fault_of(good_scene), "no error"); }
 TEST(WrongScene, without_anything_that_moves) {
     EXPECT_EQ(fault_of(good_scene, {"part.blood.enabled=false", "part.leaflets.enabled=false"}),
               "scene.toml:12:8: no enabled part is of kind 'fluid', 'elastic' or 'spheres': nothing would move\n"
-              "  add a [[part]] with kind = \"fluid\", \"springs\" or \"spheres\"");
+              "  add a [[part]] with kind = \"fluid\", \"elastic\" or \"spheres\"");
 }
 
 const std::string sinus = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n[[measure]]";
@@ -95,7 +95,7 @@ TEST(WrongScene, a_region_that_holds_nothing) {
 
 TEST(WrongScene, residence_times_of_no_region) {
     const std::string advice = "\n  add a [[region]] with a name and the corners from and to";
-    const std::string problem = ": 'residence_time' is asked for, and the scene has no region in which to follow it";
+    const std::string problem = ": 'residence_time' needs a region, and the scene has none";
     EXPECT_EQ(fault_of(scene_with("every = \"20 ms\"", "every = \"20 ms\"\nfields = [\"residence_time\"]")),
               "scene.toml:35:10" + problem + advice);
     EXPECT_EQ(fault_of(scene_with("every = \"20 ms\"", "every = \"20 ms\"\npicture_field = \"residence_time\"")),
@@ -111,9 +111,9 @@ TEST(WrongScene, a_picture_of_several_residence_times) {
     two.replace(two.find("[[measure]]"), 11, sinus);
     two.replace(two.rfind("sinus"), 5, "other");
     EXPECT_EQ(fault_of(scene_with("[[measure]]", two), {"output.picture_field=residence_time"}),
-              "--set output.picture_field=residence_time: output.picture_field = \"residence_time\": there are several "
-              "regions, and one array for each\n"
-              "  leave one [[region]], or picture another field");
+              "--set output.picture_field=residence_time: output.picture_field = \"residence_time\": there are "
+              "several regions, each with its own field\n"
+              "  keep only one [[region]], or choose another field");
 }
 
 TEST(WrongScene, a_quality_that_there_is_not) {
@@ -174,4 +174,4 @@ TEST(BadPath, says_what_is_missing) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_more_errors_tests

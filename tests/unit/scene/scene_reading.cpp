@@ -7,7 +7,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_reading_tests {
 namespace {
 
 using testing::ElementsAre;
@@ -400,4 +400,4 @@ TEST(ReadScene, walls_that_move_and_planes_of_symmetry) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_reading_tests

@@ -13,7 +13,7 @@
 #include "scene/schema.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_reference_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -52,13 +52,14 @@ TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {
         "    only for fluid parts\n"
         "\n"
         "part.*.density\n"
-        "    Of the material, in 3-D and of an area in 2-D; of a strip mass_per_length says it.\n"
+        "    Density of the material, in 3-D and for an area in 2-D; a strip (a curve in 2-D) takes mass_per_length "
+        "instead.\n"
         "    type:    a density such as \"1100 kg/m^3\", more than 0\n"
         "    default: none\n"
         "    only for elastic parts\n"
         "\n"
         "part.*.density\n"
-        "    Density of the spheres; or give their mass.\n"
+        "    Density of the spheres; or give mass.\n"
         "    type:    a density such as \"2500 kg/m^3\", more than 0\n"
         "    default: none\n"
         "    only for spheres parts\n";
@@ -119,10 +120,10 @@ TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
     EXPECT_THAT(
         text,
         HasSubstr(
-            "| `output.solid_fields` | a list out of 'velocity', 'displacement', 'mean_displacement', 'stress', "
+            "| `output.solid_fields` | a list of any of 'velocity', 'displacement', 'mean_displacement', 'stress', "
             "'von_mises', 'strain' and 'force' | "
-            "[\"velocity\", \"displacement\", \"strain\", \"force\"] | Fields of spring bodies in the frames; strain "
-            "and force are of each bond. |\n"));
+            "[\"velocity\", \"displacement\", \"strain\", \"force\"] | Fields of elastic solids in the frames; strain "
+            "and force are per bond (docs/results.md). |\n"));
 }
 
 /// The page in the docs; with DMP_UPDATE_DOCS set it is written first.
@@ -146,4 +147,4 @@ TEST(SceneReference, pages_in_the_docs_are_those_of_the_keys) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_reference_tests

@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_resolved_tests {
 namespace {
 
 const std::string cases = std::string(DMP_SOURCE_DIR) + "/cases";
@@ -217,4 +217,4 @@ TEST(SceneHash, sees_values_and_not_how_they_are_written) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_resolved_tests

@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_select_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -49,14 +49,14 @@ TEST(SceneSelect, refusesWhatSelectsNothing) {
               "scene.toml:6:8: selection 'lid' does not say which faces\n"
               "  give a plane (x, y or z), a box (from and to), a normal, or except");
     EXPECT_THAT(fault_of(pipe_with(named + "z = 0\n", "2")),
-                HasSubstr("scene.toml:8:5: selection 'lid' gives a z, and the scene lies in 2-D"));
+                HasSubstr("scene.toml:8:5: selection 'lid' gives z, but the scene is 2-D"));
     EXPECT_EQ(read_text(pipe_with(inlet, "2")).selections.size(), 1U);
     // It may be a surface of the geometry.
     EXPECT_EQ(*read_text(pipe_with(named + "except = [\"rim\"]\n")).selections[0].except,
               std::vector<std::string>{"rim"});
     EXPECT_THAT(fault_of(pipe_with(named + "from = [0, 0, 0]\n")),
                 HasSubstr("scene.toml:8:8: selection 'lid' has one corner of a box only"));
-    EXPECT_THAT(fault_of(pipe_with(inlet + "angle = \"5 deg\"\n")), HasSubstr("has an angle, and no normal"));
+    EXPECT_THAT(fault_of(pipe_with(inlet + "angle = \"5 deg\"\n")), HasSubstr("has an angle but no normal"));
     EXPECT_THAT(fault_of(pipe_with(inlet + "normal = [1, 0, 0]\nangle = \"0 deg\"\n")), HasSubstr("more than 0"));
     EXPECT_THAT(fault_of(pipe_with(named + "except = [\"inlet\"]\n" + inlet)),
                 HasSubstr("selection 'lid': there is no selection 'inlet' before it"));
@@ -68,4 +68,4 @@ TEST(SceneSelect, refusesWhatSelectsNothing) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_select_tests

@@ -4,7 +4,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_solidify_tests {
 namespace {
 
 /// good_scene is 49 lines long.
@@ -119,12 +119,12 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'blood'?"},
         Fault{"name_of_a_part", "name = \"clot\"", "name = \"wall\"",
               "scene.toml:53:8: there is already a part called 'wall', at scene.toml:17:8\n"
-              "  give what turns solid a name of its own"},
+              "  give the [[solidify]] a name of its own"},
         Fault{"no_seeds", "seed_region = \"nidus\"\n", "",
-              "scene.toml:53:8: solidify 'clot' has no seeds: nothing would ever turn solid\n"
+              "scene.toml:53:8: solidify 'clot' has no seeds: nothing would solidify\n"
               "  add seed_part, seed_region or seed_stress_above"},
         Fault{"two_kinds_of_seeds", "seed_region = \"nidus\"", "seed_region = \"nidus\"\nseed_part = \"wall\"",
-              "scene.toml:56:13: solidify 'clot' has seeds of a part and seeds of liquid\n"
+              "scene.toml:56:13: solidify 'clot' has both a seed_part and fluid seeds\n"
               "  leave out seed_part, or write a [[solidify]] for each"},
         Fault{"seeds_of_a_liquid", "seed_region = \"nidus\"", "seed_part = \"blood\"",
               "scene.toml:55:13: seed_part of solidify 'clot': part 'blood' is of kind 'fluid', expected a rigid or "
@@ -137,15 +137,16 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:56:19: residence_above of solidify 'clot' is a time in a region, and there is no region\n"
               "  add region, the name of a [[region]]"},
         Fault{"one_in_how_many", "probability = 0.25", "probability = 0.25\nactive = \"one_in\"",
-              "scene.toml:58:10: solidify 'clot': active = \"one_in\" does not say in how many events\n"
+              "scene.toml:58:10: solidify 'clot': active = \"one_in\" needs the number one_in\n"
               "  add one_in = 10, for example"},
         Fault{"one_in_of_always", "probability = 0.25", "probability = 0.25\none_in = 3",
               "scene.toml:58:10: solidify 'clot': one_in needs active = \"one_in\", and active is \"always\"\n"
               "  write active = \"one_in\", or leave one_in out"},
         Fault{"species_beside_it", "[[region]]",
               "[[species]]\nname = \"oxygen\"\ndiffusivity = \"1e-9 m^2/s\"\n[[region]]",
-              "scene.toml:56:8: solidify 'clot': the scene has [[species]], and what is dissolved in liquid that turns "
-              "solid would be lost\n  species in aggregates are not there yet: leave out [[solidify]] or [[species]]"},
+              "scene.toml:56:8: solidify 'clot': the scene has [[species]], which would be lost from fluid that "
+              "solidifies\n"
+              "  species in aggregates are not supported yet: leave out [[solidify]] or [[species]]"},
         Fault{"break_of_nothing", "part = \"clot\"", "part = \"wall\"",
               "scene.toml:63:8: part of break 'tear': part 'wall' is of kind 'rigid', expected an elastic solid or a "
               "[[solidify]]\n"
@@ -157,8 +158,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:62:8: break 'tear' has no limit: nothing would ever break\n"
               "  give force_above or strain_above"},
         Fault{"mean_of_what_changes", "every = \"20 ms\"", "every = \"20 ms\"\nsolid_fields = ['mean_displacement']",
-              "scene.toml:54:8: output.solid_fields asks for mean_displacement, which is of bodies that stay as they "
-              "were drawn\n"
+              "scene.toml:54:8: output.solid_fields contains mean_displacement, which is not available with "
+              "[[solidify]] or [[break]]\n"
               "  leave mean_displacement out"},
         Fault{"aggregate_of_a_wall", "[[break]]",
               "[[measure]]\nname = \"size\"\nkind = \"aggregate\"\npart = \"wall\"\n\n[[break]]",
@@ -168,4 +169,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_solidify_tests

@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_species_tests {
 namespace {
 
 // Begins at line 36 of the scene.
@@ -95,31 +95,31 @@ INSTANTIATE_TEST_SUITE_P(
               "  write blood = \"1e-9 m^2/s\", with the unit you mean"},
         Fault{"fluid_left_out", "blood = \"1e-9 m^2/s\", ", "",
               "scene.toml:37:8: species 'drug', diffusivity: the fluid 'blood' is missing\n"
-              "  give its diffusivity too; 0 where the species goes along with the fluid alone"},
+              "  add its diffusivity; 0 if the species only moves with the fluid"},
         Fault{"unknown_part", "leaflets =", "leaflet =",
               "scene.toml:38:39: species 'drug', diffusivity: the scene has no part 'leaflet'\n"
               "  did you mean 'leaflets'?"},
         Fault{"start_in_time", "* x / 1 mm", "* t / 1 s",
               "scene.toml:39:17: species 'drug', concentration depends on t: \"1 mg/ml * t / 1 s\"\n"
-              "  write a formula of x, y and z; a start has no time"},
+              "  write a formula of x, y and z: initial values do not depend on time"},
         Fault{
             "start_of_another_dimension", "1 mg/ml", "1 mol/l",
             "scene.toml:39:18: species.drug.concentration: found \"1 mol/l * x / 1 mm\" (mol/m^3), expected a density "
             "such as \"1 kg/m^3\"\n"
             "  check the units of its factors: the whole formula must be a density"},
         Fault{"start_in_what_is_closed", "\"1 mg/ml * x / 1 mm\"", "{ wall = \"1 kg/m^3\" }",
-              "scene.toml:39:19: species 'drug', concentration: the part 'wall' of kind 'rigid' holds nothing of the "
-              "species, as it has no diffusivity\n"
+              "scene.toml:39:19: species 'drug', concentration: the part 'wall' of kind 'rigid' does not carry "
+              "the species, because it has no diffusivity\n"
               "  add it to the species' diffusivity, or leave it out here"},
         Fault{"walls_of_which_part", "{ wall = \"0.5 kg/m^3 * exp(-t / 1 s)\" }", "\"0.5 kg/m^3\"",
-              "scene.toml:40:22: species 'drug', wall_concentration: it does not say of which parts\n"
+              "scene.toml:40:22: species 'drug', wall_concentration: one value for all parts is not allowed\n"
               "  write a table of rigid parts, wall_concentration = { wall = ... }"},
         Fault{"held_part_that_is_no_wall", "{ wall =", "{ blood =",
               "scene.toml:40:24: species 'drug', wall_concentration: 'blood' is of kind 'fluid', expected 'rigid'\n"
               "  name rigid parts only"},
         Fault{"held_wall_that_conducts", "leaflets =", "wall =",
-              "scene.toml:40:24: species 'drug', wall_concentration: 'wall' conducts the species, as it has a "
-              "diffusivity\n"
+              "scene.toml:40:24: species 'drug', wall_concentration: 'wall' conducts the species, because it has "
+              "a diffusivity\n"
               "  leave it out of one of the two"},
         Fault{"wall_with_both", "[[measure]]", "wall_flux = { wall = \"1 kg/m^2/s\" }\n[[measure]]",
               "scene.toml:41:15: species 'drug': 'wall' has a wall_concentration and a wall_flux\n"
@@ -153,7 +153,8 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a value that is between 1 and 1000"},
         Fault{"flux_into_a_closed_wall", "[[measure]]",
               "[[measure]]\nname = \"m\"\nkind = \"wall_flux\"\npart = \"leaflets\"\n[[measure]]",
-              "scene.toml:44:8: measure 'm': 'leaflets' is no wall that species 'drug' is held at a concentration at\n"
+              "scene.toml:44:8: measure 'm': 'leaflets' is not a wall where species 'drug' has a fixed "
+              "concentration\n"
               "  such walls are 'wall'"},
         Fault{"half_a_sherwood_number", "[[measure]]",
               "[[measure]]\nname = \"m\"\nkind = \"wall_flux\"\npart = \"wall\"\nlength = \"1 mm\"\n[[measure]]",
@@ -172,7 +173,8 @@ TEST(WrongScene, measures_and_pictures_of_no_species) {
               "scene.toml:40:9: the probe 'm' reads a concentration, and the scene has no species\n"
               "  add a [[species]], or read another field");
     EXPECT_EQ(fault_of(good_scene, {"output.picture_field=concentration"}),
-              "--set output.picture_field=concentration: 'concentration' is asked for, and the scene has no species\n"
+              "--set output.picture_field=concentration: 'concentration' needs a species, and the scene has "
+              "none\n"
               "  add a [[species]], or leave the field out");
 }
 
@@ -182,16 +184,16 @@ TEST(WrongScene, several_species_and_no_word_of_which) {
     const std::string text = scene_with("[[measure]]", two);
     EXPECT_EQ(fault_of(text), "no error");
     EXPECT_EQ(fault_of(text + "\n[[measure]]\nname = \"m\"\nkind = \"amount\"\n"),
-              "scene.toml:56:8: measure 'm' does not say of which species it is\n"
+              "scene.toml:56:8: measure 'm' does not name its species\n"
               "  write species = one of 'drug' and 'dye'");
     EXPECT_EQ(fault_of(text, {"output.fields=['concentration']", "output.picture_field=concentration"}),
-              "--set output.picture_field=concentration: output.picture_field = \"concentration\": there are several "
-              "species, and one array for each\n"
-              "  leave one [[species]], or picture another field");
+              "--set output.picture_field=concentration: output.picture_field = \"concentration\": there are "
+              "several species, each with its own field\n"
+              "  keep only one [[species]], or choose another field");
     EXPECT_EQ(fault_of(text, {"species.dye.name=drug"}),
               "--set species.dye.name=drug: there is already a species called 'drug', at scene.toml:37:8\n"
               "  give each species its own name");
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_species_tests

@@ -3,7 +3,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/fault.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_spheres_tests {
 namespace {
 
 const std::string spheres_scene = R"(schema = 1
@@ -141,7 +141,7 @@ TEST(SpheresScene, takes_lists_and_walls_of_triangles) {
 TEST(SpheresScene, repeats_itself_in_a_box) {
     const std::string periodic = spheres_scene + "[flow]\nperiodic = [\"x\", \"z\"]\n";
     EXPECT_EQ(fault_of(periodic),
-              "scene.toml:52:13: the scene repeats itself along x, and does not say how long a period is\n"
+              "scene.toml:52:13: the scene is periodic along x, but its period is missing\n"
               "  add [box] with from = [0, 0, 0] and to = [\"1 mm\", \"1 mm\", \"1 mm\"]");
     EXPECT_EQ(fault_of(periodic + "[box]\nfrom = [0, 0, 0]\nto = [\"1 mm\", 0, 0]\n"),
               "scene.toml:55:6: box.to is not beyond box.from along z, a periodic axis\n"
@@ -161,7 +161,8 @@ INSTANTIATE_TEST_SUITE_P(
     Parts, WrongSpheres,
     testing::Values(
         Fault{"in_the_plane", "dimension = 3", "dimension = 2",
-              "scene.toml:2:13: part 'carrier' is of spheres, which live in 3-D, and the scene has 2 dimensions\n"
+              "scene.toml:2:13: part 'carrier' is of spheres, which need a 3-D scene, and the scene has 2 "
+              "dimensions\n"
               "  write dimension = 3"},
         Fault{"negative_stiffness", "youngs_modulus = \"63 GPa\"", "youngs_modulus = \"-63 GPa\"",
               "scene.toml:9:18: part.carrier.youngs_modulus: found \"-63 GPa\", expected more than 0\n"
@@ -205,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:23:19: part 'drug': volume_fraction does not go with around\n  leave it out"},
         Fault{"too_dense", "around = \"carrier\"\ncoverage = 0.5", "volume_fraction = 0.7",
               "scene.toml:22:19: part.drug.volume_fraction: found 0.7, expected more than 0 and at most 0.6\n"
-              "  spheres that are put in at random get as dense as about 0.35"},
+              "  random filling reaches volume fractions up to about 0.35"},
         Fault{"count_of_centres", "centres = [[0, 0, \"60 um\"]]", "centres = [[0, 0, \"60 um\"]]\ncount = 1",
               "scene.toml:12:9: part 'carrier': count does not go with centres\n  leave it out"},
         Fault{"around_nobody", "around = \"carrier\"", "around = \"carier\"",
@@ -218,17 +219,17 @@ INSTANTIATE_TEST_SUITE_P(
               "  name an enabled part of one sphere"},
         Fault{"start_with_a_time", "initial_velocity = [0, 0, \"-5 m/s\"]", "initial_velocity = [\"1 m/s^2 * t\"]",
               "scene.toml:12:20: initial_velocity of 'carrier' depends on t: \"1 m/s^2 * t\"\n"
-              "  write formulas of x, y and z; a start has no time"},
+              "  write formulas of x, y and z: initial values do not depend on time"},
         Fault{"normal_that_points_nowhere", "normal = [0, 0, 2]", "normal = [0, 0, 0]",
-              "scene.toml:29:10: part.floor.normal: found [0, 0, 0], which points nowhere\n"
+              "scene.toml:29:10: part.floor.normal: found [0, 0, 0], which has no direction\n"
               "  give a direction of three numbers such as [0, 0, 1]"},
         Fault{"wall_of_half_a_material", "normal = [0, 0, 2]", "normal = [0, 0, 2]\nyoungs_modulus = \"1 GPa\"",
               "scene.toml:30:18: part 'floor' has a youngs_modulus and no poisson_ratio\n"
-              "  give both, or neither for a wall that does not yield"},
+              "  give both, or neither for a rigid wall"},
         Fault{"wall_that_bends", "normal = [0, 0, 2]", "normal = [0, 0, 2]\nvelocity = [\"1 m/s * x / 1 m\"]",
               "scene.toml:30:12: velocity of 'floor' depends on x, y or z: it would bend\n  give formulas of t"},
         Fault{"drawing_for_nothing", "[run]", "[geometry]\nfile = \"a.geo\"\n[run]",
-              "scene.toml:47:8: geometry.file: no part of the scene is drawn\n  leave [geometry] out"},
+              "scene.toml:47:8: geometry.file: no part of the scene uses a geometry\n  leave [geometry] out"},
         Fault{"drawn_part_beside_spheres", "kind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 0, 2]",
               "kind = \"rigid\"", "scene.toml: missing key: geometry.file\n  add 'file' in [geometry]: text"}),
     name_of);
@@ -240,15 +241,16 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:34:15: contact_pair.sticky.restitution: found 1.2, expected more than 0 and at most 1\n"
               "  give a value that is more than 0 and at most 1"},
         Fault{"no_restitution", "restitution = 0.9\n", "",
-              "scene.toml:33:9: the contact of 'drug' and 'carrier' does not say how much of an impact it gives back\n"
+              "scene.toml:33:9: the contact of 'drug' and 'carrier' has neither a restitution nor damping "
+              "coefficients\n"
               "  give restitution (1: elastic), or normal_damping and tangential_damping"},
         Fault{"damping_twice", "restitution = 0.9", "restitution = 0.9\nnormal_damping = \"1 1/m/s\"",
               "scene.toml:35:18: the contact of 'drug' and 'carrier' has its damping twice: as a restitution, at "
               "scene.toml:34:15, and as coefficients\n"
               "  give restitution, or normal_damping and tangential_damping"},
         Fault{"no_friction", "friction = 0.3\n", "",
-              "scene.toml:33:9: the contact of 'drug' and 'carrier': friction is missing, and the law 'mindlin' "
-              "has a tangential force\n"
+              "scene.toml:33:9: the contact of 'drug' and 'carrier': friction is missing, which the tangential "
+              "law 'mindlin' needs\n"
               "  add friction = 0.3 (Coulomb's coefficient), or friction = 0 for spheres that slide freely"},
         Fault{"negative_friction", "friction = 0.3", "friction = -0.3",
               "scene.toml:35:12: contact_pair.sticky.friction: found -0.3, expected at least 0\n"
@@ -257,27 +259,28 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:33:9: the scene has no part 'drg'\n  did you mean 'drug'?"},
         Fault{"three_parts", "[\"drug\", \"carrier\"]", "[\"drug\", \"carrier\", \"floor\"]",
               "scene.toml:33:9: contact_pair.sticky.parts: found a list of 3, expected two names\n"
-              "  name both parts; for contacts within one part name it twice"},
+              "  name both parts; name a part twice for contacts within it"},
         Fault{"walls_only", "[\"drug\", \"carrier\"]", "[\"floor\", \"floor\"]",
               "scene.toml:33:9: the contact of 'floor' and 'floor': both are walls, which do not touch each other\n"
               "  name at least one part of spheres"},
         Fault{"pair_twice", "parts = [\"any\", \"any\"]", "parts = [\"carrier\", \"drug\"]",
               "scene.toml:41:9: there is already a [[contact_pair]] of 'carrier' and 'drug', at scene.toml:33:9\n"
               "  leave one of them out"},
-        Fault{
-            "pair_missing", "parts = [\"any\", \"any\"]", "parts = [\"any\", \"floor\"]",
-            "scene.toml:16:8: spheres of 'drug' can touch each other, and no [[contact_pair]] says how\n"
-            "  add a [[contact_pair]] with parts = [\"drug\", \"drug\"], restitution and friction, or enabled = false"},
-        Fault{"pair_with_the_wall_missing", "parts = [\"any\", \"any\"]", "parts = [\"drug\", \"any\"]",
-              "scene.toml:26:8: 'carrier' and 'floor' can touch, and no [[contact_pair]] says how\n"
-              "  add a [[contact_pair]] with parts = [\"carrier\", \"floor\"], restitution and friction, or enabled = "
+        Fault{"pair_missing", "parts = [\"any\", \"any\"]", "parts = [\"any\", \"floor\"]",
+              "scene.toml:16:8: spheres of 'drug' can touch each other, but have no [[contact_pair]]\n"
+              "  add a [[contact_pair]] with parts = [\"drug\", \"drug\"], restitution and friction, or enabled = "
               "false"},
+        Fault{"pair_with_the_wall_missing", "parts = [\"any\", \"any\"]", "parts = [\"drug\", \"any\"]",
+              "scene.toml:26:8: 'carrier' and 'floor' can touch, but have no [[contact_pair]]\n"
+              "  add a [[contact_pair]] with parts = [\"carrier\", \"floor\"], restitution and friction, or "
+              "enabled = false"},
         Fault{"adhesion_of_no_strength", "pull_off_force = \"258 nN\"\n", "",
-              "scene.toml:36:12: the contact of 'drug' and 'carrier' adheres, and does not say how strongly\n"
+              "scene.toml:36:12: the contact of 'drug' and 'carrier' adheres, but the strength of the adhesion is "
+              "missing\n"
               "  give work_of_adhesion or pull_off_force"},
         Fault{"adhesion_twice", "pull_off_force = \"258 nN\"",
               "pull_off_force = \"258 nN\"\nwork_of_adhesion = \"1 mJ/m^2\"",
-              "scene.toml:36:12: the contact of 'drug' and 'carrier' says twice how strongly it adheres\n"
+              "scene.toml:36:12: the contact of 'drug' and 'carrier' gives the strength of its adhesion twice\n"
               "  give work_of_adhesion or pull_off_force"},
         Fault{"bradley_without_a_distance", "equilibrium_distance = \"0.4 nm\"\n", "",
               "scene.toml:36:12: the contact of 'drug' and 'carrier': equilibrium_distance is missing, which Bradley's "
@@ -299,7 +302,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"jkr_under_its_old_key", "adhesion = \"bradley\"", "adhesion = \"jkr\"",
               "scene.toml:36:12: contact_pair.sticky.adhesion: found \"jkr\", expected one of 'none', 'bradley' and "
               "'dmt'\n"
-              "  JKR's law is a normal law now: write normal = \"jkr\" and leave adhesion out"},
+              "  JKR's law is now a normal law: write normal = \"jkr\" and leave adhesion out"},
         Fault{"cut_off_too_early", "equilibrium_distance = \"0.4 nm\"",
               "equilibrium_distance = \"0.4 nm\"\nadhesion_cutoff = \"0.4 nm\"",
               "scene.toml:39:19: the contact of 'drug' and 'carrier': adhesion_cutoff is not more than "
@@ -312,7 +315,7 @@ TEST(WrongSpheres, beside_a_fluid) {
         "[[part]]\nname = \"beads\"\nkind = \"spheres\"\nradius = \"1 mm\"\nmass = \"1 g\"\n"
         "youngs_modulus = \"1 GPa\"\npoisson_ratio = 0\ncentres = [[0, 0, 0]]\n";
     EXPECT_EQ(fault_of("dimension = 3\n" + good_scene + spheres),
-              "scene.toml:13:8: spheres ('beads') and parts of kind 'fluid' ('blood') do not act on each other\n"
+              "scene.toml:13:8: spheres ('beads') and parts of kind 'fluid' ('blood') do not interact\n"
               "  leave one of them out of the scene");
 }
 
@@ -320,8 +323,8 @@ TEST(WrongSpheres, walls_for_spheres_without_spheres) {
     const std::string plane = "[[part]]\nname = \"floor\"\nkind = \"plane\"\npoint = [0, 0]\nnormal = [0, 0, 1]\n";
     EXPECT_EQ(fault_of(good_scene + plane),
               "scene.toml:48:8: part 'floor' is a wall for spheres, and the scene has none\n"
-              "  draw walls of a fluid and give them kind = \"rigid\"");
+              "  for walls of a fluid, use kind = \"rigid\"");
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_spheres_tests

@@ -5,7 +5,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/scene/scene_text.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_springs_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -29,16 +29,16 @@ TEST(SceneSprings, in_space_they_are_a_material) {
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"")), HasSubstr("'leaflets': youngs_modulus is missing"));
     EXPECT_THAT(fault_of(in_space("youngs_modulus = \"2 MPa\"")), HasSubstr("'leaflets': density is missing"));
     EXPECT_THAT(fault_of(in_space(strip)),
-                AllOf(HasSubstr("mass_per_length is of a strip in 2-D"), HasSubstr("give density")));
+                AllOf(HasSubstr("mass_per_length is for strips in 2-D"), HasSubstr("give density")));
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\ncross_bonds = true")),
-                HasSubstr("cross_bonds is of a strip in 2-D"));
+                HasSubstr("cross_bonds is for strips in 2-D"));
 }
 
 TEST(SceneSprings, in_the_plane_they_are_a_strip) {
     EXPECT_THAT(fault_of(scene_with("mass_per_length = \"0.42 kg/m\"\n", "")),
                 AllOf(HasSubstr("'leaflets': mass_per_length is missing"), HasSubstr("add mass_per_length")));
     EXPECT_THAT(fault_of(scene_with("mass_per_length", "density = \"1100 kg/m^3\"\nmass_per_length")),
-                HasSubstr("mass_per_length is of a strip, and density says that the part is an area"));
+                HasSubstr("mass_per_length is for strips, and a part with a density is an area"));
 }
 
 TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cross_bonds) {
@@ -48,7 +48,7 @@ TEST(SceneSprings, a_strip_may_have_a_shear_stiffness_and_then_no_say_about_cros
         fault_of(scene_with(strip, sheared + "\ncross_bonds = true")),
         AllOf(HasSubstr("part 'leaflets' has cross_bonds and shear_stiffness"), HasSubstr("leave out cross_bonds")));
     EXPECT_THAT(fault_of(in_space("density = \"1100 kg/m^3\"\nyoungs_modulus = \"2 MPa\"\nshear_stiffness = \"40 N\"")),
-                HasSubstr("shear_stiffness is of a strip in 2-D"));
+                HasSubstr("shear_stiffness is for strips in 2-D"));
 }
 
 TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {
@@ -56,12 +56,13 @@ TEST(SceneSprings, with_bonds_within_are_solids_of_one_poisson_ratio) {
     EXPECT_NEAR(*read_text(scene_with(strip, area)).parts[2].bonds_within, 1.5e-4, 1e-18);
     EXPECT_EQ(*read_text(scene_with(strip, area + "\npoisson_ratio = 0.25")).parts[2].poisson_ratio, 0.25);
     EXPECT_THAT(fault_of(scene_with(strip, area + "\npoisson_ratio = 0.2")),
-                AllOf(HasSubstr("give a Poisson ratio of 0.25 and no other"), HasSubstr("poisson_ratio = 0.25")));
-    EXPECT_THAT(fault_of(scene_with(strip, strip + "\nbonds_within = \"0.15 mm\"")),
-                AllOf(HasSubstr("bonds_within is of a solid, and this is a strip"), HasSubstr("draw an area")));
+                AllOf(HasSubstr("gives a Poisson's ratio of 0.25 only"), HasSubstr("poisson_ratio = 0.25")));
+    EXPECT_THAT(
+        fault_of(scene_with(strip, strip + "\nbonds_within = \"0.15 mm\"")),
+        AllOf(HasSubstr("bonds_within is for solids, and this is a strip"), HasSubstr("model the part as an area")));
     EXPECT_THAT(fault_of(in_space(area + "\nthickness = \"0.3 mm\"")),
-                AllOf(HasSubstr("this is a shell"), HasSubstr("draw a volume")));
+                AllOf(HasSubstr("this is a shell"), HasSubstr("model the part as a volume")));
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_springs_tests

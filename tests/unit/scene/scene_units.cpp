@@ -10,7 +10,7 @@
 #include "scene/units.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::scene_units_tests {
 namespace {
 
 Dimension dimension_of(const std::string& unit) { return Expected("1 " + unit).dimension(); }
@@ -121,7 +121,7 @@ TEST(QuantityError, faults_of_form) {
     EXPECT_EQ(message_for("fast", "m/s"),
               "--until: expected a number in \"fast\"\n  write a number and its unit, such as \"0.1 mm\"");
     EXPECT_EQ(message_for("mm", "m"),
-              "--until: found the unit \"mm\" without a number\n  write how many, such as \"1 mm\"");
+              "--until: found the unit \"mm\" without a number\n  write a number before it, such as \"1 mm\"");
     EXPECT_EQ(message_for("", "m"),
               "--until: expected a number in \"\"\n  write a number and its unit, such as \"0.1 mm\"");
     EXPECT_EQ(
@@ -158,4 +158,4 @@ TEST(QuantityError, points_into_the_text) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::scene_units_tests

@@ -12,7 +12,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_blow_ups_tests {
 namespace {
 
 using testing::AllOf;
@@ -194,4 +194,4 @@ TEST(BlowUps, a_drive_a_thousand_times_as_strong) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_blow_ups_tests

@@ -7,7 +7,7 @@
 #include "solver/elastic/body_change.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_body_change_tests {
 namespace {
 
 ParticleSpace space_of(bool periodic) {
@@ -177,4 +177,4 @@ TEST(BodyChange, a_walls_particle_that_holds_nothing_any_more_is_no_body) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_body_change_tests

@@ -8,7 +8,7 @@
 #include "solver/solidify/body_events.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_bond_breaking_tests {
 namespace {
 
 using Body = SpringNetwork<2>;
@@ -108,4 +108,4 @@ TEST(BondBreaking, a_chain_pulled_slowly_breaks_once_at_the_length_of_the_law) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_bond_breaking_tests

@@ -12,7 +12,7 @@
 #include "tests/unit/mesher/meshed_text.hpp"
 #include "tests/unit/solver/statics.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_bonded_solids_tests {
 namespace {
 
 constexpr double modulus = 1e6, width = 0.5, spacing = 0.03125;
@@ -133,4 +133,4 @@ TEST(BondedSolid, that_follows_what_is_drawn_is_nearly_as_stiff) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_bonded_solids_tests

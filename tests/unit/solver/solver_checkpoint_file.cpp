@@ -11,7 +11,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_checkpoint_file_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ TEST_F(CheckpointFile, AFullDiskKeepsTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_checkpoint_file_tests

@@ -17,7 +17,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_checkpoint_folder_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ TEST_F(KilledWriter, LeavesAGoodCheckpointWheneverItDies) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_checkpoint_folder_tests

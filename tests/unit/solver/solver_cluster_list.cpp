@@ -14,7 +14,7 @@
 #include "solver/neighbours/neighbours.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_cluster_list_tests {
 namespace {
 
 /// A neighbour as its owner and the whole periods it is away: what is left when copies have no numbers.
@@ -313,4 +313,4 @@ TEST(Neighbours, look_through_their_list_before_pairs_can_be_missed) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_cluster_list_tests

@@ -7,7 +7,7 @@
 #include "solver/implicit/conjugate_gradients.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_conjugate_gradients_tests {
 namespace {
 
 /// A matrix that is written down, preconditioned with its diagonal; the error is the residual's length.
@@ -95,4 +95,4 @@ TEST(ConjugateGradients, end_where_the_matrix_is_not_positive_or_no_number) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_conjugate_gradients_tests

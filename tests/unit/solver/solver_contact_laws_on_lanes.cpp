@@ -8,7 +8,7 @@
 #include "models/dem/contact_law.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_contact_laws_on_lanes_tests {
 namespace {
 
 using Wide = Vector<Lanes, 3>;
@@ -140,4 +140,4 @@ TEST(ContactLawsOnLanes, do_not_care_which_sphere_is_first) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_contact_laws_on_lanes_tests

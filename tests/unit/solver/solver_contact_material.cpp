@@ -14,7 +14,7 @@
 #include "models/dem/restitution.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_contact_material_tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -140,11 +140,11 @@ TEST(ContactMaterial, wrong_values_are_named) {
         for (const double wrong : {-1.0, nan, infinity})
             EXPECT_NE(message(drug, [&](ContactSettings& s) { s.*value = wrong; }), "no error");
     EXPECT_EQ(message(drug, [](ContactSettings& s) { s.friction = -0.5; }),
-              "the friction of a contact is -0.5; give it 0 or a number above it");
+              "the friction of a contact is -0.5; give it 0 or a positive number");
     EXPECT_EQ(message(drug, [](ContactSettings& s) { s.adhesion_range = 1e-10; }),
               "the range of adhesion is 1e-10; give it a number above the distance of adhesion [m]");
     EXPECT_EQ(message(drug, nothing), "no error");
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_contact_material_tests

@@ -13,7 +13,7 @@
 #include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_contact_stiffness_tests {
 namespace {
 
 constexpr double strength = 2, range = 0.1;
@@ -128,4 +128,4 @@ TEST(ContactStiffness, shortens_the_step_for_light_nodes_that_are_pressed_togeth
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_contact_stiffness_tests

@@ -11,7 +11,7 @@
 #include "tests/modules.hpp"
 #include "walled_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_couette_tests {
 namespace {
 
 constexpr double width = 1e-3, length = 4e-4, viscosity = 1e-6, density = 1000, lid_speed = 1.25e-5;
@@ -149,4 +149,4 @@ TEST(Couette, explain_names_the_lid) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_couette_tests

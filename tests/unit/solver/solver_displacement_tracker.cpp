@@ -8,7 +8,7 @@
 #include "solver/neighbours/displacement_tracker.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_displacement_tracker_tests {
 namespace {
 
 using Coordinates = std::vector<std::array<double, 3>>;
@@ -132,4 +132,4 @@ TEST(DisplacementTracker, is_measured_only_where_its_bound_says_too_far) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_displacement_tracker_tests

@@ -11,7 +11,7 @@
 #include "tests/unit/solver/small_scenes.hpp"
 #include "tests/unit/solver/walled_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_driving_tests {
 namespace {
 
 RunSummary run(const SceneAndParticles& made, int threads = 1) {
@@ -137,4 +137,4 @@ TEST(Driving, is_nothing_where_nobody_asks_for_it) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_driving_tests

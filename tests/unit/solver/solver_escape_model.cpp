@@ -11,7 +11,7 @@
 #include "models/dem/escape_model.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_escape_model_tests {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
@@ -100,4 +100,4 @@ TEST(EscapeModel, corrected_loses_all_at_high_speed_and_more_at_any_than_slower)
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_escape_model_tests

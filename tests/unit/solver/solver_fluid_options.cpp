@@ -15,7 +15,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_fluid_options_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -172,4 +172,4 @@ TEST(ViscosityMean, harmonic_keeps_shear_stress_continuous_between_two_fluids) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_fluid_options_tests

@@ -14,7 +14,7 @@
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_fluid_passes_tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -314,4 +314,4 @@ TEST(FluidPasses, of_no_fluid_have_no_speed) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_fluid_passes_tests

@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/driven_scenes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_forcing_tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -171,4 +171,4 @@ TEST(MovingShape, is_felt_by_its_parts_alone_and_across_a_period) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_forcing_tests

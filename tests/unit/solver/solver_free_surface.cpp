@@ -14,7 +14,7 @@
 #include "solver/run/sound_speed.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_free_surface_tests {
 namespace {
 
 constexpr double height = 1, gravity = 9.81, density = 1000;  // [m], [m/s^2], [kg/m^3]
@@ -188,4 +188,4 @@ TEST(FreeSurface, is_named_in_the_plan_with_what_minds_it) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_free_surface_tests

@@ -13,7 +13,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_implicit_viscosity_tests {
 namespace {
 
 constexpr double width = 1e-3, speed = 1e-5;
@@ -215,4 +215,4 @@ TEST(ImplicitViscosity, takes_its_limit_out_of_the_step_and_says_so) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_implicit_viscosity_tests

@@ -6,7 +6,7 @@
 #include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_inertial_mass_tests {
 namespace {
 
 /// Water that is pushed along x, with a rod in the place of two of its particles.
@@ -85,4 +85,4 @@ TEST(InertialMass, of_spring_nodes_resists_the_liquids_push) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_inertial_mass_tests

@@ -9,7 +9,7 @@
 #include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/solver/small_scenes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_joined_parts_tests {
 namespace {
 
 using namespace lattice_solids;
@@ -128,9 +128,9 @@ TEST(JoinedParts, of_a_join_that_the_scene_does_not_have_are_refused) {
         const InitialSprings drawn(blocks.set(), blocks.scene);
         FAIL() << "nobody minds";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("bonds of a [[join]] that the scene does not know"));
+        EXPECT_THAT(error.what(), HasSubstr("bonds of a [[join]] that is not in the scene"));
     }
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_joined_parts_tests

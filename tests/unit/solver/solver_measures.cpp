@@ -9,7 +9,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_measures_tests {
 namespace {
 
 Measure flux_line(const std::string& name, const Vec& from, const Vec& to) {
@@ -216,4 +216,4 @@ TEST(MeasureRows, come_at_measure_every_or_four_times_a_frame) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_measures_tests

@@ -7,7 +7,7 @@
 #include "solver/run/model_costs.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_model_costs_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -76,4 +76,4 @@ TEST(ModelCosts, take_about_the_time_they_are_given) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_model_costs_tests

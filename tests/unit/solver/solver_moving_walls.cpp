@@ -8,7 +8,7 @@
 #include "tests/modules.hpp"
 #include "walled_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_moving_walls_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -226,4 +226,4 @@ TEST(MovingWalls, are_told_by_explain) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_moving_walls_tests

@@ -17,7 +17,7 @@
 #include "solver/sweeps/point_reader.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_option_sweeps_tests {
 namespace {
 
 template <int N>
@@ -218,4 +218,4 @@ TYPED_TEST(OptionSweeps, stratified_fluid_is_shifted_and_diffused_less) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_option_sweeps_tests

@@ -20,7 +20,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_pair_laws_tests {
 namespace {
 
 using namespace one_pair;
@@ -376,4 +376,4 @@ TEST(PlainSolid, shows_the_solid_as_it_is) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_pair_laws_tests

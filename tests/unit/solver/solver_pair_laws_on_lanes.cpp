@@ -13,7 +13,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_pair_laws_on_lanes_tests {
 namespace {
 
 using namespace one_pair;
@@ -92,4 +92,4 @@ TEST_F(PairLawsOnLanes, walls_give_what_they_give_on_numbers) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_pair_laws_on_lanes_tests

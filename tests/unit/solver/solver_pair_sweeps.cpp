@@ -21,7 +21,7 @@
 #include "solver/sweeps/point_reader.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_pair_sweeps_tests {
 namespace {
 
 template <int D>
@@ -172,7 +172,8 @@ Sums sums_of_all_pairs(ParticleStore& particles, const ParticleSet& set, const P
 }
 
 /// How far sums may be from those of the oracle: each of their terms, fewer than 256, is rounded to 2^-46 of the
-/// largest that is expected (sweeps/reproducible_sum.hpp), that is by half of that at most. The laws' own rounding is less.
+/// largest that is expected (sweeps/reproducible_sum.hpp), that is by half of that at most. The laws' own rounding is
+/// less.
 struct Tolerance {
     double force, density_rate, shift;
 
@@ -349,4 +350,4 @@ TEST(PairSweeps, unit_that_is_no_unit_of_this_processor_is_an_error) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_pair_sweeps_tests

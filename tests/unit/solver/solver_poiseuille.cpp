@@ -10,7 +10,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_poiseuille_tests {
 namespace {
 
 constexpr double width = 1e-3, viscosity = 1e-6, acceleration = 1e-4, density = 1000;
@@ -126,4 +126,4 @@ TEST(Poiseuille, probe_follows_the_speed_in_the_middle) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_poiseuille_tests

@@ -7,7 +7,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_reproducible_tests {
 namespace {
 
 RunSummary run_on(const SceneAndParticles& made, const Resources& resources, double until) {
@@ -64,4 +64,4 @@ TEST(VeinValve, keeps_mass_and_accounts_for_all_momentum) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_reproducible_tests

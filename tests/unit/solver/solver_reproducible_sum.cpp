@@ -14,7 +14,7 @@
 #include "solver/sweeps/reproducible_sum.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_reproducible_sum_tests {
 namespace {
 
 constexpr double largest_term = 3.7;
@@ -222,4 +222,4 @@ INSTANTIATE_TEST_SUITE_P(Crowds, SumsOver,
                          });
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_reproducible_sum_tests

@@ -13,7 +13,7 @@
 #include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_run_tests {
 namespace {
 
 using testing::Contains;
@@ -417,10 +417,10 @@ TEST(Setup, part_the_scene_does_not_know_is_an_error) {
         const Simulation simulation(made.scene, made.particles, 1);
         FAIL() << "no error";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.problem(), "the particles have a part 'milk' that the scene does not know");
+        EXPECT_EQ(error.problem(), "the particles have a part 'milk' that is not in the scene");
         EXPECT_EQ(error.what_to_do(), "mesh the scene again");
     }
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_run_tests

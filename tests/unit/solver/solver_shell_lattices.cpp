@@ -19,7 +19,7 @@
 #include "tests/unit/solver/bodies_in_space.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_shell_lattices_tests {
 namespace {
 
 using namespace lattice_solids;
@@ -195,4 +195,4 @@ TEST(SpringBodiesInSpace, run_as_a_scene_with_the_same_bits_on_any_number_of_thr
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_shell_lattices_tests

@@ -10,7 +10,7 @@
 #include "tests/unit/solver/one_pair.hpp"
 #include "walled_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_slip_walls_tests {
 namespace {
 
 /// A channel, periodic in x, between walls of parts 1 (below) and 2 (above).
@@ -165,4 +165,4 @@ TEST(ExtrapolatedWall, law_of_one_pair_in_the_plane) { expect_the_law<2>(); }
 TEST(ExtrapolatedWall, law_of_one_pair_in_space) { expect_the_law<3>(); }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_slip_walls_tests

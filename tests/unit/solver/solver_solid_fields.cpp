@@ -8,7 +8,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_solid_fields_tests {
 namespace {
 
 using ::testing::ElementsAre;
@@ -164,4 +164,4 @@ TEST_F(AverageFromLater, is_the_displacement_until_then) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_solid_fields_tests

@@ -13,7 +13,7 @@
 #include "solver/solidify/bond_candidates.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_solidify_rules_tests {
 namespace {
 
 /// Particles at the points of a square lattice of spacing 1, the first seed in its middle; only the four nearest are
@@ -252,4 +252,4 @@ TEST(BondBreak, is_by_tension_alone_at_the_length_that_its_limit_says) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_solidify_rules_tests

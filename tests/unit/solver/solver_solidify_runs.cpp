@@ -8,7 +8,7 @@
 #include "tests/unit/solver/clot_scenes.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_solidify_runs_tests {
 namespace {
 
 RunSummary run(const SceneAndParticles& made, FrameSink* sink = nullptr) {
@@ -311,4 +311,4 @@ TEST(Solidify, refuses_what_the_particles_do_not_have) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_solidify_runs_tests

@@ -17,7 +17,7 @@
 #include "solver/parallel/each_of.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_space_order_tests {
 namespace {
 
 constexpr double spacing = 0.1;
@@ -288,4 +288,4 @@ TEST(SearchGrid, of_nobody_or_of_one_finds_them) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_space_order_tests

@@ -10,7 +10,7 @@
 #include "tests/unit/solver/dissolved.hpp"
 #include "tests/unit/solver/mirrored_water.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_species_tests {
 namespace {
 
 constexpr double dx = 0.1;
@@ -385,4 +385,4 @@ TEST(Shifting, leaves_behind_what_is_dissolved) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_species_tests

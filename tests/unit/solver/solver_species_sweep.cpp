@@ -13,7 +13,7 @@
 #include "solver/sweeps/pair_sweeps.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_species_sweep_tests {
 namespace {
 
 using Point = SpeciesPoint<double, 2>;
@@ -362,4 +362,4 @@ INSTANTIATE_TEST_SUITE_P(Solver, SpeciesSweepOf, testing::Combine(testing::Value
                          });
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_species_sweep_tests

@@ -11,7 +11,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_sphere_adhesion_tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -252,4 +252,4 @@ TEST(SphereAdhesion, friction_holds_where_adhesion_presses) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_sphere_adhesion_tests

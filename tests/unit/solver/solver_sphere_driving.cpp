@@ -9,7 +9,7 @@
 #include "sphere_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_sphere_driving_tests {
 namespace {
 
 constexpr double radius = 1e-3;
@@ -110,4 +110,4 @@ TEST(SphereDriving, is_named_among_the_models) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_sphere_driving_tests

@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_sphere_flight_tests {
 namespace {
 
 /// A crowd, or one in which a gravity that happens to be 0 keeps every sphere under a step's eyes.
@@ -95,4 +95,4 @@ TEST(SphereFlight, many_steps_are_the_same_bits_as_one_after_the_other) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_sphere_flight_tests

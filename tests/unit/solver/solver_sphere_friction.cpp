@@ -13,7 +13,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_sphere_friction_tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -262,4 +262,4 @@ TEST(SphereFriction, impacts_without_slip_conserve_energy_where_history_is_resca
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_sphere_friction_tests

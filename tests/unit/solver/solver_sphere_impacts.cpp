@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_sphere_impacts_tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -250,4 +250,4 @@ TEST(SphereImpacts, of_unlike_spheres_keep_both_momenta) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_sphere_impacts_tests

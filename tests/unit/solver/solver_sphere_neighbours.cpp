@@ -13,7 +13,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_sphere_neighbours_tests {
 namespace {
 
 TEST(SphereSearch, finds_what_all_pairs_find_at_a_size_ratio_of_twenty) {
@@ -128,4 +128,4 @@ TEST(SphereSkins, are_wide_for_the_fast_and_the_mean_on_average) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_sphere_neighbours_tests

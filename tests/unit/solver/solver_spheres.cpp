@@ -13,7 +13,7 @@
 #include "tests/unit/solver/lammps_spheres.hpp"
 #include "tests/unit/solver/sphere_scenes.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spheres_tests {
 namespace {
 
 std::vector<VectorUnit> units() { return available_vector_units(); }
@@ -340,4 +340,4 @@ TEST(SphereEngine, refuses_what_it_cannot_do) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spheres_tests

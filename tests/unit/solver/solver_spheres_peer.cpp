@@ -13,7 +13,7 @@
 #include "tests/unit/solver/lammps_spheres.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spheres_peer_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ TEST(SpheresPeer, lammps_on_this_machine_finds_the_same) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spheres_peer_tests

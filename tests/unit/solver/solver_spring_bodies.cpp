@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_bodies_tests {
 namespace {
 
 const Ranks alone = Ranks::alone();
@@ -47,8 +47,7 @@ TEST(SpringBodies, part_the_scene_does_not_know_is_an_error) {
         const SpringBodies bodies(set, scene, alone);
         FAIL() << "no error";
     } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.problem()),
-                  "the particles have an elastic solid 'beam' that the scene does not know");
+        EXPECT_EQ(std::string(error.problem()), "the particles have an elastic solid 'beam' that is not in the scene");
         EXPECT_EQ(error.what_to_do(), "mesh the scene again");
     }
 }
@@ -158,4 +157,4 @@ TEST(SpringBodies, node_goes_to_a_multiple_of_the_quantum_wherever_it_was_wrappe
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_bodies_tests

@@ -13,7 +13,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_body_tests {
 namespace {
 
 class LadderWith : public testing::TestWithParam<double> {};
@@ -114,4 +114,4 @@ TEST(SpringBody, is_stable_below_its_step_limit_and_not_above) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_body_tests

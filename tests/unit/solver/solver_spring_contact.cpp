@@ -14,7 +14,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_contact_tests {
 namespace {
 
 constexpr double strength = 1e-2;
@@ -149,4 +149,4 @@ TEST(Contact, two_leaflets_do_not_pass_through_each_other) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_contact_tests

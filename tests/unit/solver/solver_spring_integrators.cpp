@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_integrators_tests {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -183,4 +183,4 @@ TEST(SpringPlate, swings_with_the_period_of_the_oscillating_plate) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_integrators_tests

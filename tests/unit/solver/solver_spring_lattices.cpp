@@ -19,7 +19,7 @@
 #include "tests/unit/solver/lattice_solids.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_lattices_tests {
 namespace {
 
 using namespace lattice_solids;
@@ -204,4 +204,4 @@ TEST(CubeLattice, refuses_what_it_cannot_be) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_lattices_tests

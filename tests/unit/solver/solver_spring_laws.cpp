@@ -12,7 +12,7 @@
 #include "models/springs/hinge_force.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_laws_tests {
 namespace {
 
 using V2 = Vector<double, 2>;
@@ -208,4 +208,4 @@ TEST(HingeForce, chain_bent_to_a_closed_ring_needs_the_moment_of_theory) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_laws_tests

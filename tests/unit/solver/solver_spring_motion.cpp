@@ -10,7 +10,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/ladder_body.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_motion_tests {
 namespace {
 
 enum class Stepping { subcycled, implicit };
@@ -221,4 +221,4 @@ TEST(SpringBody, both_ways_to_step_give_the_same_large_motion) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_motion_tests

@@ -17,7 +17,7 @@
 #include "tests/unit/temporary_files.hpp"
 #include "tests/unit/thrown.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_network_tests {
 namespace {
 
 using V3 = Vector<double, 3>;
@@ -317,4 +317,4 @@ TEST(SpringNetwork, a_ring_closes_under_end_moments_in_the_plane_and_in_space) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_network_tests

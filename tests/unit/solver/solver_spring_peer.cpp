@@ -14,7 +14,7 @@
 #include "tests/unit/solver/statics.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_spring_peer_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +132,4 @@ TEST(SpringPeer, lammps_on_this_machine_finds_the_same) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_spring_peer_tests

@@ -12,7 +12,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/bodies_in_space.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_springs_in_space_tests {
 namespace {
 
 using namespace lattice_solids;
@@ -154,4 +154,4 @@ TEST(SelfContactInSpace, keeps_two_sheets_of_a_body_apart) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_springs_in_space_tests

@@ -8,7 +8,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/lattice_solids.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_square_lattices_tests {
 namespace {
 
 using namespace lattice_solids;
@@ -131,4 +131,4 @@ TEST(SquareLattice, bends_as_a_plate) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_square_lattices_tests

@@ -9,7 +9,7 @@
 #include "solver/run/starting_state.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_starting_state_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -139,4 +139,4 @@ TEST(TaylorGreen, StartsWithItsEnergyAndLosesItAtFirstAsTheory) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_starting_state_tests

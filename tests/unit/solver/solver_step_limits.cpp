@@ -8,7 +8,7 @@
 #include "solver/time/step_limits.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_step_limits_tests {
 namespace {
 
 using testing::ElementsAre;
@@ -66,4 +66,4 @@ TEST(StepLimits, the_shortest_rules) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_step_limits_tests

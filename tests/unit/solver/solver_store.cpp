@@ -11,7 +11,7 @@
 #include "particles/periodic_images.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_store_tests {
 namespace {
 
 using testing::ElementsAre;
@@ -225,4 +225,4 @@ TEST_F(Group, reordered_by_some_of_its_particles_loses_the_others) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_store_tests

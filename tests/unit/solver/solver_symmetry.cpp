@@ -8,7 +8,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_symmetry_tests {
 namespace {
 
 /// Position and velocity by where the particle was drawn, in whole lattice cells.
@@ -102,4 +102,4 @@ TEST(Symmetry, is_told_by_explain) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_symmetry_tests

@@ -8,7 +8,7 @@
 #include "tests/modules.hpp"
 #include "tests/unit/solver/one_pair.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_viscous_laws_tests {
 namespace {
 
 using namespace one_pair;
@@ -94,4 +94,4 @@ TEST(ClearyViscosity, has_the_exact_shear_viscosity_on_the_lattice) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_viscous_laws_tests

@@ -8,7 +8,7 @@
 #include "small_scenes.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_viscous_springs_tests {
 namespace {
 
 constexpr double stretch = 0.002, rest_length = 0.1;
@@ -78,4 +78,4 @@ TEST(ViscousSprings, creep_with_the_same_bits_on_any_threads) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_viscous_springs_tests

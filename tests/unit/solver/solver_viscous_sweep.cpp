@@ -16,7 +16,7 @@
 #include "solver/sweeps/point_reader.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_viscous_sweep_tests {
 namespace {
 
 /// Viscous forces on all particles of the velocities in `field`, one pair after another in plain numbers.
@@ -213,4 +213,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, ViscousSweepOf,
                          name_of);
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_viscous_sweep_tests

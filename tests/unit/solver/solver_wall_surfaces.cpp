@@ -10,7 +10,7 @@
 #include "tests/unit/solver/equal_frames.hpp"
 #include "tests/unit/temporary_files.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_wall_surfaces_tests {
 namespace {
 
 ParticleSpace room() {
@@ -76,4 +76,4 @@ TEST(WallSurfaces, keep_their_triangles_when_they_are_sorted_and_stored) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_wall_surfaces_tests

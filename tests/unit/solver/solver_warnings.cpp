@@ -6,7 +6,7 @@
 #include "solver/run/warnings.hpp"
 #include "tests/modules.hpp"
 
-namespace dmp::tests {
+namespace dmp::tests::solver_warnings_tests {
 namespace {
 
 using ::testing::AllOf;
@@ -222,4 +222,4 @@ TEST(Warnings, of_missing_contact_count_bodies) {
 }
 
 }  // namespace
-}  // namespace dmp::tests
+}  // namespace dmp::tests::solver_warnings_tests
