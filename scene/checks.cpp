@@ -99,6 +99,36 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
             "write spring_stepping = \"implicit\"");
 }
 
+/// What only one of the fluid's schemes can do.
+void need_what_the_scheme_supports(const Scene& scene) {
+    const auto& numerics = scene.numerics;
+    const auto refuse = [&](const SourceLocation& location, const std::string& key) {
+        const std::string scheme = to_string(*numerics.scheme);
+        throw InputError(first_known(scene, {&location, &numerics.scheme.location}),
+                         "numerics.scheme = \"" + scheme + "\" does not support numerics." + key,
+                         "leave it out, or write scheme = \"" +
+                             to_string(*numerics.scheme == FluidScheme::corrected ? FluidScheme::plain
+                                                                                  : FluidScheme::corrected) +
+                             "\"");
+    };
+    const bool needs_gradient = numerics.viscous_law->visit([]<class Law>() { return models::needs_gradient<Law>(); });
+    switch (*numerics.scheme) {
+        case FluidScheme::corrected:
+            if (*numerics.density == DensityModel::summation)
+                refuse(numerics.density.location, "density = \"summation\"");
+            if (*numerics.transport_velocity)
+                refuse(numerics.transport_velocity.location, "transport_velocity = true");
+            if (*numerics.gradient_correction)
+                refuse(numerics.gradient_correction.location, "gradient_correction = true");
+            if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
+            return;
+        case FluidScheme::plain:
+            if (numerics.viscous_law.given() && needs_gradient)
+                refuse(numerics.viscous_law.location, "viscous_law = \"" + to_string(*numerics.viscous_law) + "\"");
+            return;
+    }
+}
+
 /// Terms that exclude each other: an error if both are given; a default is turned off instead.
 void need_terms_that_go_together(const Scene& scene) {
     const auto& numerics = scene.numerics;
@@ -352,6 +382,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     check_driving(scene);
     need_largest_speed(scene, document);
     need_what_implicit_viscosity_solves(scene);
+    need_what_the_scheme_supports(scene);
     need_terms_that_go_together(scene);
     need_axis_in_space(scene);
     need_arrangement_in_plane(scene);
@@ -375,6 +406,8 @@ void check_scene(const Scene& scene, const TomlNode& document) {
 }
 
 void switch_off_what_gives_way(Scene& scene) {
+    if (*scene.numerics.scheme == FluidScheme::corrected && !scene.numerics.viscous_law.given())
+        scene.numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
     if (*scene.numerics.density == DensityModel::summation) scene.numerics.density_diffusion.value = 0;
     if (*scene.numerics.transport_velocity) scene.numerics.shifting.value = 0;
 }

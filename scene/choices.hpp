@@ -34,6 +34,8 @@ enum class BoxSide { x_low, x_high, y_low, y_high, z_low, z_high };
 [[nodiscard]] inline int axis_of(BoxSide side) { return static_cast<int>(side) / 2; }
 [[nodiscard]] inline bool is_high(BoxSide side) { return static_cast<int>(side) % 2 != 0; }
 enum class WallModel { extrapolated, plain };
+/// How density rates follow from velocities, and when in a step (docs/accuracy.md).
+enum class FluidScheme { corrected, plain };
 enum class DensityModel { continuity, summation };
 enum class ViscosityMean { harmonic, arithmetic };
 enum class SpringStepping { implicit, subcycled };
@@ -106,6 +108,8 @@ inline constexpr auto enum_names<scene::BoxSide> = std::to_array<std::string_vie
                                                                                     "y_high", "z_low", "z_high"});
 template <>
 inline constexpr auto enum_names<scene::WallModel> = std::to_array<std::string_view>({"extrapolated", "plain"});
+template <>
+inline constexpr auto enum_names<scene::FluidScheme> = std::to_array<std::string_view>({"corrected", "plain"});
 template <>
 inline constexpr auto enum_names<scene::DensityModel> = std::to_array<std::string_view>({"continuity", "summation"});
 template <>

@@ -62,6 +62,7 @@ struct Scene {
     } contact;
 
     struct {
+        Value<FluidScheme> scheme = FluidScheme::plain;
         Value<KernelKind> kernel = KernelKind::wendland_c2;
         Value<double> support = 3.0;      ///< support radius [spacings]
         Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": flow.largest_speed / mach_number

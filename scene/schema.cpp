@@ -220,6 +220,9 @@ std::vector<Key<Numerics>> numerics_keys() {
          "largest pressure."},
         {"mach_number", &Numerics::mach_number, number(Range{0.01, 0.3, false, {}}), ByQuality{"0.15", "0.1", "0.1"},
          "Largest speed divided by the speed of sound, if that is \"auto\"; the density varies by about its square."},
+        {"scheme", &Numerics::scheme, one_of<FluidScheme>(), "plain",
+         "Scheme of the fluid: \"corrected\" takes density rates from the velocity gradient corrected to first order, "
+         "and subtracts the level of the pressure; \"plain\" is that of the published studies."},
         {"walls", &Numerics::walls, one_of<WallModel>(), "extrapolated",
          "Wall particles: \"extrapolated\" takes their pressure and velocity from the fluid, \"plain\" treats them "
          "as fluid at rest."},

@@ -21,7 +21,13 @@ struct Vector {
     }
     static Vector zero() {
         Vector v;
-        for (int a = 0; a < D; ++a) v.c[a] = T(0.0);
+        for (int a = 0; a < D; ++a) {
+            if constexpr (requires { T::zero(); }) {
+                v.c[a] = T::zero();
+            } else {
+                v.c[a] = T(0.0);
+            }
+        }
         return v;
     }
 };

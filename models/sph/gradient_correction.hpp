@@ -52,6 +52,14 @@ struct GradientCorrection {
     /// E = M^-1 - 1, or 0.
     template <class T, int D>
     static Symmetric<T, D> excess(const Symmetric<T, D>& m) {
+        Symmetric<T, D> e = inverse(m, smallest_determinant);
+        for (int a = 0; a < D; ++a) e.diagonal[a] = e.diagonal[a] - T(1.0);
+        return e;
+    }
+
+    /// M^-1, or 1 where det M is below `smallest`.
+    template <class T, int D>
+    static Symmetric<T, D> inverse(const Symmetric<T, D>& m, double smallest) {
         Symmetric<T, D> adjugate;
         T determinant;
         const auto& [d, o] = m;
@@ -63,12 +71,14 @@ struct GradientCorrection {
             adjugate.off = {{o[2] * o[1] - o[0] * d[2], o[0] * o[2] - o[1] * d[0], o[0] * o[1] - o[2] * d[1]}};
             determinant = d[0] * adjugate.diagonal[0] + o[0] * adjugate.off[0] + o[2] * adjugate.off[2];
         }
-        const T least = T(smallest_determinant);
-        const auto unless_few = [&](const T& value) { return where_less(determinant, least, T(0.0), value); };
-        Symmetric<T, D> e;
-        for (int a = 0; a < D; ++a) e.diagonal[a] = unless_few(adjugate.diagonal[a] / determinant - T(1.0));
-        for (int k = 0; k < Symmetric<T, D>::off_diagonals; ++k) e.off[k] = unless_few(adjugate.off[k] / determinant);
-        return e;
+        const auto unless_few = [&](const T& value, double otherwise) {
+            return where_less(determinant, T(smallest), T(otherwise), value);
+        };
+        Symmetric<T, D> b;
+        for (int a = 0; a < D; ++a) b.diagonal[a] = unless_few(adjugate.diagonal[a] / determinant, 1.0);
+        for (int k = 0; k < Symmetric<T, D>::off_diagonals; ++k)
+            b.off[k] = unless_few(adjugate.off[k] / determinant, 0.0);
+        return b;
     }
 
     /// Correction of the force on i due to the pressure of one particle of the pair, i or j [N]. It is evaluated for

@@ -16,6 +16,8 @@ struct NoTerm {
 
 /// No viscous force, for sweeps whose viscous forces are computed elsewhere.
 struct NoViscosity {
+    static constexpr bool needs_gradient = false;
+
     template <class P>
     static NoTerm law(const P& /*pair*/) {
         return {};

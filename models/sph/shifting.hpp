@@ -29,8 +29,13 @@ struct Shifting {
 
     template <class P>
     [[nodiscard]] auto law(const P& p, const Kernel& kernel) const {
-        const auto ratio = kernel.value(p.distance) * inverse_kernel_at_spacing;
-        return (0.2 * square(square(ratio)) + 1.0) * ((p.j.volume * p.slope) * p.separation);
+        return factor(p.distance, kernel) * ((p.j.volume * p.slope) * p.separation);
+    }
+    /// 1 + 0.2 (W_ij / W(dx))^4
+    template <class T>
+    [[nodiscard]] auto factor(const T& distance, const Kernel& kernel) const {
+        const auto ratio = kernel.value(distance) * inverse_kernel_at_spacing;
+        return 0.2 * square(square(ratio)) + 1.0;
     }
 
     /// Term of the divergence of position [-].
@@ -50,6 +55,9 @@ struct Shifting {
     static double speed(double quartic_mean, double largest) { return std::min(2.5 * quartic_mean, largest); }
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx; with U [m/s].
     [[nodiscard]] double step(double speed, double dt) const { return -strength * speed * dt * support; }
+    /// The same at the limit of what is stable, s U dt / R = 0.1 whatever the flow and the step (corrected scheme):
+    /// dx_i = - 0.1 R^2 SUM_j ... [m^2]. Fluid at rest is kept evenly spread too. `strength` 4 is the limit.
+    [[nodiscard]] double step_at_limit() const { return -0.025 * strength * support * support; }
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
 

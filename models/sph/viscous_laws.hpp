@@ -7,6 +7,7 @@
 #include "models/sph/cleary_viscosity.hpp"
 #include "models/sph/monaghan_viscosity.hpp"
 #include "models/sph/morris_viscosity.hpp"
+#include "models/sph/newtonian_viscosity.hpp"
 #include "models/sph/viscosity_means.hpp"
 
 namespace dmp::models {
@@ -17,12 +18,24 @@ namespace dmp::models {
 ///   on_lattice(scales)      ratio of effective to specified viscosity on the undisturbed lattice [-]
 ///   detail(nu, c0)          added text of `dmp explain` for a fluid of kinematic viscosity nu [m^2/s]; may be empty
 ///   linear                  whether the force is linear in the velocities, as implicit stepping requires
-using ViscousLaws = Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity>;
+///   needs_gradient          whether it reads the corrected velocity gradient (left out: false)
+using ViscousLaws = Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity,
+                             NewtonianViscosity>;
 using ViscousLaw = Choice<ViscousLaws>;
+
+template <class Law>
+constexpr bool needs_gradient() {
+    if constexpr (requires { Law::needs_gradient; }) {
+        return Law::needs_gradient;
+    } else {
+        return false;
+    }
+}
 
 /// A law combined with a mean, as the sweeps apply it.
 template <class Law, class Mean>
 struct ViscousTerm {
+    static constexpr bool needs_gradient = models::needs_gradient<Law>();
     Law law_of_pair;
 
     template <class P>
@@ -31,10 +44,30 @@ struct ViscousTerm {
     }
 };
 
+/// The two parts of the Newtonian law, where the first is solved for implicitly.
+template <class Mean>
+struct NewtonianVelocityTerm {
+    static constexpr bool needs_gradient = true;
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        return NewtonianViscosity::law_of_velocities(p, Mean::twice(p.i.viscosity, p.j.viscosity));
+    }
+};
+template <class Mean>
+struct NewtonianGradientTerm {
+    static constexpr bool needs_gradient = true;
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        return NewtonianViscosity::law_of_gradients(p, Mean::twice(p.i.viscosity, p.j.viscosity));
+    }
+};
+
 /// Any law of the registry with either mean, chosen at run time: one compiled loop for all combinations but the
 /// default.
 class AnyViscousTerm {
   public:
+    static constexpr bool needs_gradient = false;
+
     AnyViscousTerm(ViscousLaw choice, const ViscousScales& scales, bool arithmetic_mean)
         : AnyViscousTerm(choice, scales, arithmetic_mean, std::make_index_sequence<ViscousLaws::size>{}) {}
 

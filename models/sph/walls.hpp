@@ -24,6 +24,9 @@ auto image_fluid_of(const S& solid, const F& fluid) {
     liquid.density = fluid.density;
     liquid.pressure = fluid.pressure;
     liquid.viscosity = fluid.viscosity;
+    liquid.correction = fluid.correction;
+    for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) liquid.gradient[a][b] = fluid.gradient[a][b];
     return liquid;
 }
 
@@ -52,6 +55,7 @@ struct ExtrapolatedSolid {
     Vector<double, D> acceleration;  ///< current body acceleration g of the fluid [m/s^2]
     double nearest;                  ///< smallest distance to the surface used for a fluid particle: dx/2 [m]
     Vector<double, D> driven{};      ///< the part of g along periodic axes; needed with slip [m/s^2]
+    Vector<double, D> subtracted{};  ///< slope of the reference that the fluid's pressures are less of [Pa/m]
 
     template <class F, class S, class Separation>
     [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
@@ -73,6 +77,7 @@ struct ExtrapolatedSolid {
         } else {
             liquid.pressure = liquid.pressure - fluid.density * dot(acceleration, from_wall);
         }
+        liquid.pressure = liquid.pressure + dot(subtracted, from_wall);
         return liquid;
     }
 

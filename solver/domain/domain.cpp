@@ -89,14 +89,17 @@ void Domain::mirror_back(ParticleGroup& fluid) const {
         for (const bool high : {false, true}) {
             if (!mirrored_[axis][high ? 1 : 0]) continue;
             const double plane = high ? space_.high[axis] : space_.low[axis];
+            std::array<bool, 3> across{};
+            across[axis] = true;
             double* x = fluid.data(Field::position, axis);
             const auto beyond =
                 select(fluid.owned(), threads_, [=](std::size_t i) { return high ? x[i] > plane : x[i] < plane; });
             for (const std::int32_t i : beyond) {
                 x[i] = 2 * plane - x[i];
                 for (const Field field : fluid.state())
-                    if (info(field).is_vector && field != Field::position)
-                        fluid.data(field, axis)[i] = -fluid.data(field, axis)[i];
+                    for (int array = 0; array < fluid.axes(field); ++array)
+                        if (field != Field::position && changes_sign(field, array, dimension_, across))
+                            fluid.data(field, array)[i] = -fluid.data(field, array)[i];
             }
         }
 }

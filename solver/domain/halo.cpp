@@ -148,7 +148,7 @@ void Halo::copy_values(const Outgoing& outgoing, const ParticleGroup& group, Fie
     const std::int32_t* sources = outgoing.sources.data();
     std::size_t begin = 0;
     for (const Run& run : outgoing.runs) {
-        const bool mirrored = info(field).is_vector && run.image.mirrored[axis];
+        const bool mirrored = changes_sign(field, axis, group.dimension(), run.image.mirrored);
         const double shift = field == Field::position ? run.image.shift[axis] : 0;
         if (mirrored)
 #pragma omp parallel for num_threads(threads_) schedule(static) if (run.end - begin >= worth_threads)

@@ -179,21 +179,25 @@ SpringImpulses SpringBodies::advance(ParticleStore& particles, double dt, int th
     return sum;
 }
 
-double SpringBodies::show_positions(ParticleStore& particles) const {
+double SpringBodies::show_positions(ParticleStore& particles, double from, double to) const {
     const PositionQuantum& quantum = particles.quantum();
     double farthest = 0;
     // The store's positions may have been moved by whole periods, so add the displacement.
     show(particles, Field::position, [&](const SpringBody& body, std::size_t node) {
         const Vec now = body.position(node), before = body.position_before(node);
+        const auto at = [&](double share, int axis) {
+            if (share == 0) return quantum.round(before[axis]);
+            if (share == 1) return quantum.round(now[axis]);
+            return quantum.round(before[axis] + share * (now[axis] - before[axis]));
+        };
         Vec way = Vec::Zero();
-        for (int axis = 0; axis < dimension_; ++axis)
-            way[axis] = quantum.round(now[axis]) - quantum.round(before[axis]);
+        for (int axis = 0; axis < dimension_; ++axis) way[axis] = at(to, axis) - at(from, axis);
         return way;
     });
     for (const auto& body : bodies_)
         for (std::size_t node = 0; node < body->nodes(); ++node)
             farthest = std::max(farthest, (body->position(node) - body->position_before(node)).squaredNorm());
-    return std::sqrt(farthest);
+    return (to - from) * std::sqrt(farthest);
 }
 
 }  // namespace dmp::solver

@@ -50,8 +50,9 @@ class SpringBodies {
     /// list [1/s^2] (contact_stiffness.hpp). All ranks must call it.
     [[nodiscard]] double largest_contact_rate(const ParticleStore& particles, const ClusterList& list,
                                               int threads) const;
-    /// Copies the positions after the last advance to the store. Returns the largest displacement of a node [m].
-    double show_positions(ParticleStore& particles) const;
+    /// Moves the nodes in the store from one part of the way that the last advance made to another, each a share of it
+    /// [-]. Returns the largest displacement of a node [m].
+    double show_positions(ParticleStore& particles, double from = 0, double to = 1) const;
 
     /// Creates, joins and cuts bodies. Bodies and node numbers change: call find_nodes() and number_particles()
     /// again. Bodies that the change does not affect keep all their state. `space` must have the periods used for

@@ -25,6 +25,11 @@ class Neighbours {
         since_pruning_.add(distance);
         ++half_steps_;
     }
+    /// The same besides what a half step moves them by.
+    void moved_besides(double distance) {
+        since_list_.add(distance);
+        since_pruning_.add(distance);
+    }
     /// True if the list may miss pairs. All ranks must call it.
     [[nodiscard]] bool outdated(const ParticleStore& particles) {
         return list_.empty() || since_list_.beyond(skin_ / 2, [&] { return farthest_gone(particles, listed_at_); });

@@ -35,11 +35,11 @@ FluidValues FluidFields::each(const char* name, const char* unit, int components
 FluidValues FluidFields::stored(Field field) const {
     const ParticleGroup& fluid = particles_.fluid();
     const FieldInfo& about = info(field);
-    FluidValues out{std::string(about.name), std::string(about.unit), about.is_vector ? 3 : 1, {}};
+    FluidValues out{std::string(about.name), std::string(about.unit), about.shape == FieldShape::vector ? 3 : 1, {}};
     for (std::size_t i = 0; i < fluid.owned(); ++i)
         for (int axis = 0; axis < out.components; ++axis) {
             const double value = axis == 0 || axis < fluid.dimension() ? fluid.data(field, axis)[i] : 0.0;
-            const bool turned = about.is_vector && is_shown_mirrored(fluid, particles_.space(), axis, i);
+            const bool turned = about.shape == FieldShape::vector && is_shown_mirrored(fluid, particles_.space(), axis, i);
             out.values.push_back(turned ? -value : value);
         }
     return out;

@@ -17,7 +17,7 @@ namespace {
 /// Fields over this rank's particles of one kind, in the store's order.
 FrameField stored_field(const ParticleGroup& particles, Field field) {
     const FieldInfo& about = info(field);
-    FrameField out{std::string(about.name), std::string(about.unit), about.is_vector ? 3 : 1, {}};
+    FrameField out{std::string(about.name), std::string(about.unit), about.shape == FieldShape::vector ? 3 : 1, {}};
     for (std::size_t i = 0; i < particles.owned(); ++i)
         for (int axis = 0; axis < out.components; ++axis)
             out.values.push_back(

@@ -16,10 +16,12 @@ std::vector<VectorUnit> available_vector_units() {
         throw ResourceError("this processor has no AVX2 and FMA instructions, which dmp is built with",
                             "use a processor of 2013 or later (Intel Haswell, AMD Excavator)");
     units.push_back(VectorUnit::avx2);
+#if defined(DMP_HAS_AVX512)
     if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
         __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
         __builtin_cpu_supports("avx512cd") != 0)
         units.push_back(VectorUnit::avx512);
+#endif
 #else
     units.push_back(VectorUnit::generic);
 #endif
@@ -30,8 +32,10 @@ VectorUnit chosen_vector_unit(VectorUnit asked) {
     const std::vector<VectorUnit> units = available_vector_units();
     if (asked == VectorUnit::widest) return units.back();
     if (std::find(units.begin(), units.end(), asked) == units.end())
-        throw ResourceError("this processor has no " + std::string(to_string(asked)) + " instructions",
-                            "leave the vector unit out: dmp then uses the widest one available");
+        throw ResourceError("this processor has no " + std::string(to_string(asked)) +
+                                " instructions, or dmp was built without them",
+                            "leave the vector unit out: dmp then uses the widest one available; -DDMP_PORTABLE=ON builds "
+                            "for all of them");
     return asked;
 }
 

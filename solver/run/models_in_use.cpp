@@ -135,6 +135,12 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
         add("continuity", "Monaghan 1994, in volume form", fluid);
     }
     add("pressure force", "Bonet & Lok 1999", fluid);
+    if (settings.corrected)
+        add("velocity gradient", "corrected to first order: Bonet & Lok 1999, eq. 29; gives the density rate",
+            because(numerics.scheme, "numerics.scheme"));
+    if (settings.corrected && !settings.free_surface)
+        add("pressure level", "mean and hydrostatic slope, subtracted in the forces",
+            because(numerics.scheme, "numerics.scheme"));
     add("viscous force", viscous_source(scene_, settings, sweeps.viscous_scales()),
         settings.viscosity.law == ViscousLaw() ? because(fluids.front()->viscosity, "viscosity")
                                                : because(numerics.viscous_law, "numerics.viscous_law"));
@@ -146,13 +152,16 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
             because(numerics.gradient_correction, "numerics.gradient_correction"));
     if (settings.density.diffusion > 0)
         add("density diffusion",
-            settings.hydrostatic ? "Molteni & Colagrossi 2009, less what is hydrostatic: Fourtakas et al. 2019"
-                                 : "Molteni & Colagrossi 2009",
+            settings.corrected     ? "Antuono et al. 2010: less what a smooth density has"
+            : settings.hydrostatic ? "Molteni & Colagrossi 2009, less what is hydrostatic: Fourtakas et al. 2019"
+                                   : "Molteni & Colagrossi 2009",
             because(numerics.density_diffusion, "numerics.density_diffusion"));
     if (settings.shifting > 0)
         add("particle shifting",
-            settings.hydrostatic ? "after Sun et al. 2017; not across a free surface: Mokos et al. 2017"
-                                 : "after Sun et al. 2017",
+            settings.corrected && !settings.free_surface
+                ? "after Sun et al. 2017, at its stable limit; velocity and density follow by their gradients"
+            : settings.hydrostatic ? "after Sun et al. 2017; not across a free surface: Mokos et al. 2017"
+                                   : "after Sun et al. 2017",
             because(numerics.shifting, "numerics.shifting"));
     if (settings.transport_velocity)
         add("transport velocity", "Adami, Hu & Adams 2013",

@@ -21,6 +21,28 @@ bool has_unlike_viscosities(const Scene& scene) {
                        [&](const Part* part) { return *part->viscosity != *fluids.front()->viscosity; });
 }
 
+bool are_alike(const Part& a, const Part& b) { return *a.viscosity == *b.viscosity && *a.density == *b.density; }
+
+bool has_unlike_fluids(const Scene& scene) {
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    return std::ranges::any_of(fluids, [&](const Part* part) { return !are_alike(*part, *fluids.front()); });
+}
+
+/// By part: the number of the first fluid part that is alike.
+std::vector<double> fluid_numbers(const Scene& scene, const ParticleSet& set) {
+    std::vector<double> numbers;
+    for (const auto& part : set.parts) {
+        double number = 0;
+        if (part.kind == PartKind::fluid)
+            for (const Part* fluid : scene.parts_of(PartKind::fluid)) {
+                if (are_alike(*fluid, scene.part_of_particles(part.name))) break;
+                ++number;
+            }
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
 double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
@@ -38,6 +60,8 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     PairSettings settings;
     settings.kernel = scene.numerics.kernel;
     settings.walls.model = scene.numerics.walls;
+    settings.corrected = *scene.numerics.scheme == FluidScheme::corrected;
+    settings.several_fluids = has_unlike_fluids(scene);
     settings.viscosity.law = scene.numerics.viscous_law;
     settings.viscosity.mean = scene.numerics.viscosity_mean;
     settings.viscosity.unlike = has_unlike_viscosities(scene);
@@ -82,7 +106,8 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
         const Expression& g = scene.flow.acceleration[axis];
         if (!set.periodic[axis] && !set.is_mirrored(axis) && !g.is_zero()) settings.hydrostatic = true;
     }
-    if (!settings.hydrostatic) settings.hydrostatic = has_free_surface(set, settings.threads);
+    if (settings.corrected || !settings.hydrostatic) settings.free_surface = has_free_surface(set, settings.threads);
+    settings.hydrostatic = settings.hydrostatic || settings.free_surface;
     return settings;
 }
 
@@ -107,6 +132,7 @@ std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
 
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
     const std::vector<double> densities = rest_densities(scene, set);
+    const std::vector<double> fluids = fluid_numbers(scene, set);
     std::vector<double> viscosities, slips;
     for (const auto& part : set.parts) {
         slips.push_back(part.kind == PartKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
@@ -121,6 +147,8 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
                     value_of(group.tags()[i].part, static_cast<std::size_t>(group.tags()[i].id));
         };
         fill(Field::density, 0, [&](std::size_t part, std::size_t) { return densities[part]; });
+        fill(Field::fluid_number, 0, [&](std::size_t part, std::size_t) { return fluids[part]; });
+        fill(Field::mean_correction, 0, [](std::size_t, std::size_t) { return 1.0; });
         fill(Field::viscosity, 0, [&](std::size_t part, std::size_t) { return viscosities[part]; });
         fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
         fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
@@ -141,7 +169,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.sound_speed = settings.sound_speed;
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
-    scales.shifting = settings.shifting;
+    scales.shifting = settings.corrected ? 0 : settings.shifting;  // at its limit in any step
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);

@@ -64,8 +64,10 @@ int history_values(const ContactModel& model) {
 ContactSweep contact_sweep(const ContactModel& model, VectorUnit unit) {
     switch (chosen_vector_unit(unit)) {
 #if defined(__x86_64__)
+#if defined(DMP_HAS_AVX512)
         case VectorUnit::avx512:
             return compiled_contact_sweep<VectorUnit::avx512>(model);
+#endif
         default:
             return compiled_contact_sweep<VectorUnit::avx2>(model);
 #else

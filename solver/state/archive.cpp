@@ -70,7 +70,7 @@ std::vector<T> Archive::share(const std::string& name, std::uint64_t begin, std:
 void Archive::operator()(const std::string& name, ParticleGroup& group) {
     const auto array_name = [&](Field field, int axis) {
         return name + "/" + std::string(info(field).name) +
-               (info(field).is_vector || group.axes(field) > 1 ? "_" + std::to_string(axis) : "");
+               (info(field).shape != FieldShape::scalar || group.axes(field) > 1 ? "_" + std::to_string(axis) : "");
     };
     if (!loading()) {
         const auto tags = group.tags();

@@ -30,6 +30,12 @@ enum class Field {
     shift,
     correction,
     correction_off_diagonal,
+    mean_correction,
+    velocity_gradient,
+    density_gradient,
+    next_density_gradient,
+    fluid_number,
+    reduced_pressure,
     transport_velocity,
     viscous_force,
     viscous_velocity,
@@ -53,10 +59,13 @@ enum class Field {
 
 using FieldList = std::vector<Field>;
 
+/// Of a field's values in space. A tensor has the arrays xx, xy, (xz,) yx, ...
+enum class FieldShape { scalar, vector, tensor };
+
 struct FieldInfo {
     std::string_view name;
     std::string_view unit;
-    bool is_vector;
+    FieldShape shape;
     /// True: the value moves with the particle when it is sorted, sent to another rank or saved. False: it is
     /// recomputed before use.
     bool is_state;
@@ -64,50 +73,87 @@ struct FieldInfo {
     std::string_view needed_by{};
 };
 
+inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> make_field_info() {
+    using enum FieldShape;
+    return {{
+        {"position", "m", vector, true},
+        {"velocity", "m/s", vector, true},
+        {"density", "kg/m^3", scalar, true},
+        {"density_rate", "kg/m^3/s", scalar, true, "continuity"},
+        {"mass", "kg", scalar, true},
+        {"viscosity", "Pa*s", scalar, true, "viscous force"},
+        {"wall_normal", "1", vector, true, "walls"},
+        {"wall_distance", "m", scalar, true, "walls"},
+        {"wall_slip", "1", scalar, true, "walls"},
+        {"wall_acceleration", "m/s^2", vector, true, "walls"},
+        {"drawn_position", "m", vector, true, "walls"},
+        {"drawn_normal", "1", vector, true, "walls"},
+        {"contact_range", "m", scalar, true, "short-range repulsion"},
+        {"wall_contact_range", "m", scalar, true, "short-range repulsion"},
+        {"volume", "m^3", scalar, true},
+        {"residence_time", "s", scalar, true, "residence times"},
+        {"pressure", "Pa", scalar, false, "equation of state"},
+        {"force", "N", vector, false},
+        {"shift", "1/m", vector, false, "shifting"},
+        {"correction", "1", vector, false, "gradient correction"},
+        {"correction_off_diagonal", "1", vector, false, "gradient correction"},
+        {"mean_correction", "1", scalar, true, "velocity gradient"},
+        {"velocity_gradient", "1/s", tensor, true, "velocity gradient"},
+        {"density_gradient", "kg/m^4", vector, true, "density diffusion"},
+        {"next_density_gradient", "kg/m^4", vector, false, "density diffusion"},
+        {"fluid_number", "1", scalar, true, "density diffusion"},
+        {"reduced_pressure", "Pa", scalar, false, "pressure level"},
+        {"transport_velocity", "m/s", vector, true, "transport velocity"},
+        {"viscous_force", "N", vector, false, "implicit viscosity"},
+        {"viscous_velocity", "m/s", vector, false, "implicit viscosity"},
+        {"viscous_residual", "N", vector, false, "implicit viscosity"},
+        {"viscous_direction", "m/s", vector, false, "implicit viscosity"},
+        {"viscous_diagonal", "kg/s", vector, false, "implicit viscosity"},
+        // Fields of species: one array per species, in its units.
+        {"species_amount", "1", scalar, true, "diffusion of"},
+        {"concentration", "1", scalar, false, "diffusion of"},
+        {"species_diffusivity", "m^2/s", scalar, true, "diffusion of"},
+        {"species_wall", "1", scalar, true, "diffusion of"},
+        {"species_change", "1", scalar, false, "diffusion of"},
+        {"species_residual", "1", scalar, false, "implicit diffusion"},
+        {"species_direction", "1", scalar, false, "implicit diffusion"},
+        {"species_diagonal", "m^3/s", scalar, false, "implicit diffusion"},
+        {"radius", "m", scalar, true, "spheres"},
+        {"angular_velocity", "rad/s", vector, true, "spheres"},
+        {"contact_force", "N", vector, true, "spheres"},
+        {"contact_torque", "N*m", vector, true, "spheres"},
+    }};
+}
+
 /// In the order of Field.
-inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> field_info{{
-    {"position", "m", true, true},
-    {"velocity", "m/s", true, true},
-    {"density", "kg/m^3", false, true},
-    {"density_rate", "kg/m^3/s", false, true, "continuity"},
-    {"mass", "kg", false, true},
-    {"viscosity", "Pa*s", false, true, "viscous force"},
-    {"wall_normal", "1", true, true, "walls"},
-    {"wall_distance", "m", false, true, "walls"},
-    {"wall_slip", "1", false, true, "walls"},
-    {"wall_acceleration", "m/s^2", true, true, "walls"},
-    {"drawn_position", "m", true, true, "walls"},
-    {"drawn_normal", "1", true, true, "walls"},
-    {"contact_range", "m", false, true, "short-range repulsion"},
-    {"wall_contact_range", "m", false, true, "short-range repulsion"},
-    {"volume", "m^3", false, true},
-    {"residence_time", "s", false, true, "residence times"},
-    {"pressure", "Pa", false, false, "equation of state"},
-    {"force", "N", true, false},
-    {"shift", "1/m", true, false, "shifting"},
-    {"correction", "1", true, false, "gradient correction"},
-    {"correction_off_diagonal", "1", true, false, "gradient correction"},
-    {"transport_velocity", "m/s", true, true, "transport velocity"},
-    {"viscous_force", "N", true, false, "implicit viscosity"},
-    {"viscous_velocity", "m/s", true, false, "implicit viscosity"},
-    {"viscous_residual", "N", true, false, "implicit viscosity"},
-    {"viscous_direction", "m/s", true, false, "implicit viscosity"},
-    {"viscous_diagonal", "kg/s", true, false, "implicit viscosity"},
-    // Fields of species: one array per species, in its units.
-    {"species_amount", "1", false, true, "diffusion of"},
-    {"concentration", "1", false, false, "diffusion of"},
-    {"species_diffusivity", "m^2/s", false, true, "diffusion of"},
-    {"species_wall", "1", false, true, "diffusion of"},
-    {"species_change", "1", false, false, "diffusion of"},
-    {"species_residual", "1", false, false, "implicit diffusion"},
-    {"species_direction", "1", false, false, "implicit diffusion"},
-    {"species_diagonal", "m^3/s", false, false, "implicit diffusion"},
-    {"radius", "m", false, true, "spheres"},
-    {"angular_velocity", "rad/s", true, true, "spheres"},
-    {"contact_force", "N", true, true, "spheres"},
-    {"contact_torque", "N*m", true, true, "spheres"},
-}};
+inline constexpr std::array<FieldInfo, static_cast<std::size_t>(Field::count)> field_info = make_field_info();
 
 constexpr const FieldInfo& info(Field field) { return field_info[static_cast<std::size_t>(field)]; }
+
+/// Number of arrays of a field in a space of `dimension` axes.
+constexpr int arrays_of(Field field, int dimension) {
+    switch (info(field).shape) {
+        case FieldShape::scalar:
+            return 1;
+        case FieldShape::vector:
+            return dimension;
+        case FieldShape::tensor:
+            return dimension * dimension;
+    }
+    return 0;
+}
+
+/// Whether an array of a field changes its sign in a mirror image along the axes that are `mirrored`.
+constexpr bool changes_sign(Field field, int array, int dimension, const std::array<bool, 3>& mirrored) {
+    switch (info(field).shape) {
+        case FieldShape::scalar:
+            return false;
+        case FieldShape::vector:
+            return mirrored[array];
+        case FieldShape::tensor:
+            return mirrored[array / dimension] != mirrored[array % dimension];
+    }
+    return false;
+}
 
 }  // namespace dmp::solver

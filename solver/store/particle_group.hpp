@@ -44,9 +44,9 @@ class ParticleGroup {
     /// The declared state fields, which move with the particles, in the order of Field.
     [[nodiscard]] FieldList state() const;
     [[nodiscard]] FieldList declared() const;
-    /// Number of arrays of a field: as declared, otherwise 1 or the dimension.
+    /// Number of arrays of a field: as declared, otherwise as its shape asks for.
     [[nodiscard]] int axes(Field field) const {
-        return has(field) ? declared_[static_cast<std::size_t>(field)] : info(field).is_vector ? dimension_ : 1;
+        return has(field) ? declared_[static_cast<std::size_t>(field)] : arrays_of(field, dimension_);
     }
 
     /// The scalar field, or one axis of a vector field, over owned particles and ghosts.

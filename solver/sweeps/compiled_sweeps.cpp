@@ -17,6 +17,7 @@
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
 #include "solver/sweeps/fused_diffusion.hpp"
+#include "solver/sweeps/gradient_sweep.hpp"
 #include "solver/sweeps/prune_sweep.hpp"
 #include "solver/sweeps/species_sweep.hpp"
 #include "solver/sweeps/summation_sweep.hpp"
@@ -55,10 +56,14 @@ class Sweeps final : public PairSweeps {
                             ReproducibleSum(1.2 * volume() * steepest_),
                             ReproducibleSum(volume() * steepest_ * settings.support)},
           summation_rounding_(settings.density.largest * volume() * kernel_.value(0.0)),
-          correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate} {}
+          correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate},
+          gradient_rounding_{density_rounding_.divergence,
+                             ReproducibleSum(volume() * steepest_ * settings.sound_speed),
+                             ReproducibleSum(settings.density.largest * volume() * steepest_),
+                             density_rounding_.shift} {}
 
     void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
-                ClusterChoice choice) const override {
+                ClusterChoice choice, const std::array<double, 3>& subtracted) const override {
         const auto sweep_with = [&](const auto& viscosity) {
             const auto run = [&](const auto& solid) {
                 ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
@@ -69,13 +74,24 @@ class Sweeps final : public PairSweeps {
                 run(PlainSolid<D>{});
             } else {
                 with_flag(settings_.walls.slip || settings_.walls.moving,
-                          [&](auto motion) { run(extrapolated<decltype(motion)::value>(body_acceleration)); });
+                          [&](auto motion) {
+                              auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
+                              solid.subtracted = narrowed(subtracted);
+                              run(solid);
+                          });
             }
         };
-        if (settings_.viscosity.implicit) {
+        const bool newtonian = settings_.viscosity.law.is<NewtonianViscosity>();
+        if (newtonian && settings_.viscosity.implicit) {
+            with_mean([&]<class Mean>() { sweep_with(NewtonianGradientTerm<Mean>{}); });
+        } else if (newtonian) {
+            with_mean([&]<class Mean>() {
+                sweep_with(ViscousTerm<NewtonianViscosity, Mean>{NewtonianViscosity(scales_)});
+            });
+        } else if (settings_.viscosity.implicit) {
             sweep_with(NoViscosity{});
         } else {
-            with_viscosity(sweep_with);
+            with_published_viscosity(sweep_with);
         }
         if (settings_.gradient_correction) {
             const auto solid = extrapolated(body_acceleration);
@@ -124,8 +140,22 @@ class Sweeps final : public PairSweeps {
         }
     }
 
+    void gradients(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
+                   ClusterChoice choice) const override {
+        with_flag(settings_.several_fluids, [&](auto several) {
+            with_flag(settings_.walls.slip || settings_.walls.moving, [&](auto motion) {
+                const auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
+                GradientSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(several)::value>(
+                    particles, list, kernel_, solid, shifting_, gradient_rounding_,
+                    {diffusion_.coefficient, settings_.sound_speed, settings_.shifting > 0, settings_.free_surface},
+                    settings_.threads)
+                    .run(choice);
+            });
+        });
+    }
+
     [[nodiscard]] bool can_fuse(const SpeciesSums& sums) const override {
-        return sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_elastic &&
+        return !settings_.corrected && sums.diffusivity >= 0 && !sums.with_rigid && !sums.with_elastic &&
                (settings_.shifting > 0) == (sums.shift_per_sum != 0) && !settings_.walls.slip &&
                !settings_.density.by_summation && !settings_.transport_velocity;
     }
@@ -177,16 +207,18 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double quartic_mean_speed, double largest_speed, double dt) const override {
+        if (settings_.corrected) return settings_.shifting > 0 ? shifting_.step_at_limit() : 0;
         return settings_.transport_velocity ? TransportVelocity::step(settings_.sound_speed, dt)
                                             : shifting_.step(shifting_.speed(quartic_mean_speed, largest_speed), dt);
     }
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 
   private:
-    /// Calls then(term) with the viscous term of these settings. The default law has its own loops, for fluids of
-    /// like and of unlike viscosity; all others share one loop that selects the law at run time.
+    /// Calls then(term) with the viscous term of these settings, a law that needs no velocity gradient. Morris' law has
+    /// its own loops, for fluids of like and of unlike viscosity; all others share one loop that selects the law at run
+    /// time.
     template <class Then>
-    void with_viscosity(const Then& then) const {
+    void with_published_viscosity(const Then& then) const {
         const bool arithmetic = settings_.viscosity.mean == ViscosityMean::arithmetic;
         if (!settings_.viscosity.law.is<MorrisViscosity>()) {
             then(AnyViscousTerm(settings_.viscosity.law, scales_, arithmetic));
@@ -194,6 +226,16 @@ class Sweeps final : public PairSweeps {
             then(ViscousTerm<MorrisViscosity, HarmonicMean>{MorrisViscosity(scales_)});
         } else {
             then(ViscousTerm<MorrisViscosity, ArithmeticMean>{MorrisViscosity(scales_)});
+        }
+    }
+
+    /// Calls then<Mean>() with the mean of unlike viscosities; the cheaper one where all are alike.
+    template <class Then>
+    void with_mean(const Then& then) const {
+        if (settings_.viscosity.unlike && settings_.viscosity.mean == ViscosityMean::harmonic) {
+            then.template operator()<HarmonicMean>();
+        } else {
+            then.template operator()<ArithmeticMean>();
         }
     }
 
@@ -235,7 +277,14 @@ class Sweeps final : public PairSweeps {
     template <class Run>
     void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const ReproducibleSum& rounding,
                             Field velocity, double wall_motion, const Run& run) const {
-        with_viscosity([&](const auto& viscosity) {
+        const auto with_term = [&](const auto& then) {
+            if (settings_.viscosity.law.is<NewtonianViscosity>()) {
+                with_mean([&]<class Mean>() { then(NewtonianVelocityTerm<Mean>{}); });
+            } else {
+                with_published_viscosity(then);
+            }
+        };
+        with_term([&](const auto& viscosity) {
             const auto run_with = [&](const auto& solid) {
                 run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
                     particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion}, settings_.threads));
@@ -300,6 +349,7 @@ class Sweeps final : public PairSweeps {
     DensityRounding density_rounding_;
     ReproducibleSum summation_rounding_;
     CorrectionRounding correction_rounding_;
+    GradientRounding gradient_rounding_;
 };
 
 template <KernelKind kernel, int D>

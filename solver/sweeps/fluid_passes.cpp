@@ -79,6 +79,17 @@ void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
             const double* rate = group.data(Field::density_rate);
             update_pressure(group, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; });
         }
+    update_reduced_pressure(fluid);
+}
+
+void FluidPasses::drift(ParticleStore& particles, double dt) const {
+    ParticleGroup& fluid = particles.fluid();
+    const PositionQuantum& quantum = particles.quantum();
+    for (int axis = 0; axis < particles.dimension(); ++axis) {
+        double* x = fluid.data(Field::position, axis);
+        const double* v = fluid.data(Field::velocity, axis);
+        for_each_owned(fluid, threads_, [=](std::ptrdiff_t i) { x[i] += quantum.round(dt * v[i]); });
+    }
 }
 
 void FluidPasses::note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const {
@@ -122,19 +133,57 @@ void FluidPasses::update_pressure(ParticleStore& particles) const {
     for (ParticleGroup& group : particles.groups())
         if (group.has(Field::pressure))
             update_pressure(group, [density = group.data(Field::density)](std::ptrdiff_t i) { return density[i]; });
+    update_reduced_pressure(particles.fluid());
 }
 
-SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                            double expected_speed) const {
-    return can_round(expected_speed) ? kick_and_sum<true>(fluid, dt, g, expected_speed)
-                                     : kick_and_sum<false>(fluid, dt, g, 0);
+void FluidPasses::update_reduced_pressure(ParticleGroup& fluid) const {
+    if (!fluid.has(Field::reduced_pressure)) return;
+    const double* pressure = fluid.data(Field::pressure);
+    double* reduced = fluid.data(Field::reduced_pressure);
+    std::array<const double*, 3> x{};
+    int axes_with_slope = 0;
+    std::array<double, 3> slope{}, centre{};
+    for (int axis = 0; axis < fluid.dimension(); ++axis) {
+        if (reference_.slope[axis] == 0) continue;
+        x[axes_with_slope] = fluid.data(Field::position, axis);
+        slope[axes_with_slope] = reference_.slope[axis];
+        centre[axes_with_slope++] = reference_.centre[axis];
+    }
+    for_each_owned(fluid, threads_, [=, level = reference_.level](std::ptrdiff_t i) {
+        double reference = level;
+        for (int k = 0; k < axes_with_slope; ++k) reference += slope[k] * (x[k][i] - centre[k]);
+        reduced[i] = pressure[i] - reference;
+    });
 }
 
-template <bool sums_powers>
+VolumeSums FluidPasses::volume_sums(const ParticleGroup& fluid, double largest_volume, double largest_pressure) const {
+    const ReproducibleSum round_volume(largest_volume);
+    const ReproducibleSum round_energy(at_least_something(largest_volume * largest_pressure));
+    const double *volume = fluid.data(Field::volume), *reduced = fluid.data(Field::reduced_pressure);
+    const auto sums = sums_of_multiples<2>(fluid, threads_, [&](std::ptrdiff_t i, auto& sum) {
+        sum[0] += round_volume(volume[i]);
+        sum[1] += round_energy(volume[i] * reduced[i]);
+    });
+    return {sums[0], sums[1]};
+}
+
+SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g, double expected_speed,
+                            const std::array<double, 3>& force_density) const {
+    const bool by_volume = force_density != std::array<double, 3>{};
+    const bool powers = can_round(expected_speed);
+    const double speed = powers ? expected_speed : 0;
+    if (by_volume)
+        return powers ? kick_and_sum<true, true>(fluid, dt, g, speed, force_density)
+                      : kick_and_sum<false, true>(fluid, dt, g, speed, force_density);
+    return powers ? kick_and_sum<true, false>(fluid, dt, g, speed, {})
+                  : kick_and_sum<false, false>(fluid, dt, g, speed, {});
+}
+
+template <bool sums_powers, bool has_force_density>
 SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                                    double expected_speed) const {
+                                    double expected_speed, const std::array<double, 3>& force_density) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    const double* mass = fluid.data(Field::mass);
+    const double *mass = fluid.data(Field::mass), *density = fluid.data(Field::density);
     const ReproducibleSum rounded = rounding_of_powers(expected_speed);
     SpeedSums sums;
     const auto pass = [&]<int D>() {
@@ -150,9 +199,12 @@ SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::
                 for (int axis = 0; axis < D; ++axis) {
                     double* speed = v[axis] + begin;
                     const double *pushed = force[axis] + begin, *inertia = mass + begin, driven = g[axis];
+                    const double *rho = density + begin, by_volume = force_density[axis];
 #pragma omp simd
                     for (std::ptrdiff_t k = 0; k < some; ++k) {
-                        speed[k] += dt * (pushed[k] / inertia[k] + driven);
+                        double a = pushed[k] / inertia[k] + driven;
+                        if constexpr (has_force_density) a += by_volume / rho[k];
+                        speed[k] += dt * a;
                         square[k] += speed[k] * speed[k];
                     }
                 }
@@ -221,6 +273,85 @@ PassExtremes FluidPasses::drift_and_shift(ParticleStore& particles, double dt, c
     PassExtremes extremes;
     extremes.longest_shift = std::sqrt(farthest);
     return extremes;
+}
+
+template <int D>
+FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles, const ShiftStep& shift,
+                                                        double largest_momentum) const {
+    ParticleGroup& fluid = particles.fluid();
+    const PositionQuantum quantum = particles.quantum();
+    const auto x = axes<D>(fluid, Field::position), v = axes<D>(fluid, Field::velocity);
+    const auto sum = axes<D>(fluid, Field::shift), g = axes<D>(fluid, Field::next_density_gradient);
+    std::array<const double*, D * D> gradient{};
+    for (int k = 0; k < D * D; ++k) gradient[k] = fluid.data(Field::velocity_gradient, k);
+    double* density = fluid.data(Field::density);
+    const double* mass = fluid.data(Field::mass);
+    const ReproducibleSum rounded(at_least_something(largest_momentum));
+    const double longest_square = shift.longest * shift.longest;
+    const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
+    constexpr std::ptrdiff_t at_a_time = 32;  // sums of so few are exact
+    Shifted result;
+    double farthest = 0;
+#pragma omp parallel num_threads(threads_)
+    {
+        double farthest_here = 0;
+        std::array<ExactSum, 3> momentum_here;
+#pragma omp for schedule(static) nowait
+        for (std::ptrdiff_t begin = 0; begin < count; begin += at_a_time) {
+            std::array<double, D> momentum{};
+            for (std::ptrdiff_t i = begin; i < std::min(begin + at_a_time, count); ++i) {
+                std::array<double, D> d{};
+                double square = 0;
+                for (int a = 0; a < D; ++a) {
+                    d[a] = shift.per_sum * sum[a][i];
+                    square += d[a] * d[a];
+                }
+                const double shortened = square > longest_square ? std::sqrt(longest_square / square) : 1;
+                for (int a = 0; a < D; ++a) d[a] *= shortened;
+                for (int a = 0; a < D; ++a) {
+                    double change = 0;
+                    for (int b = 0; b < D; ++b) change += gradient[a * D + b][i] * d[b];
+                    x[a][i] += quantum.round(d[a]);
+                    v[a][i] += change;
+                    density[i] += g[a][i] * d[a];
+                    momentum[a] += rounded(mass[i] * change);
+                }
+                farthest_here = std::max(farthest_here, std::min(square, longest_square));
+            }
+            for (int a = 0; a < D; ++a) momentum_here[a].add(momentum[a]);
+        }
+#pragma omp critical(dmp_shift)
+        {
+            farthest = std::max(farthest, farthest_here);
+            for (int a = 0; a < D; ++a) result.momentum[a].add(momentum_here[a]);
+        }
+    }
+    result.extremes.longest_shift = std::sqrt(farthest);
+    return result;
+}
+
+FluidPasses::Shifted FluidPasses::shift(ParticleStore& particles, double dt, const ShiftStep& shift,
+                                        double largest_momentum) const {
+    ParticleGroup& fluid = particles.fluid();
+    Shifted shifted;
+    if (shift.per_sum != 0)
+        shifted = particles.dimension() == 3 ? shift_and_interpolate<3>(particles, shift, largest_momentum)
+                                             : shift_and_interpolate<2>(particles, shift, largest_momentum);
+    for (int axis = 0; axis < fluid.dimension(); ++axis)
+        std::copy_n(fluid.data(Field::next_density_gradient, axis), fluid.owned(),
+                    fluid.data(Field::density_gradient, axis));
+    double* density = fluid.data(Field::density);
+    const double* rate = fluid.data(Field::density_rate);
+    update_density_range(
+        fluid, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; }, shifted.extremes);
+    return shifted;
+}
+
+void FluidPasses::add_to_velocities(ParticleGroup& fluid, const std::array<double, 3>& change) const {
+    for (int axis = 0; axis < fluid.dimension(); ++axis) {
+        double* v = fluid.data(Field::velocity, axis);
+        for_each_owned(fluid, threads_, [=, add = change[axis]](std::ptrdiff_t i) { v[i] += add; });
+    }
 }
 
 PassExtremes FluidPasses::drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const {

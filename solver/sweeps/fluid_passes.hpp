@@ -29,6 +29,20 @@ struct ShiftStep {
     double longest = 0;  ///< [m]
 };
 
+/// An affine pressure that is subtracted from the fluid's in sums over pairs (corrected scheme): a pressure makes the
+/// arrangement of the particles stiff, and resists every flow, though its gradient is nothing or known.
+///   P(x) = level + slope . (x - centre)   [Pa]
+struct ReferencePressure {
+    double level = 0;
+    std::array<double, 3> slope{}, centre{};
+};
+
+/// Sums over the fluid's volumes, the same bits in any order.
+struct VolumeSums {
+    ExactSum volume;    ///< [m^3]
+    ExactSum pressure;  ///< volume times reduced pressure [J]
+};
+
 /// Passes over single particles between the pair sweeps of a fluid step. Each combines as many updates as possible,
 /// because these passes are limited by memory traffic, not by arithmetic.
 class FluidPasses {
@@ -38,10 +52,10 @@ class FluidPasses {
 
     /// x += dt v, rho += dt drho/dt (also for solids that carry a density), then pressure and volume.
     void drift_to_middle(ParticleStore& particles, double dt) const;
-    /// v += dt (F / m + g). If the expected largest speed of all ranks is given (not 0), also sums the fourth powers
+    /// v += dt (F / m + g + f / rho), with the force density f [N/m^3]. If the expected largest speed of all ranks is given (not 0), also sums the fourth powers
     /// of the new speeds, rounded for that speed.
     [[nodiscard]] SpeedSums kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                                 double expected_speed = 0) const;
+                                 double expected_speed = 0, const std::array<double, 3>& force_density = {}) const;
     /// Sum of the fourth powers of the speeds [m^4/s^4], for the largest speed of all ranks; the same bits in any
     /// order.
     [[nodiscard]] ExactSum fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const;
@@ -49,6 +63,24 @@ class FluidPasses {
     [[nodiscard]] static bool sum_alike(double expected_speed, double largest_speed);
     /// x += dt v + shift, rho += dt drho/dt. Returns the longest shift and the extremes of density.
     [[nodiscard]] PassExtremes drift_to_end(ParticleStore& particles, double dt, const ShiftStep& shift) const;
+
+    /// x += dt v alone.
+    void drift(ParticleStore& particles, double dt) const;
+    /// x += shift; velocity and density follow by their gradients, v += G shift, rho += g . shift; rho += dt drho/dt.
+    /// The fluid's momentum changes by `momentum`, rounded for the largest momentum of a particle [N s].
+    struct Shifted {
+        PassExtremes extremes;
+        std::array<ExactSum, 3> momentum;  ///< [N s]
+    };
+    [[nodiscard]] Shifted shift(ParticleStore& particles, double dt, const ShiftStep& shift,
+                                double largest_momentum) const;
+    /// v += change
+    void add_to_velocities(ParticleGroup& fluid, const std::array<double, 3>& change) const;
+    [[nodiscard]] VolumeSums volume_sums(const ParticleGroup& fluid, double largest_volume,
+                                         double largest_pressure) const;
+    /// From the next update of pressures on.
+    void subtract(const ReferencePressure& reference) { reference_ = reference; }
+    [[nodiscard]] const ReferencePressure& subtracted() const { return reference_; }
 
     /// Sets the transport velocity minus the fluid velocity, for a step dt in which the shift moved the particles.
     void note_transport(ParticleGroup& fluid, double dt, const ShiftStep& shift) const;
@@ -62,13 +94,18 @@ class FluidPasses {
     [[nodiscard]] PassExtremes drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const;
     template <class DensityOf>
     void update_density_range(const ParticleGroup& fluid, const DensityOf& density_of, PassExtremes& extremes) const;
-    template <bool sums_powers>
+    template <bool sums_powers, bool has_force_density>
     [[nodiscard]] SpeedSums kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                                         double expected_speed) const;
+                                         double expected_speed, const std::array<double, 3>& force_density) const;
+    template <int D>
+    [[nodiscard]] Shifted shift_and_interpolate(ParticleStore& particles, const ShiftStep& shift,
+                                                double largest_momentum) const;
+    void update_reduced_pressure(ParticleGroup& fluid) const;
     void update_density(ParticleGroup& group, double dt) const;
     template <class DensityOf>
     void update_pressure(ParticleGroup& group, const DensityOf& density_of) const;
 
+    ReferencePressure reference_;
     std::vector<LiquidState> state_of_part_;
     bool one_state_;  ///< all parts have the same equation of state
     int threads_;

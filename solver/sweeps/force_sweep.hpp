@@ -102,7 +102,7 @@ class ForceSweep {
     ContactSum<L, D> contact_;
     const ReproducibleSum& rounding_;
     int threads_;
-    FluidReader<L, D> fluid_;
+    FluidReader<L, D, Viscosity::needs_gradient> fluid_;
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
     SolidReader<L, D, Solid::needs_state, false> springs_;
 };

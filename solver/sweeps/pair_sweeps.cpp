@@ -20,6 +20,10 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (is_fluid && settings.transport_velocity) group.declare({Field::shift, Field::transport_velocity});
         if (is_fluid && settings.gradient_correction)
             group.declare({Field::correction, Field::correction_off_diagonal});
+        if (is_fluid && settings.corrected)
+            group.declare({Field::mean_correction, Field::velocity_gradient, Field::density_gradient,
+                           Field::next_density_gradient, Field::reduced_pressure});
+        if (is_fluid && settings.corrected && settings.several_fluids) group.declare({Field::fluid_number});
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});
         if (settings.viscosity.implicit) group.declare({Field::viscous_force});
@@ -53,11 +57,16 @@ std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimensi
 }  // namespace
 
 std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, ParticleStore& particles) {
+    const bool needs_gradient = settings.viscosity.law.visit([]<class Law>() { return models::needs_gradient<Law>(); });
+    if (needs_gradient && !settings.corrected)
+        throw std::logic_error("this viscous law needs the velocity gradient of the corrected scheme");
     declare_fields(settings, particles);
     switch (chosen_vector_unit(settings.vector_unit)) {
 #if defined(__x86_64__)
+#if defined(DMP_HAS_AVX512)
         case VectorUnit::avx512:
             return sweeps_for<VectorUnit::avx512>(settings, particles.dimension());
+#endif
         default:
             return sweeps_for<VectorUnit::avx2>(settings, particles.dimension());
 #else

@@ -25,6 +25,9 @@ struct PairSettings {
     double sound_speed = 0;            ///< c0 [m/s]
     double background_pressure = 0;    ///< [Pa]
     bool gradient_correction = false;  ///< for pressure forces and density rates
+    bool corrected = false;            ///< the corrected scheme: density rates from the corrected velocity gradient
+    bool several_fluids = false;       ///< fluids differ in rest density or viscosity
+    bool free_surface = false;         ///< corrected scheme: shifting vanishes where neighbours are missing
 
     struct {
         double largest = 0;         ///< largest rest density [kg/m^3]
@@ -112,9 +115,16 @@ class PairSweeps {
 
     /// Computes force [N] on every particle of the chosen clusters, including fixed ones (their reaction): pressure,
     /// viscosity, repulsion.
+    /// `subtracted`: slope of the reference that the fluid's pressures are less of [Pa/m].
     virtual void forces(ParticleStore& particles, const ClusterList& list,
-                        const std::array<double, 3>& body_acceleration,
-                        ClusterChoice choice = ClusterChoice::all) const = 0;
+                        const std::array<double, 3>& body_acceleration, ClusterChoice choice = ClusterChoice::all,
+                        const std::array<double, 3>& subtracted = {}) const = 0;
+
+    /// Computes velocity_gradient, mean_correction, density_rate, next_density_gradient and, with shifting, shift of
+    /// the fluid (corrected scheme).
+    virtual void gradients(ParticleStore& particles, const ClusterList& list,
+                           const std::array<double, 3>& body_acceleration,
+                           ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Computes density_rate [kg/m^3/s] and, with shifting, the sum over neighbours that becomes `shift` [1/m], for
     /// fluid particles; with plain walls also the density rate of solids. `along`: a species whose diffusion is fused

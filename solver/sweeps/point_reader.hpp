@@ -39,8 +39,9 @@ std::array<const double*, D> axes_of(const ParticleGroup& group, Field field) {
     return axes;
 }
 
-/// Reads fluid particles in the form used by pair laws: a single one as numbers, a cluster in lanes L.
-template <class L, int D>
+/// Reads fluid particles in the form used by pair laws: a single one as numbers, a cluster in lanes L. `WithGradient`:
+/// with the corrected velocity gradient. The pressure is the reduced one where there is one.
+template <class L, int D, bool WithGradient = false>
 class FluidReader {
   public:
     explicit FluidReader(const ParticleGroup& fluid)
@@ -48,23 +49,35 @@ class FluidReader {
           velocity_(axes_of<D>(fluid, Field::velocity)),
           volume_(fluid.data(Field::volume)),
           density_(fluid.data(Field::density)),
-          pressure_(fluid.data(Field::pressure)),
-          viscosity_(fluid.data(Field::viscosity)) {}
+          pressure_(fluid.data(fluid.has(Field::reduced_pressure) ? Field::reduced_pressure : Field::pressure)),
+          viscosity_(fluid.data(Field::viscosity)) {
+        if constexpr (WithGradient) {
+            correction_ = fluid.data(Field::mean_correction);
+            for (int k = 0; k < D * D; ++k) gradient_[k] = fluid.data(Field::velocity_gradient, k);
+        }
+    }
 
     template <class Index>
     [[nodiscard]] auto operator()(const Index& at) const {
         using T = decltype(load<L>(volume_, at));
-        return FluidPoint<T, D>{load_vector<L, D>(position_, at),
-                                load_vector<L, D>(velocity_, at),
-                                load<L>(volume_, at),
-                                load<L>(density_, at),
-                                load<L>(pressure_, at),
-                                load<L>(viscosity_, at)};
+        FluidPoint<T, D> point{load_vector<L, D>(position_, at),
+                               load_vector<L, D>(velocity_, at),
+                               load<L>(volume_, at),
+                               load<L>(density_, at),
+                               load<L>(pressure_, at),
+                               load<L>(viscosity_, at)};
+        if constexpr (WithGradient) {
+            point.correction = load<L>(correction_, at);
+            for (int k = 0; k < D * D; ++k) point.gradient[k / D][k % D] = load<L>(gradient_[k], at);
+        }
+        return point;
     }
 
   private:
     std::array<const double*, D> position_, velocity_;
     const double *volume_, *density_, *pressure_, *viscosity_;
+    const double* correction_ = nullptr;
+    std::array<const double*, D * D> gradient_{};
 };
 
 /// Reads particles of walls and elastic bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/elastic/turn_solid.hpp"
 #include "solver/uses.hpp"
@@ -23,6 +24,23 @@ ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
         total.add(some);
     }
     return total;
+}
+
+double mass_of(const ParticleGroup& group, const Ranks& ranks) {
+    ExactSum mass;
+    for (std::size_t i = 0; i < group.owned(); ++i) mass.add(group.data(Field::mass)[i]);
+    ranks.sum(mass);
+    return mass.value();
+}
+
+/// Of the fluid of all ranks [kg/m^3].
+double mean_rest_density(const ParticleStore& particles, const std::vector<double>& rest_density, const Ranks& ranks) {
+    const ParticleGroup& fluid = particles.fluid();
+    ExactSum volume;
+    for (std::size_t i = 0; i < fluid.owned(); ++i)
+        volume.add(fluid.data(Field::mass)[i] / rest_density[fluid.tags()[i].part]);
+    ranks.sum(volume);
+    return volume.value() > 0 ? mass_of(fluid, ranks) / volume.value() : 0;
 }
 
 std::vector<double> rest_densities_of(const std::vector<LiquidState>& state_of_part) {
@@ -50,11 +68,12 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       solidifies_(!scene.solidify.empty()) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
+    if (settings.corrected)
+        force_fields_ = {Field::position,        Field::reduced_pressure,  Field::volume, Field::density,
+                         Field::mean_correction, Field::velocity_gradient, Field::velocity};
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
-    ExactSum mass;
-    for (std::size_t i = 0; i < particles.fluid().owned(); ++i) mass.add(particles.fluid().data(Field::mass)[i]);
-    ranks.sum(mass);
-    fluid_mass_ = mass.value();
+    fluid_mass_ = liquid_mass_ = mass_of(particles.fluid(), ranks);
+    reference_density_ = mean_rest_density(particles, rest_density_, ranks);
     if (settings.viscosity.implicit)
         viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
     if (!scene.species.empty()) {
@@ -64,6 +83,32 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
 }
 
 FluidExtremes FluidStep::advance(double t, double dt) {
+    return settings_.corrected ? advance_corrected(t, dt) : advance_plain(t, dt);
+}
+
+FluidExtremes FluidStep::advance_corrected(double t, double dt) {
+    const double middle = t + dt / 2;
+    walls_.start_step(t, dt);
+    subtract_reference(middle);
+
+    timer_.timed("drift", [&] { drift_to_middle(dt); });
+    timer_.timed("neighbours", [&] { renew_list(); });
+    sum_forces(middle);
+    timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
+    if (viscosity_) solve_viscous_forces(middle, dt);
+    timer_.timed("kick", [&] { kick(middle, dt); });
+    timer_.timed("elastic", [&] { advance_elastic(dt); });
+    timer_.timed("drift", [&] { drift_to_end_of_step(dt); });
+    timer_.timed("neighbours", [&] { renew_list(); });
+    sum_gradients(t + dt, dt);
+    FluidExtremes extremes;
+    timer_.timed("shift", [&] { extremes = shift_particles(dt); });
+
+    bodies_ahead_ = dt / 2;
+    return extremes;
+}
+
+FluidExtremes FluidStep::advance_plain(double t, double dt) {
     const double middle = t + dt / 2;
     walls_.start_step(t, dt);
 
@@ -84,11 +129,72 @@ FluidExtremes FluidStep::advance(double t, double dt) {
     return extremes;
 }
 
+/// Gradients and density rates at the end of the step with the new velocities, and the diffusion of species.
+void FluidStep::sum_gradients(double t, double dt) {
+    walls_.show_velocities(particles_);
+    FieldList fields{Field::position, Field::velocity, Field::density_gradient};
+    if (species_ && dt > 0) {
+        timer_.timed("species", [&] { species_->show(particles_, t); });
+        fields.push_back(Field::concentration);
+    }
+    sweep("density", fields, [&, g = body_force_.hydrostatic(t)](ClusterChoice clusters) {
+        sweeps_->gradients(particles_, neighbours_.list(), g, clusters);
+    });
+    if (species_ && dt > 0)
+        timer_.timed("species", [&] {
+            species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt), std::nullopt);
+        });
+}
+
+void FluidStep::take_initial_gradients(double t) {
+    if (!settings_.corrected) return;
+    ParticleGroup& fluid = particles_.fluid();
+    subtract_reference(t);
+    update_pressure();
+    sum_gradients(t, 0);
+    for (int axis = 0; axis < particles_.dimension(); ++axis)
+        std::copy_n(fluid.data(Field::next_density_gradient, axis), fluid.owned(),
+                    fluid.data(Field::density_gradient, axis));
+    VolumeSums volumes = volumes_here();
+    std::vector<ExactSum> sums{volumes.volume, volumes.pressure};
+    ranks_.sum(sums);
+    set_reference_level(sums[0].value(), sums[1].value());
+}
+
+/// The reference of the next sums: the hydrostatic slope of now, and the level that is known. A free surface has the
+/// pressure 0, which no reference may change.
+void FluidStep::subtract_reference(double t) {
+    if (settings_.free_surface) return;
+    ReferencePressure reference = passes_.subtracted();
+    const ParticleSpace& space = particles_.space();
+    const auto g = body_force_.hydrostatic(t);
+    for (int axis = 0; axis < particles_.dimension(); ++axis) {
+        reference.slope[axis] = space.is_mirrored(axis) ? 0 : reference_density_ * g[axis];
+        reference.centre[axis] = 0.5 * (space.box.low[axis] + space.box.high[axis]);
+    }
+    passes_.subtract(reference);
+}
+
+VolumeSums FluidStep::volumes_here() const {
+    const double largest_pressure = 0.1 * settings_.density.largest * settings_.sound_speed * settings_.sound_speed;
+    return passes_.volume_sums(particles_.fluid(), 2 * particle_volume(), largest_pressure);
+}
+
+/// The mean of the pressure becomes the level of the reference, from the sums of all ranks.
+void FluidStep::set_reference_level(double volume, double pressure_times_volume) {
+    if (settings_.free_surface || volume <= 0) return;
+    ReferencePressure reference = passes_.subtracted();
+    reference.level += pressure_times_volume / volume;
+    passes_.subtract(reference);
+}
+
+double FluidStep::particle_volume() const { return std::pow(settings_.spacing, particles_.dimension()); }
+
 void FluidStep::sum_forces(double t) {
     FieldList fields = force_fields_;
     for (const Field field : walls_.show_surfaces(particles_)) fields.push_back(field);
-    sweep("forces", fields, [this, g = body_force_.uniform(t)](ClusterChoice clusters) {
-        sweeps_->forces(particles_, neighbours_.list(), g, clusters);
+    sweep("forces", fields, [&, g = body_force_.uniform(t)](ClusterChoice clusters) {
+        sweeps_->forces(particles_, neighbours_.list(), g, clusters, passes_.subtracted().slope);
     });
     if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
 }
@@ -193,6 +299,7 @@ void FluidStep::renew_list() {
 }
 
 void FluidStep::change_bodies(const BodyChange& change) {
+    (void)show_bodies();
     std::vector<std::int64_t> turning;
     for (const BodyParts::Node& node : change.nodes)
         if (!node.of_wall) turning.push_back(node.id);
@@ -200,26 +307,35 @@ void FluidStep::change_bodies(const BodyChange& change) {
     if (!turning.empty()) solidify_particles(particles_, turning, bodies_ahead_, neighbours_.list());
     springs_.change(change, particles_.space());
     springs_.number_particles(particles_);
+    liquid_mass_ = mass_of(particles_.fluid(), ranks_);
     neighbours_.forget();
     refresh_neighbours();
 }
 
 void FluidStep::kick(double t, double dt) {
     const auto g = body_force_.uniform(t);
-    const double expected_speed = settings_.shifting > 0 ? largest_speed_ : 0;
-    SpeedSums speeds = passes_.kick(particles_.fluid(), dt, g, expected_speed);
+    const double expected_speed = shifts_by_speed() ? largest_speed_ : 0;
+    std::array<double, 3> force_density{};  // of the reference pressure
+    for (int axis = 0; axis < 3; ++axis) force_density[axis] = -passes_.subtracted().slope[axis];
+    SpeedSums speeds = passes_.kick(particles_.fluid(), dt, g, expected_speed, force_density);
     largest_speed_ = ranks_.largest(speeds.largest);
-    if (settings_.shifting > 0 && !FluidPasses::sum_alike(expected_speed, largest_speed_))
+    if (shifts_by_speed() && !FluidPasses::sum_alike(expected_speed, largest_speed_))
         speeds.fourth_powers = passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_);
-    add_up(dt, g, speeds.fourth_powers);
+    add_up(dt, g, force_density, speeds.fourth_powers);
 }
 
-void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds) {
+void FluidStep::add_up(double dt, const std::array<double, 3>& g, const std::array<double, 3>& force_density,
+                       const ExactSum& fourth_powers_of_speeds) {
     const auto axes = static_cast<std::size_t>(particles_.dimension());
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
         sums.push_back(total_force(particles_.of(PartKind::rigid), static_cast<int>(axis), !viscosity_));
-    if (settings_.shifting > 0) {
+    const bool refers = settings_.corrected && !settings_.free_surface;
+    if (refers) {
+        const VolumeSums volumes = volumes_here();
+        sums.push_back(volumes.volume);
+        sums.push_back(volumes.pressure);
+    } else if (shifts_by_speed()) {
         sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
@@ -227,14 +343,52 @@ void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum
     for (std::size_t axis = 0; axis < axes; ++axis) {
         impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
         impulses_.of_fixed[axis] -= dt * sums[axis].value();
+        // The walls hold what the reference pressure exerts on the fluid.
+        if (refers) impulses_.of_fixed[axis] += dt * force_density[axis] * sums[axes].value();
     }
-    if (settings_.shifting > 0)
+    if (refers) set_reference_level(sums[axes].value(), sums[axes + 1].value());
+    if (shifts_by_speed())
         quartic_mean_speed_ = std::sqrt(std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value())));
 }
 
 void FluidStep::drift_to_middle(double dt) {
     passes_.drift_to_middle(particles_, dt / 2);
-    neighbours_.moved(std::max(dt / 2 * largest_speed_, walls_.move_to_middle(particles_)));
+    const double bodies_moved = show_bodies();
+    neighbours_.moved(std::max({dt / 2 * largest_speed_, bodies_moved, walls_.move_to_middle(particles_)}));
+}
+
+/// Moves the nodes of elastic bodies in the store to where the bodies are. Returns the largest displacement [m].
+double FluidStep::show_bodies() {
+    if (bodies_shown_ == 1) return 0;
+    return springs_.show_positions(particles_, std::exchange(bodies_shown_, 1), 1);
+}
+
+/// Positions alone; bodies half of the way to their next middle.
+void FluidStep::drift_to_end_of_step(double dt) {
+    passes_.drift(particles_, dt / 2);
+    double bodies_moved = 0;
+    if (!springs_.empty()) {
+        bodies_shown_ = 0.5;
+        bodies_moved = springs_.show_positions(particles_, 0, bodies_shown_);
+    }
+    neighbours_.moved(std::max({dt / 2 * largest_speed_, bodies_moved, walls_.move_to_end(particles_)}));
+}
+
+FluidExtremes FluidStep::shift_particles(double dt) {
+    ParticleGroup& fluid = particles_.fluid();
+    const double largest_momentum = settings_.density.largest * particle_volume() * largest_speed_;
+    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum);
+    std::array<double, 3> largest{shifted.extremes.longest_shift, -shifted.extremes.density_low,
+                                  shifted.extremes.density_high};
+    ranks_.largest(largest);
+    if (settings_.shifting > 0 && liquid_mass_ > 0) {  // velocities interpolated anew keep the fluid's momentum
+        ranks_.sum(shifted.momentum);
+        std::array<double, 3> change{};
+        for (int axis = 0; axis < 3; ++axis) change[axis] = -shifted.momentum[axis].value() / liquid_mass_;
+        passes_.add_to_velocities(fluid, change);
+    }
+    neighbours_.moved_besides(largest[0]);
+    return {largest_speed_, -largest[1], largest[2]};
 }
 
 ShiftStep FluidStep::shift_step(double dt) const {
@@ -258,6 +412,13 @@ FluidExtremes FluidStep::drift_to_end(double dt) {
 void FluidStep::archive(Archive& file) {
     file("fluid/largest_speed", largest_speed_);
     if (settings_.repulsion_strength > 0) file("fluid/contact_rate", contact_rate_);
+    if (settings_.corrected) {
+        ReferencePressure reference = passes_.subtracted();
+        file("fluid/reference_level", reference.level);
+        passes_.subtract(reference);
+        file("fluid/bodies_shown", bodies_shown_);
+        file("fluid/liquid_mass", liquid_mass_);
+    }
     file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
     file("fluid/impulse_of_fixed", impulses_.of_fixed);
     file("fluid/impulse_of_drag", impulses_.of_drag);

@@ -30,9 +30,11 @@ struct FluidExtremes {
 };
 
 /// One step of weakly compressible flow with spring bodies, drift-kick-drift:
-///   positions and densities half a step; forces there; velocities a whole step; density rates with the new
-///   velocities; positions and densities the second half. The sound waves' two halves of the step are then a
-///   staggered (symplectic) pair; viscosity is explicit, or solved for just before the kick (ImplicitViscosity).
+///   positions and densities half a step; forces there; velocities a whole step; positions the second half; gradients
+///   and density rates at the end of the step with the new velocities; shifting, which takes velocity and density
+///   along by their gradients; densities the second half (the corrected scheme; the plain one takes the rates at the
+///   middle of the step). The sound waves' two halves of the step are then a staggered (symplectic) pair; viscosity is
+///   explicit, or solved for just before the kick (ImplicitViscosity).
 /// Spring bodies live at the middles of the steps: kicked by the fluid there, they move under their own forces to the
 /// next middle before the density rates are taken, so that the fluid feels exactly the displacement they will make.
 /// After `advance` they stand half a step ahead of the fluid.
@@ -43,6 +45,9 @@ class FluidStep {
 
     /// From time t to t + dt. The fluid's extremes after it, which cost nothing on the way.
     FluidExtremes advance(double t, double dt);
+    /// Of the corrected scheme, before the first step: the gradients of the initial state and the level of its
+    /// pressure. Neighbours must be up to date.
+    void take_initial_gradients(double t);
 
     /// Takes note of how fast the fluid is; for one that starts in motion.
     void take_speed() { largest_speed_ = extremes().largest_speed; }
@@ -88,6 +93,18 @@ class FluidStep {
     void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);
     void sum_densities();
     void sum_corrections();
+    FluidExtremes advance_corrected(double t, double dt);
+    FluidExtremes advance_plain(double t, double dt);
+    void sum_gradients(double t, double dt);
+    void drift_to_end_of_step(double dt);
+    FluidExtremes shift_particles(double dt);
+    double show_bodies();
+    void subtract_reference(double t);
+    [[nodiscard]] VolumeSums volumes_here() const;
+    void set_reference_level(double volume, double pressure_times_volume);
+    /// Where shifting goes by the fluid's quartic mean speed.
+    [[nodiscard]] bool shifts_by_speed() const { return settings_.shifting > 0 && !settings_.corrected; }
+    [[nodiscard]] double particle_volume() const;
     void sum_forces(double t);
     void add_outside_forces(double t, double dt);
     void solve_viscous_forces(double t, double dt);
@@ -99,7 +116,8 @@ class FluidStep {
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
     /// What all ranks' particles add up to after the kick, in one message: impulses, and the mean speed.
-    void add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds);
+    void add_up(double dt, const std::array<double, 3>& g, const std::array<double, 3>& force_density,
+                const ExactSum& fourth_powers_of_speeds);
 
     ParticleStore& particles_;
     PairSettings settings_;
@@ -117,8 +135,11 @@ class FluidStep {
     Neighbours neighbours_;
     BodyForce body_force_;
     bool solidifies_;    ///< liquid may turn solid
-    double fluid_mass_;  ///< of all ranks, what turned solid included [kg]
+    double fluid_mass_;   ///< of all ranks, what turned solid included [kg]
+    double liquid_mass_;  ///< of all ranks, what is liquid still [kg]
     double bodies_ahead_ = 0;
+    double bodies_shown_ = 1;  ///< share of the bodies' last displacement that the store's positions include [-]
+    double reference_density_ = 0;  ///< rho0 of the slope of the reference pressure [kg/m^3]
     double largest_speed_ = 0;
     /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].
     double quartic_mean_speed_ = 0;

@@ -163,6 +163,10 @@ class ArrangedCrowd {
             put(Field::contact_range, set.spacing);
             put(Field::wall_contact_range, id % 3 == 0 ? 0 : set.spacing);
             put(Field::wall_distance, set.wall_distance[id]);
+            if (!by_id.group(id).has(Field::velocity_gradient)) continue;
+            put(Field::reduced_pressure, 3000 * unit(random));
+            put(Field::mean_correction, 1 + 0.1 * unit(random));
+            for (int k = 0; k < set.dimension * set.dimension; ++k) put(Field::velocity_gradient, unit(random), k);
         }
     }
 

@@ -28,6 +28,11 @@ class EveryViscousLaw : public testing::Test {
                 i.volume = j.volume = i.viscosity = j.viscosity = 1;
                 i.velocity = {{velocity(0, 0), 0}};
                 j.velocity = {{velocity(a, b), 0}};
+                if (needs_gradient<Law>()) {
+                    i.correction = j.correction = 1 / scales.morris_on_lattice.shear;
+                    j.gradient[0] = {{(velocity(a + 1, b) - velocity(a - 1, b)) / 2,
+                                      (velocity(a, b + 1) - velocity(a, b - 1)) / 2}};
+                }
                 sum += term.law(pair_of(i, j, {{-1.0 * a, -1.0 * b}}));
             }
         return sum;

@@ -1,0 +1,249 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// The density sweep of the corrected scheme, against sums over all pairs and against what it must be exact for.
+#include <Eigen/Dense>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "arranged_crowd.hpp"
+#include "models/sph/kernels.hpp"
+#include "models/sph/shifting.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests::solver_gradient_sweep_tests {
+namespace {
+
+using Matrix = Eigen::Matrix3d;
+
+PairSettings corrected_settings(const ParticleSet& set, bool several) {
+    PairSettings settings = crowd_settings(set, true);
+    settings.corrected = true;
+    settings.several_fluids = several;
+    return settings;
+}
+
+/// What the sweep leaves of a fluid particle.
+struct Found {
+    Matrix velocity_gradient = Matrix::Zero();
+    Vec density_gradient = Vec::Zero(), shift = Vec::Zero();
+    double rate = 0, correction = 0;
+};
+
+class Gradients {
+  public:
+    Gradients(const ParticleSet& set, const PairSettings& settings, const Arrangement& arrangement = {})
+        : set_(set), settings_(settings), crowd_(set, settings, arrangement), by_id_(crowd_.particles()) {
+        if (settings.several_fluids) fill(Field::fluid_number, [](std::size_t id, int) { return id % 2; });
+    }
+
+    /// value_of(id, axis), for all particles that have the field, copies included.
+    template <class ValueOf>
+    void fill(Field field, const ValueOf& value_of) {
+        for (std::size_t id = 0; id < by_id_.size(); ++id)
+            if (by_id_.group(id).has(field))
+                for (int axis = 0; axis < by_id_.group(id).axes(field); ++axis)
+                    by_id_.value(field, id, axis) = value_of(id, axis);
+        crowd_.exchange({field});
+    }
+
+    [[nodiscard]] std::vector<Found> sweep() {
+        for (const ClusterChoice part : {ClusterChoice::inner, ClusterChoice::border})
+            crowd_.sweeps().gradients(crowd_.particles(), crowd_.list(), ArrangedCrowd::body_acceleration, part);
+        std::vector<Found> all(by_id_.size());
+        for (std::size_t id = 0; id < all.size(); ++id) {
+            if (!is_fluid(id)) continue;
+            const int d = set_.dimension;
+            for (int k = 0; k < d * d; ++k)
+                all[id].velocity_gradient(k / d, k % d) = by_id_.value(Field::velocity_gradient, id, k);
+            all[id].density_gradient = by_id_.vector(Field::next_density_gradient, id);
+            all[id].shift = by_id_.vector(Field::shift, id);
+            all[id].rate = by_id_.value(Field::density_rate, id);
+            all[id].correction = by_id_.value(Field::mean_correction, id);
+        }
+        return all;
+    }
+
+    [[nodiscard]] bool is_fluid(std::size_t id) const { return set_.kind(id) == PartKind::fluid; }
+    [[nodiscard]] const ById& by_id() const { return by_id_; }
+    [[nodiscard]] ParticleStore& particles() { return crowd_.particles(); }
+    [[nodiscard]] const PairSweeps& sweeps() const { return crowd_.sweeps(); }
+
+  private:
+    const ParticleSet& set_;
+    PairSettings settings_;
+    ArrangedCrowd crowd_;
+    ById by_id_;
+};
+
+/// Plain sums over all pairs, in the words of models/sph/velocity_gradient.hpp.
+std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, const PairSettings& settings) {
+    struct Sum {
+        Matrix m = Matrix::Zero(), a = Matrix::Zero(), m_own = Matrix::Zero(), a_own = Matrix::Zero();
+        Vec r = Vec::Zero(), shift = Vec::Zero();
+        double diffusion = 0;
+    };
+    std::vector<Sum> sums(set.size());
+    const ById& by_id = gradients.by_id();
+    const Vec g(ArrangedCrowd::body_acceleration[0], ArrangedCrowd::body_acceleration[1],
+                set.dimension == 3 ? ArrangedCrowd::body_acceleration[2] : 0);
+    const double c0 = settings.sound_speed;
+    for_all_pairs(gradients.particles(), settings.support, [&](const Meeting& p) {
+        if (!gradients.is_fluid(p.i)) return;
+        const auto of = [&](Field field, std::size_t id) { return by_id.value(field, id); };
+        const double weight = of(Field::volume, p.j) * gradients.sweeps().kernel_slope(p.separation.norm());
+        Sum& sum = sums[p.i];
+        Vec past = by_id.vector(Field::velocity, p.i) - by_id.vector(Field::velocity, p.j);
+        double same = 1, difference = 0;
+        if (gradients.is_fluid(p.j)) {
+            if (settings.several_fluids) same = of(Field::fluid_number, p.i) == of(Field::fluid_number, p.j) ? 1 : 0;
+            difference = of(Field::density, p.i) - of(Field::density, p.j);
+            const Vec slopes =
+                by_id.vector(Field::density_gradient, p.i) + by_id.vector(Field::density_gradient, p.j);
+            sum.diffusion += same * weight * (difference - 0.5 * slopes.dot(p.separation));
+        } else {
+            difference = of(Field::density, p.i) * g.dot(p.separation) / (c0 * c0);
+            if (set.kind(p.j) == PartKind::rigid) {  // the velocity on the line through the fluid's and the wall's
+                const double depth = of(Field::wall_distance, p.j);
+                const double distance = std::max(
+                    by_id.vector(Field::wall_normal, p.j).dot(p.separation) - depth, 0.5 * settings.spacing);
+                past *= 1 + depth / distance;
+            }
+        }
+        sum.m -= weight * p.separation * p.separation.transpose();
+        sum.a -= weight * past * p.separation.transpose();
+        sum.m_own -= same * weight * p.separation * p.separation.transpose();
+        sum.a_own -= same * weight * past * p.separation.transpose();
+        sum.r -= same * weight * difference * p.separation;
+        const double ratio =
+            gradients.sweeps().kernel_value(p.separation.norm()) / gradients.sweeps().kernel_value(settings.spacing);
+        sum.shift += weight * (1 + 0.2 * std::pow(ratio, 4)) * p.separation;
+    });
+    const auto inverse = [&](Matrix m, double smallest) -> Matrix {
+        if (set.dimension == 2) m(2, 2) = 1;
+        return m.determinant() < smallest ? Matrix(Matrix::Identity()) : Matrix(m.inverse());
+    };
+    std::vector<Found> all(set.size());
+    for (std::size_t id = 0; id < all.size(); ++id) {
+        if (!gradients.is_fluid(id)) continue;
+        const Sum& sum = sums[id];
+        const Matrix b = inverse(sum.m, 0.3), b_own = settings.several_fluids ? inverse(sum.m_own, 0.03) : b;
+        all[id].velocity_gradient = sum.a_own * b_own;
+        all[id].density_gradient = b_own * sum.r;
+        all[id].shift = sum.shift;
+        all[id].rate = -by_id.value(Field::density, id) * (sum.a * b).trace() +
+                       settings.density.diffusion * settings.support * c0 * sum.diffusion;
+        all[id].correction = b.topLeftCorner(set.dimension, set.dimension).trace() / set.dimension;
+    }
+    return all;
+}
+
+class GradientSweepIn : public testing::TestWithParam<std::tuple<int, bool>> {
+  protected:
+    const int dimension = std::get<0>(GetParam());
+    const bool several = std::get<1>(GetParam());
+    const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 3);
+    const PairSettings settings = corrected_settings(set, several);
+};
+
+TEST_P(GradientSweepIn, sums_are_those_of_all_pairs) {
+    for (const VectorUnit unit : available_vector_units()) {
+        SCOPED_TRACE(to_string(unit));
+        Gradients gradients(set, settings, {.vector_unit = unit});
+        gradients.fill(Field::density_gradient, [](std::size_t id, int axis) { return 3.0 * axis - id % 5; });
+        const std::vector<Found> found = gradients.sweep(), expected = of_all_pairs(gradients, set, settings);
+        for (std::size_t id = 0; id < found.size(); ++id) {
+            SCOPED_TRACE(id);
+            // Particles that are shaken this much have moments far from 1: their inverses are large.
+            EXPECT_LT((found[id].velocity_gradient - expected[id].velocity_gradient).norm(),
+                      1e-8 * (1 + expected[id].velocity_gradient.norm()));
+            EXPECT_LT((found[id].density_gradient - expected[id].density_gradient).norm(),
+                      1e-8 * (1 + expected[id].density_gradient.norm()));
+            EXPECT_LT((found[id].shift - expected[id].shift).norm(), 1e-10 * (1 + expected[id].shift.norm()));
+            EXPECT_NEAR(found[id].rate, expected[id].rate, 1e-8 * (1 + std::abs(expected[id].rate)));
+            EXPECT_NEAR(found[id].correction, expected[id].correction, 1e-9 * expected[id].correction);
+        }
+    }
+}
+
+TEST_P(GradientSweepIn, has_the_same_bits_in_any_arrangement) {
+    const auto bits = [&](const Arrangement& arrangement) {
+        Gradients gradients(set, settings, arrangement);
+        std::vector<double> all;
+        for (const Found& of : gradients.sweep()) {
+            all.insert(all.end(), of.velocity_gradient.data(), of.velocity_gradient.data() + 9);
+            all.insert(all.end(), of.density_gradient.data(), of.density_gradient.data() + 3);
+            all.insert(all.end(), {of.rate, of.correction, of.shift[0], of.shift[1], of.shift[2]});
+        }
+        return all;
+    };
+    const std::vector<double> first = bits({});
+    EXPECT_EQ(bits({.threads = 3, .extra_reach = 0.07, .near_only = true}), first);
+    EXPECT_EQ(bits({.shuffled = 5, .wrapped = true}), first);
+    for (const VectorUnit unit : available_vector_units()) EXPECT_EQ(bits({.vector_unit = unit}), first);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, GradientSweepIn, testing::Combine(testing::Values(2, 3), testing::Bool()),
+                         [](const auto& variant) {
+                             return std::to_string(std::get<0>(variant.param)) + "d_" +
+                                    (std::get<1>(variant.param) ? "several_fluids" : "one_fluid");
+                         });
+
+/// Fluid alone, shaken by a third of a spacing; inside, all gradients of linear fields must be exact.
+class LinearFields : public testing::TestWithParam<int> {
+  protected:
+    static ParticleSet fluid_only(int dimension) {
+        ParticleSet set = crowd(dimension, {false, false, false}, 7);
+        for (std::size_t id = 0; id < set.size(); ++id) {
+            set.part[id] = 0;
+            set.body[id] = -1;
+            set.fixed[id] = 0;
+            set.wall_normal[id] = Vec::Zero();
+            set.wall_distance[id] = 0;
+        }
+        return set;
+    }
+    const ParticleSet set = fluid_only(GetParam());
+    [[nodiscard]] bool is_inside(std::size_t id) const {
+        for (int axis = 0; axis < set.dimension; ++axis)
+            if (set.position[id][axis] < 0.35 || set.position[id][axis] > set.box.high[axis] - 0.35) return false;
+        return true;
+    }
+};
+
+TEST_P(LinearFields, have_exact_gradients_and_a_density_rate_without_error) {
+    PairSettings settings = corrected_settings(set, false);
+    Gradients gradients(set, settings);
+    Matrix g;
+    g << 0.3, -1.1, 0.4, 0.9, 0.2, -0.6, 0.1, 0.8, -0.5;  // divergence 0 in 3-D, 0.5 in 2-D
+    const Vec slope(40, -25, 13);
+    gradients.fill(Field::velocity, [&](std::size_t id, int axis) {
+        double v = 1.7;
+        for (int b = 0; b < set.dimension; ++b) v += g(axis, b) * set.position[id][b];
+        return v;
+    });
+    gradients.fill(Field::density, [&](std::size_t id, int) {
+        double rho = 1000;
+        for (int b = 0; b < set.dimension; ++b) rho += slope[b] * set.position[id][b];
+        return rho;
+    });
+    gradients.fill(Field::density_gradient, [&](std::size_t, int axis) { return slope[axis]; });
+    const std::vector<Found> found = gradients.sweep();
+    int inside = 0;
+    for (std::size_t id = 0; id < found.size(); ++id) {
+        if (!is_inside(id)) continue;
+        ++inside;
+        const double divergence = g.topLeftCorner(set.dimension, set.dimension).trace();
+        for (int a = 0; a < set.dimension; ++a) {
+            EXPECT_NEAR(found[id].density_gradient[a], slope[a], 1e-7);
+            for (int b = 0; b < set.dimension; ++b) EXPECT_NEAR(found[id].velocity_gradient(a, b), g(a, b), 1e-10);
+        }
+        EXPECT_NEAR(found[id].rate, -gradients.by_id().value(Field::density, id) * divergence, 1e-6);
+    }
+    EXPECT_GT(inside, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, LinearFields, testing::Values(2, 3));
+
+}  // namespace
+}  // namespace dmp::tests::solver_gradient_sweep_tests
