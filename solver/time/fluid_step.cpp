@@ -46,15 +46,15 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       walls_(scene, set, particles),
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
-      body_force_(scene, particles),
-      solidifies_(!scene.solidify.empty()) {
+      body_force_(scene, set, particles) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
     ExactSum mass;
     for (std::size_t i = 0; i < particles.fluid().owned(); ++i) mass.add(particles.fluid().data(Field::mass)[i]);
     ranks.sum(mass);
-    fluid_mass_ = mass.value();
+    mass.add(springs_.mass());  // every rank has all bodies
+    driven_mass_ = mass.value();
     if (settings.viscosity.implicit)
         viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
     if (!scene.species.empty()) {
@@ -87,18 +87,20 @@ FluidExtremes FluidStep::advance(double t, double dt) {
 void FluidStep::sum_forces(double t) {
     FieldList fields = force_fields_;
     for (const Field field : walls_.show_surfaces(particles_)) fields.push_back(field);
-    sweep("forces", fields, [this, g = body_force_.uniform(t)](ClusterChoice clusters) {
+    sweep("forces", fields, [this, g = body_force_.in_walls(t)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters);
     });
     if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
 }
 
-/// Forces that depend on time and position alone: body forces that are not uniform, forces on parts, moving shapes.
+/// Forces that depend on time and position alone: body forces but for the liquid's uniform acceleration, which its kick
+/// adds; forces on parts; moving shapes.
 void FluidStep::add_outside_forces(double t, double dt) {
     const auto count = [&](const std::array<double, 3>& force) {
         for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces.at(axis) += dt * force.at(axis);
     };
-    if (solidifies_) count(body_force_.add_to_solidified(particles_, ranks_, t));
+    if (!springs_.empty()) count(body_force_.add_weights(particles_, springs_, ranks_, t));
+    if (body_force_.has_gradient()) in_gradient_ = body_force_.add_pressure_forces(particles_, t, settings_.threads);
     if (body_force_.depends_on_position()) count(body_force_.kick_fluid(particles_, ranks_, t, dt));
     if (!driving_.empty()) count(driving_.add_forces(particles_, ranks_, t, settings_.threads));
 }
@@ -211,10 +213,10 @@ void FluidStep::kick(double t, double dt) {
     largest_speed_ = ranks_.largest(speeds.largest);
     if (settings_.shifting > 0 && !FluidPasses::sum_alike(expected_speed, largest_speed_))
         speeds.fourth_powers = passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_);
-    add_up(dt, g, speeds.fourth_powers);
+    add_up(t, dt, speeds.fourth_powers);
 }
 
-void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds) {
+void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_speeds) {
     const auto axes = static_cast<std::size_t>(particles_.dimension());
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
@@ -223,9 +225,12 @@ void FluidStep::add_up(double dt, const std::array<double, 3>& g, const ExactSum
         sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
+    if (body_force_.has_gradient()) sums.push_back(in_gradient_);
     ranks_.sum(sums);
+    const auto g = body_force_.uniform(t), pressure = body_force_.force_density(t);
+    const double volume = body_force_.has_gradient() ? sums.back().value() : 0;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-        impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
+        impulses_.of_body_forces[axis] += dt * (g[axis] * driven_mass_ + pressure[axis] * volume);
         impulses_.of_fixed[axis] -= dt * sums[axis].value();
     }
     if (settings_.shifting > 0)

@@ -78,9 +78,7 @@ class FluidStep {
     /// Null where the scene has no species.
     [[nodiscard]] const SpeciesTransport* species() const { return species_ ? &*species_ : nullptr; }
     [[nodiscard]] const Driving& driving() const { return driving_; }
-    /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
-    /// pressure in walls is then continued as it is).
-    [[nodiscard]] std::array<double, 3> body_acceleration(double t) const { return body_force_.uniform(t); }
+    [[nodiscard]] const BodyForce& body_force() const { return body_force_; }
 
   private:
     void renew_list();
@@ -99,7 +97,7 @@ class FluidStep {
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
     /// What all ranks' particles add up to after the kick, in one message: impulses, and the mean speed.
-    void add_up(double dt, const std::array<double, 3>& g, const ExactSum& fourth_powers_of_speeds);
+    void add_up(double t, double dt, const ExactSum& fourth_powers_of_speeds);
 
     ParticleStore& particles_;
     PairSettings settings_;
@@ -116,8 +114,8 @@ class FluidStep {
     Driving driving_;
     Neighbours neighbours_;
     BodyForce body_force_;
-    bool solidifies_;    ///< liquid may turn solid
-    double fluid_mass_;  ///< of all ranks, what turned solid included [kg]
+    double driven_mass_;    ///< of liquid and elastic solids, of all ranks [kg]
+    ExactSum in_gradient_;  ///< volume that the pressure gradient acted on in this step, of this rank [m^3]
     double bodies_ahead_ = 0;
     double largest_speed_ = 0;
     /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].
