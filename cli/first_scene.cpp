@@ -133,8 +133,8 @@ class Author {
             fmt::format("it is {}: {:g} kg/m^3, {:g} mPa s", liquid_.what, liquid_.density, 1e3 * liquid_.viscosity));
         const double kinematic_viscosity = liquid_.viscosity / liquid_.density;
         speed_ = reynolds_number * kinematic_viscosity / across;
-        // Poiseuille's in a pipe, u = a R^2 / (4 nu) in the middle; of the right size elsewhere.
-        acceleration_ = 4 * kinematic_viscosity * speed_ / std::pow(0.5 * across, 2);
+        // Poiseuille's in a pipe, u = -dp/dx R^2 / (4 mu) in the middle; of the right size elsewhere.
+        gradient_ = -4 * liquid_.viscosity * speed_ / std::pow(0.5 * across, 2);
         duration_ = across / speed_;
     }
 
@@ -190,8 +190,7 @@ class Author {
     std::string written_sheet(const SurfaceSet& sheet, const std::vector<FaceSelection>& asked) {
         constexpr double bend = 0.1;
         const double thickness = 2 * spacing_, length = std::sqrt(sheet.surface.area());
-        const double pressure =
-            periodic_ ? liquid_.density * acceleration_ * box_.extent()[axis_] : 10 * liquid_.density * speed_ * speed_;
+        const double pressure = periodic_ ? -gradient_ * box_.extent()[axis_] : 10 * liquid_.density * speed_ * speed_;
         const double stiffness = 12 * pressure * std::pow(length, 3) / (8 * bend * std::pow(thickness, 3));
         const std::string anchor = held_by(sheet, asked);
         assume(fmt::format(
@@ -267,10 +266,10 @@ class Author {
         std::string flow = fmt::format("\n[flow]\nlargest_speed = \"{:.4g} m/s\"\n",
                                        (obstructed_ ? faster_past_bodies : faster) * speed_);
         if (!periodic_) return flow;
-        std::array<std::string, 3> force{"0", "0", "0"}, start{"0", "0", "0"};
-        force.at(static_cast<std::size_t>(axis_)) = fmt::format("\"{:.4g} m/s^2\"", acceleration_);
-        flow += fmt::format("periodic = [\"{}\"]\nacceleration = [{}, {}, {}]\n", axis_name(), force[0], force[1],
-                            force[2]);
+        std::array<std::string, 3> drive{"0", "0", "0"}, start{"0", "0", "0"};
+        drive.at(static_cast<std::size_t>(axis_)) = fmt::format("\"{:.4g} Pa/m\"", gradient_);
+        flow += fmt::format("periodic = [\"{}\"]\npressure_gradient = [{}, {}, {}]\n", axis_name(), drive[0], drive[1],
+                            drive[2]);
         if (radius_) {
             const int one = (axis_ + 1) % 3, other = (axis_ + 2) % 3;
             const auto from_centre = [&](int axis) {
@@ -293,8 +292,8 @@ class Author {
             return;
         }
         assume(fmt::format("what leaves along {} comes in again: its ends there are flat and alike", axis_name()));
-        assume(fmt::format("driven along {} at {:.3g} m/s^2, for about {:.3g} m/s, a Reynolds number of {:.2g}",
-                           axis_name(), acceleration_, speed_, reynolds_number));
+        assume(fmt::format("driven along {} by {:.3g} Pa/m, for about {:.3g} m/s, a Reynolds number of {:.2g}",
+                           axis_name(), gradient_, speed_, reynolds_number));
         if (!radius_)
             assume("it starts at rest");
         else if (obstructed_)
@@ -316,7 +315,8 @@ class Author {
     bool periodic_ = false, obstructed_ = false;
     Vec centre_ = Vec::Zero();
     std::optional<double> radius_;
-    double spacing_ = 0, speed_ = 0, acceleration_ = 0, duration_ = 0;
+    double spacing_ = 0, speed_ = 0, duration_ = 0;
+    double gradient_ = 0;  ///< of the pressure that drives it [Pa/m]
 };
 
 }  // namespace

@@ -74,8 +74,8 @@ class AuthorInPlane {
                     : ""));
         const double kinematic_viscosity = liquid_->viscosity / liquid_->density;
         speed_ = std::min(reynolds_number * kinematic_viscosity / across, across / shortest_passage);
-        // Poiseuille's between plates, u = a H^2 / (8 nu) in the middle; of the right size elsewhere.
-        acceleration_ = 8 * kinematic_viscosity * speed_ / (across * across);
+        // Poiseuille's between plates, u = -dp/dx H^2 / (8 mu) in the middle; of the right size elsewhere.
+        gradient_ = -8 * liquid_->viscosity * speed_ / (across * across);
         duration_ = across / speed_;
         axis_ = guess_.periodic[0] == guess_.periodic[1] ? guess_.longest_axis() : (guess_.periodic[0] ? 0 : 1);
     }
@@ -125,8 +125,7 @@ class AuthorInPlane {
     /// Two rows of springs. A cantilever of length L under p on each length bends by p L^4 / (8 E I) at its end.
     std::string written_flexible(const CurveGuess& curve) {
         const double rho = liquid_->density, length = curve.longest, thick = thickness * spacing_;
-        const double pressure =
-            is_periodic() ? rho * acceleration_ * guess_.box.extent()[axis_] : 10 * rho * speed_ * speed_;
+        const double pressure = is_periodic() ? -gradient_ * guess_.box.extent()[axis_] : 10 * rho * speed_ * speed_;
         const double bending = pressure * std::pow(length, 3) / (8 * bend), axial = 12 * bending / (thick * thick);
         const std::size_t loose = curve.held_ends.size() - curve.anchored;
         std::string held = curve.anchor.empty() ? "free" : "clamped at '" + curve.anchor + "'";
@@ -153,13 +152,13 @@ class AuthorInPlane {
         std::vector<std::string> axes;
         if (guess_.periodic[0]) axes.emplace_back("x");
         if (guess_.periodic[1]) axes.emplace_back("y");
-        std::array<std::string, 2> force{"0", "0"}, start{"0", "0"};
-        force.at(static_cast<std::size_t>(axis_)) = fmt::format("\"{:.4g} m/s^2\"", acceleration_);
-        flow += fmt::format("periodic = [{}]\nacceleration = [{}, {}]\n", listed(axes), force[0], force[1]);
+        std::array<std::string, 2> drive{"0", "0"}, start{"0", "0"};
+        drive.at(static_cast<std::size_t>(axis_)) = fmt::format("\"{:.4g} Pa/m\"", gradient_);
+        flow += fmt::format("periodic = [{}]\npressure_gradient = [{}, {}]\n", listed(axes), drive[0], drive[1]);
         for (const std::string& axis : axes)
             assume(fmt::format("what leaves along {} comes in again: its sides there are flat and alike", axis));
-        assume(fmt::format("driven along {} at {:.3g} m/s^2, for about {:.3g} m/s, a Reynolds number of {:.2g}",
-                           axis_name(), acceleration_, speed_, reynolds()));
+        assume(fmt::format("driven along {} by {:.3g} Pa/m, for about {:.3g} m/s, a Reynolds number of {:.2g}",
+                           axis_name(), gradient_, speed_, reynolds()));
         if (profile) {
             const int aside = 1 - axis_;
             const auto from = [&](double position, const char* sign) {
@@ -185,7 +184,8 @@ class AuthorInPlane {
     const Liquid* liquid_;
     std::vector<std::string> assumptions_;
     int axis_ = 0;  ///< along which it is driven
-    double spacing_ = 0, speed_ = 0, acceleration_ = 0, duration_ = 0;
+    double spacing_ = 0, speed_ = 0, duration_ = 0;
+    double gradient_ = 0;  ///< of the pressure that drives it [Pa/m]
 };
 
 }  // namespace

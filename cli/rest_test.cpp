@@ -50,6 +50,7 @@ class Moves : public FrameSink {
 Scene at_rest(Scene scene, double sound_speed) {
     scene.numerics.sound_speed = sound_speed;
     for (Expression& g : scene.flow.acceleration) g = {};
+    scene.flow.pressure_gradient = {};
     scene.flow.initial_velocity = {};
     scene.flow.initial_pressure = {};
     for (Part& part : scene.parts) {

@@ -13,7 +13,7 @@ struct FluidPoint {
     Vector<T, D> position, velocity;
     T volume, density, pressure, viscosity;
     /// Of the corrected scheme (velocity_gradient.hpp); other schemes leave it as here.
-    T correction = T(1.0);                                              ///< b = tr B / D [-]
+    T correction = T(1.0);                                               ///< b = tr B / D [-]
     Vector<Vector<T, D>, D> gradient = Vector<Vector<T, D>, D>::zero();  ///< G, [a][b] = dv_a/dx_b [1/s]
 };
 

@@ -104,20 +104,19 @@ void need_what_the_scheme_supports(const Scene& scene) {
     const auto& numerics = scene.numerics;
     const auto refuse = [&](const SourceLocation& location, const std::string& key) {
         const std::string scheme = to_string(*numerics.scheme);
-        throw InputError(first_known(scene, {&location, &numerics.scheme.location}),
-                         "numerics.scheme = \"" + scheme + "\" does not support numerics." + key,
-                         "leave it out, or write scheme = \"" +
-                             to_string(*numerics.scheme == FluidScheme::corrected ? FluidScheme::plain
-                                                                                  : FluidScheme::corrected) +
-                             "\"");
+        throw InputError(
+            first_known(scene, {&location, &numerics.scheme.location}),
+            "numerics.scheme = \"" + scheme + "\" does not support numerics." + key,
+            "leave it out, or write scheme = \"" +
+                to_string(*numerics.scheme == FluidScheme::corrected ? FluidScheme::plain : FluidScheme::corrected) +
+                "\"");
     };
     const bool needs_gradient = numerics.viscous_law->visit([]<class Law>() { return models::needs_gradient<Law>(); });
     switch (*numerics.scheme) {
         case FluidScheme::corrected:
             if (*numerics.density == DensityModel::summation)
                 refuse(numerics.density.location, "density = \"summation\"");
-            if (*numerics.transport_velocity)
-                refuse(numerics.transport_velocity.location, "transport_velocity = true");
+            if (*numerics.transport_velocity) refuse(numerics.transport_velocity.location, "transport_velocity = true");
             if (*numerics.gradient_correction)
                 refuse(numerics.gradient_correction.location, "gradient_correction = true");
             if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
@@ -229,6 +228,32 @@ void check_walls(const Scene& scene) {
                              "the surface of '" + *wall->name +
                                  "' slides, but the fluid slips on it: the motion would have no effect",
                              "leave out surface_velocity, or slip");
+    }
+}
+
+/// A mean gradient of the pressure needs a liquid, and an axis along which the scene repeats; it is the same
+/// everywhere.
+void check_pressure_gradient(const Scene& scene, const TomlNode& document) {
+    const auto& gradient = scene.flow.pressure_gradient;
+    const TomlNode* list = document.find("flow.pressure_gradient");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Expression& along = (*gradient)[axis];
+        if (along.is_zero()) continue;
+        const bool written = list != nullptr && axis < list->children.size();
+        const SourceLocation at = written ? list->children[axis].location : gradient.location;
+        if (scene.parts_of(PartKind::fluid).empty())
+            throw InputError(at, "flow.pressure_gradient drives a fluid, and no part is one",
+                             "leave it out, or push with flow.acceleration or a [[force]]");
+        if (!*scene.flow.periodic[axis])
+            throw InputError(at,
+                             std::string("flow.pressure_gradient acts along ") + "xyz"[axis] +
+                                 ", which is not periodic: walls there balance it, and nothing flows",
+                             std::string("add \"") + "xyz"[axis] +
+                                 "\" to flow.periodic, or leave the component out; gravity is flow.acceleration");
+        if (along.depends_on_position())
+            throw InputError(at, "flow.pressure_gradient depends on x, y or z: \"" + along.text() + "\"",
+                             "write formulas of t: it is the mean over the period; a force that depends on position is "
+                             "flow.acceleration or a [[force]]");
     }
 }
 
@@ -390,12 +415,14 @@ void check_scene(const Scene& scene, const TomlNode& document) {
     need_thick_walls(scene);
     if (scene.dimension == 2) {
         need_plane_formulas("flow.acceleration", scene.flow.acceleration[2], document);
+        need_plane_formulas("flow.pressure_gradient", (*scene.flow.pressure_gradient)[2], document);
         need_plane_formulas("flow.initial_velocity", (*scene.flow.initial_velocity)[2], document);
         need_plane_walls(scene);
     }
     need_start_without_time(scene);
     check_walls(scene);
     check_symmetry(scene);
+    check_pressure_gradient(scene, document);
     need_regions(scene, document);
     check_species(scene);
     for (const auto& region : scene.regions) check_region(scene, region);

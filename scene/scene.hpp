@@ -47,10 +47,13 @@ struct Scene {
     std::vector<Part> parts;  ///< in the order of the file, including disabled ones
 
     struct {
-        std::array<Expression, 3> acceleration;  ///< body acceleration of the fluid [m/s^2] as functions of t, x, y, z
-        std::array<Value<bool>, 3> periodic;     ///< by axis
-        Value<std::vector<BoxSide>> symmetry;    ///< sides of the fluid's box that are planes of symmetry
-        Value<double> largest_speed;             ///< largest speed expected [m/s]; 0 = not given
+        /// Body acceleration of all that moves [m/s^2] as functions of t, x, y, z.
+        std::array<Expression, 3> acceleration;
+        /// Mean gradient of the pressure along periodic axes [Pa/m] as functions of t.
+        Value<std::array<Expression, 3>> pressure_gradient;
+        std::array<Value<bool>, 3> periodic;                ///< by axis
+        Value<std::vector<BoxSide>> symmetry;               ///< sides of the fluid's box that are planes of symmetry
+        Value<double> largest_speed;                        ///< largest speed expected [m/s]; 0 = not given
         Value<std::array<Expression, 3>> initial_velocity;  ///< of the fluid [m/s] as functions of x, y, z
         Value<Expression> initial_pressure;                 ///< of the fluid [Pa] as a function of x, y, z
         Value<double> largest_pressure;                     ///< largest pressure expected [Pa]; 0 = not given

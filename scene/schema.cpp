@@ -185,7 +185,11 @@ std::vector<Key<SceneBox>> box_keys() {
 std::vector<Key<Flow>> flow_keys() {
     return {
         {"acceleration", &Flow::acceleration, formulas("0.1 m/s^2"), "[0, 0]",
-         "Body acceleration of fluid and spheres, as formulas of t, x, y, z."},
+         "Body acceleration, as formulas of t, x, y, z: gravity, or an accelerated frame. It acts on the mass of all that "
+         "moves: fluid, elastic solids and spheres."},
+        {"pressure_gradient", &Flow::pressure_gradient, formulas("-100 Pa/m"), "[0, 0]",
+         "Mean gradient of the pressure along periodic axes, as formulas of t: dp/dx, so less than 0 drives the fluid "
+         "towards x. It acts on the volume of the fluid and of elastic solids in it, not on walls (docs/driving.md)."},
         {"periodic", &Flow::periodic, axes(), "[]", "Axes along which the scene is periodic."},
         {"symmetry", &Flow::symmetry, list_of<BoxSide>(), "[]",
          "Sides of the fluid's box that are planes of symmetry."},

@@ -95,6 +95,7 @@ constexpr std::array named_dimensions = {
     NamedDimension{"energy", of(2, 1, -2)},
     NamedDimension{"power", of(2, 1, -3)},
     NamedDimension{"pressure", of(-1, 1, -2)},
+    NamedDimension{"pressure gradient", of(-2, 1, -2)},
     NamedDimension{"density", of(-3, 1, 0)},
     NamedDimension{"dynamic viscosity", of(-1, 1, -1)},
     NamedDimension{"kinematic viscosity", of(2, 0, -1)},

@@ -27,7 +27,8 @@ struct DensityDiffusion {
 /// the coefficient.
 struct SmoothDensityDiffusion {
     template <class Weight, class Difference, class G, class X>
-    static auto law(const Weight& weight, const Difference& difference, const G& sum_of_gradients, const X& separation) {
+    static auto law(const Weight& weight, const Difference& difference, const G& sum_of_gradients,
+                    const X& separation) {
         return weight * (difference - 0.5 * dot(sum_of_gradients, separation));
     }
 };

@@ -53,8 +53,7 @@ struct NewtonianViscosity {
     template <class I, class J, class T, int D, class R, class S>
     static auto transposed(const Pair<I, J, Vector<T, D>, R, S>& p) {
         Vector<T, D> sum = Vector<T, D>::zero();
-        for (int row = 0; row < D; ++row)
-            sum += (0.5 * p.separation[row]) * (p.i.gradient[row] + p.j.gradient[row]);
+        for (int row = 0; row < D; ++row) sum += (0.5 * p.separation[row]) * (p.i.gradient[row] + p.j.gradient[row]);
         return sum;
     }
 };

@@ -19,8 +19,8 @@ namespace dmp::models {
 ///   detail(nu, c0)          added text of `dmp explain` for a fluid of kinematic viscosity nu [m^2/s]; may be empty
 ///   linear                  whether the force is linear in the velocities, as implicit stepping requires
 ///   needs_gradient          whether it reads the corrected velocity gradient (left out: false)
-using ViscousLaws = Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity,
-                             NewtonianViscosity>;
+using ViscousLaws =
+    Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity, NewtonianViscosity>;
 using ViscousLaw = Choice<ViscousLaws>;
 
 template <class Law>

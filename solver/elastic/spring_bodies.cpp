@@ -7,6 +7,7 @@
 #include <set>
 
 #include "solver/parallel/each_of.hpp"
+#include "solver/parallel/exact_sum.hpp"
 
 namespace dmp::solver {
 
@@ -92,6 +93,14 @@ void SpringBodies::change(const BodyChange& change, const ParticleSpace& space) 
 
 void SpringBodies::number_particles(ParticleStore& particles) const {
     for (ParticleTag& tag : particles.of(PartKind::elastic).tags()) tag.body = by_id_.at(tag.id).body;
+}
+
+double SpringBodies::mass() const {
+    ExactSum sum;
+    for (const auto& body : bodies_)
+        for (std::size_t n = 0; n < body->nodes(); ++n)
+            if (!body->of_wall(n)) sum.add(body->mass(n));
+    return sum.value();
 }
 
 int SpringBodies::substeps(double dt) const {

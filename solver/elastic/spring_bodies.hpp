@@ -50,6 +50,12 @@ class SpringBodies {
     /// list [1/s^2] (contact_stiffness.hpp). All ranks must call it.
     [[nodiscard]] double largest_contact_rate(const ParticleStore& particles, const ClusterList& list,
                                               int threads) const;
+    /// Mass of the node that is this particle of the store's group [kg]: its inertia and its weight, while Field::mass
+    /// is that of the liquid it displaces.
+    [[nodiscard]] double node_mass(std::size_t particle) const {
+        const Node& node = nodes_[particle];
+        return bodies_[node.body]->mass(static_cast<std::size_t>(node.index));
+    }
     /// Moves the nodes in the store from one part of the way that the last advance made to another, each a share of it
     /// [-]. Returns the largest displacement of a node [m].
     double show_positions(ParticleStore& particles, double from = 0, double to = 1) const;
@@ -73,6 +79,8 @@ class SpringBodies {
     void archive(Archive& file);
 
     [[nodiscard]] bool empty() const { return bodies_.empty(); }
+    /// Of all nodes, held ones too, but not of wall particles to which bodies are bonded [kg].
+    [[nodiscard]] double mass() const;
     [[nodiscard]] const std::vector<std::unique_ptr<SpringBody>>& bodies() const { return bodies_; }
 
     /// A vector field of all nodes of all bodies, one body after another, collected from the ranks that own the

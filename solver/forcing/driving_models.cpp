@@ -8,6 +8,11 @@ namespace dmp::solver {
 void add_driving_models(std::vector<ModelUse>& models, const Scene& scene) {
     for (const Expression& axis : scene.flow.acceleration)
         if (!axis.is_zero()) models.push_back({"body acceleration", axis.text(), "flow.acceleration"});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (const Expression& gradient = (*scene.flow.pressure_gradient)[axis]; !gradient.is_zero())
+            models.push_back({std::string("pressure gradient along ") + "xyz"[axis],
+                              gradient.text() + ", on the fluid and the elastic solids in it",
+                              "flow.pressure_gradient"});
     for (const ForceOnPart& force : scene.forces)
         models.push_back({"force on '" + *force.part + "'",
                           *force.amount == ForceAmount::total ? "total, spread evenly over its particles"

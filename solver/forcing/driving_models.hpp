@@ -9,7 +9,8 @@
 
 namespace dmp::solver {
 
-/// Adds what pushes from outside, fluid or spheres: body acceleration, forces on parts, moving shapes.
+/// Adds what pushes from outside, fluid or spheres: body acceleration, pressure gradient, forces on parts, moving
+/// shapes.
 void add_driving_models(std::vector<ModelUse>& models, const Scene& scene);
 
 }  // namespace dmp::solver

@@ -151,9 +151,13 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
                             : setting("flow.largest_speed", scene_.flow.largest_speed) +
                                   " m/s is below what the drive produces (the sound speed follows it)");
 
-    const auto drive = step.body_acceleration(t);
-    if (!std::ranges::all_of(drive, [](double axis) { return std::isfinite(axis); }))
+    const auto is_finite = [](const std::array<double, 3>& drive) {
+        return std::ranges::all_of(drive, [](double axis) { return std::isfinite(axis); });
+    };
+    if (!is_finite(step.body_force().uniform(t)))
         causes.emplace_back(8, "flow.acceleration gives no number at that time");
+    if (!is_finite(step.body_force().force_density(t)))
+        causes.emplace_back(8, "flow.pressure_gradient gives no number at that time");
     if (violation.left || outside_box(*violation.group, violation.particle))
         causes.emplace_back(violation.left ? 4 : 2, "a wall there has a hole or is too thin");
     if (numerics.step_factor > usual.step_factor)

@@ -32,10 +32,10 @@ VectorUnit chosen_vector_unit(VectorUnit asked) {
     const std::vector<VectorUnit> units = available_vector_units();
     if (asked == VectorUnit::widest) return units.back();
     if (std::find(units.begin(), units.end(), asked) == units.end())
-        throw ResourceError("this processor has no " + std::string(to_string(asked)) +
-                                " instructions, or dmp was built without them",
-                            "leave the vector unit out: dmp then uses the widest one available; -DDMP_PORTABLE=ON builds "
-                            "for all of them");
+        throw ResourceError(
+            "this processor has no " + std::string(to_string(asked)) + " instructions, or dmp was built without them",
+            "leave the vector unit out: dmp then uses the widest one available; -DDMP_PORTABLE=ON builds "
+            "for all of them");
     return asked;
 }
 

@@ -89,11 +89,10 @@ Conserved FluidRun::conserved() const {
 }
 
 std::vector<StepLimit> FluidRun::limits_now(double largest_speed) const {
-    double g = 0;
-    for (const double axis : fluid_.body_acceleration(time_)) g = std::hypot(g, axis);
     StepScales now = scales_;
     if (now.contact_limit > 0) now.contact_limit = std::min(now.contact_limit, fluid_.contact_step_limit());
-    auto limits = fluid_step_limits(now, std::max(largest_speed, fluid_.walls().largest_speed(time_)), g);
+    auto limits = fluid_step_limits(now, std::max(largest_speed, fluid_.walls().largest_speed(time_)),
+                                    fluid_.body_force().largest(time_));
     add_driving_limit(limits, fluid_.driving(), scales_.support, time_);
     return limits;
 }
@@ -169,11 +168,7 @@ Plan FluidRun::plan() const {
     plan.largest_speed = scene_.flow.largest_speed;
     plan.sound = sound_;
     double g = 0;  // largest over one run, sampled
-    for (int k = 0; k <= 64; ++k) {
-        double here = 0;
-        for (const double axis : fluid_.body_acceleration(scene_.run.duration * k / 64)) here = std::hypot(here, axis);
-        g = std::max(g, here);
-    }
+    for (int k = 0; k <= 64; ++k) g = std::max(g, fluid_.body_force().largest(scene_.run.duration * k / 64));
     plan.limits = fluid_step_limits(scales_, plan.largest_speed, g);
     add_driving_limit(plan.limits, fluid_.driving(), scales_.support, time_);
     const StepLimit ruling = ruling_limit(plan.limits);

@@ -46,8 +46,9 @@ class Warnings {
         const auto any = [](const std::array<Expression, 3>& formulas) {
             return !std::ranges::all_of(formulas, &Expression::is_zero);
         };
-        return any(scene_.flow.acceleration) || any(*scene_.flow.initial_velocity) ||
-               !scene_.flow.initial_pressure->is_zero() || !scene_.forces.empty() || !scene_.moving_shapes.empty() ||
+        return any(scene_.flow.acceleration) || any(*scene_.flow.pressure_gradient) ||
+               any(*scene_.flow.initial_velocity) || !scene_.flow.initial_pressure->is_zero() ||
+               !scene_.forces.empty() || !scene_.moving_shapes.empty() ||
                std::ranges::any_of(scene_.parts_of(PartKind::rigid),
                                    [](const Part* wall) { return wall->slides() || wall->moves(); });
     }
@@ -55,7 +56,7 @@ class Warnings {
     void about_drive() {
         if (is_driven()) return;
         add("flow.acceleration", {}, "is 0 and nothing else drives the scene: nothing will move",
-            "give a body acceleration");
+            "give a body acceleration, or flow.pressure_gradient along a periodic axis");
     }
 
     void about_contact() {

@@ -57,8 +57,7 @@ class Sweeps final : public PairSweeps {
                             ReproducibleSum(volume() * steepest_ * settings.support)},
           summation_rounding_(settings.density.largest * volume() * kernel_.value(0.0)),
           correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate},
-          gradient_rounding_{density_rounding_.divergence,
-                             ReproducibleSum(volume() * steepest_ * settings.sound_speed),
+          gradient_rounding_{density_rounding_.divergence, ReproducibleSum(volume() * steepest_ * settings.sound_speed),
                              ReproducibleSum(settings.density.largest * volume() * steepest_),
                              density_rounding_.shift} {}
 
@@ -73,21 +72,19 @@ class Sweeps final : public PairSweeps {
             if (settings_.walls.model == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                with_flag(settings_.walls.slip || settings_.walls.moving,
-                          [&](auto motion) {
-                              auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
-                              solid.subtracted = narrowed(subtracted);
-                              run(solid);
-                          });
+                with_flag(settings_.walls.slip || settings_.walls.moving, [&](auto motion) {
+                    auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
+                    solid.subtracted = narrowed(subtracted);
+                    run(solid);
+                });
             }
         };
         const bool newtonian = settings_.viscosity.law.is<NewtonianViscosity>();
         if (newtonian && settings_.viscosity.implicit) {
             with_mean([&]<class Mean>() { sweep_with(NewtonianGradientTerm<Mean>{}); });
         } else if (newtonian) {
-            with_mean([&]<class Mean>() {
-                sweep_with(ViscousTerm<NewtonianViscosity, Mean>{NewtonianViscosity(scales_)});
-            });
+            with_mean(
+                [&]<class Mean>() { sweep_with(ViscousTerm<NewtonianViscosity, Mean>{NewtonianViscosity(scales_)}); });
         } else if (settings_.viscosity.implicit) {
             sweep_with(NoViscosity{});
         } else {

@@ -167,23 +167,17 @@ VolumeSums FluidPasses::volume_sums(const ParticleGroup& fluid, double largest_v
     return {sums[0], sums[1]};
 }
 
-SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g, double expected_speed,
-                            const std::array<double, 3>& force_density) const {
-    const bool by_volume = force_density != std::array<double, 3>{};
-    const bool powers = can_round(expected_speed);
-    const double speed = powers ? expected_speed : 0;
-    if (by_volume)
-        return powers ? kick_and_sum<true, true>(fluid, dt, g, speed, force_density)
-                      : kick_and_sum<false, true>(fluid, dt, g, speed, force_density);
-    return powers ? kick_and_sum<true, false>(fluid, dt, g, speed, {})
-                  : kick_and_sum<false, false>(fluid, dt, g, speed, {});
+SpeedSums FluidPasses::kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
+                            double expected_speed) const {
+    return can_round(expected_speed) ? kick_and_sum<true>(fluid, dt, g, expected_speed)
+                                     : kick_and_sum<false>(fluid, dt, g, 0);
 }
 
-template <bool sums_powers, bool has_force_density>
+template <bool sums_powers>
 SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                                    double expected_speed, const std::array<double, 3>& force_density) const {
+                                    double expected_speed) const {
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    const double *mass = fluid.data(Field::mass), *density = fluid.data(Field::density);
+    const double* mass = fluid.data(Field::mass);
     const ReproducibleSum rounded = rounding_of_powers(expected_speed);
     SpeedSums sums;
     const auto pass = [&]<int D>() {
@@ -199,12 +193,9 @@ SpeedSums FluidPasses::kick_and_sum(ParticleGroup& fluid, double dt, const std::
                 for (int axis = 0; axis < D; ++axis) {
                     double* speed = v[axis] + begin;
                     const double *pushed = force[axis] + begin, *inertia = mass + begin, driven = g[axis];
-                    const double *rho = density + begin, by_volume = force_density[axis];
 #pragma omp simd
                     for (std::ptrdiff_t k = 0; k < some; ++k) {
-                        double a = pushed[k] / inertia[k] + driven;
-                        if constexpr (has_force_density) a += by_volume / rho[k];
-                        speed[k] += dt * a;
+                        speed[k] += dt * (pushed[k] / inertia[k] + driven);
                         square[k] += speed[k] * speed[k];
                     }
                 }

@@ -52,10 +52,10 @@ class FluidPasses {
 
     /// x += dt v, rho += dt drho/dt (also for solids that carry a density), then pressure and volume.
     void drift_to_middle(ParticleStore& particles, double dt) const;
-    /// v += dt (F / m + g + f / rho), with the force density f [N/m^3]. If the expected largest speed of all ranks is given (not 0), also sums the fourth powers
+    /// v += dt (F / m + g). If the expected largest speed of all ranks is given (not 0), also sums the fourth powers
     /// of the new speeds, rounded for that speed.
     [[nodiscard]] SpeedSums kick(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                                 double expected_speed = 0, const std::array<double, 3>& force_density = {}) const;
+                                 double expected_speed = 0) const;
     /// Sum of the fourth powers of the speeds [m^4/s^4], for the largest speed of all ranks; the same bits in any
     /// order.
     [[nodiscard]] ExactSum fourth_powers_of_speeds(const ParticleGroup& fluid, double largest_speed) const;
@@ -94,9 +94,9 @@ class FluidPasses {
     [[nodiscard]] PassExtremes drift_and_shift(ParticleStore& particles, double dt, const ShiftStep& shift) const;
     template <class DensityOf>
     void update_density_range(const ParticleGroup& fluid, const DensityOf& density_of, PassExtremes& extremes) const;
-    template <bool sums_powers, bool has_force_density>
+    template <bool sums_powers>
     [[nodiscard]] SpeedSums kick_and_sum(ParticleGroup& fluid, double dt, const std::array<double, 3>& g,
-                                         double expected_speed, const std::array<double, 3>& force_density) const;
+                                         double expected_speed) const;
     template <int D>
     [[nodiscard]] Shifted shift_and_interpolate(ParticleStore& particles, const ShiftStep& shift,
                                                 double largest_momentum) const;

@@ -25,10 +25,10 @@ template <class L, int D, class Kernel, class Solid, bool Several>
 class GradientSweep {
   public:
     struct Options {
-        double diffusion;     ///< 2 delta h c0 [m^2/s]
-        double sound_speed;   ///< [m/s]
-        bool shifts;          ///< the shifting vector is wanted
-        bool free_surface;    ///< shifting vanishes where neighbours are missing
+        double diffusion;    ///< 2 delta h c0 [m^2/s]
+        double sound_speed;  ///< [m/s]
+        bool shifts;         ///< the shifting vector is wanted
+        bool free_surface;   ///< shifting vanishes where neighbours are missing
     };
 
     GradientSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,

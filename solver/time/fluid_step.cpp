@@ -64,15 +64,15 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       walls_(scene, set, particles),
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
-      body_force_(scene, particles),
-      solidifies_(!scene.solidify.empty()) {
+      body_force_(scene, set, particles) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.corrected)
-        force_fields_ = {Field::position,        Field::reduced_pressure,  Field::volume, Field::density,
+        force_fields_ = {Field::position,        Field::reduced_pressure,  Field::volume,  Field::density,
                          Field::mean_correction, Field::velocity_gradient, Field::velocity};
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
-    fluid_mass_ = liquid_mass_ = mass_of(particles.fluid(), ranks);
+    liquid_mass_ = mass_of(particles.fluid(), ranks);
+    driven_mass_ = liquid_mass_ + springs_.mass();  // every rank has all bodies
     reference_density_ = mean_rest_density(particles, rest_density_, ranks);
     if (settings.viscosity.implicit)
         viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
@@ -141,9 +141,8 @@ void FluidStep::sum_gradients(double t, double dt) {
         sweeps_->gradients(particles_, neighbours_.list(), g, clusters);
     });
     if (species_ && dt > 0)
-        timer_.timed("species", [&] {
-            species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt), std::nullopt);
-        });
+        timer_.timed("species",
+                     [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, shift_step(dt), std::nullopt); });
 }
 
 void FluidStep::take_initial_gradients(double t) {
@@ -193,18 +192,24 @@ double FluidStep::particle_volume() const { return std::pow(settings_.spacing, p
 void FluidStep::sum_forces(double t) {
     FieldList fields = force_fields_;
     for (const Field field : walls_.show_surfaces(particles_)) fields.push_back(field);
-    sweep("forces", fields, [&, g = body_force_.uniform(t)](ClusterChoice clusters) {
+    sweep("forces", fields, [&, g = body_force_.in_walls(t)](ClusterChoice clusters) {
         sweeps_->forces(particles_, neighbours_.list(), g, clusters, passes_.subtracted().slope);
     });
     if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
 }
 
-/// Forces that depend on time and position alone: body forces that are not uniform, forces on parts, moving shapes.
+/// Forces that depend on time and position alone: body forces but for the liquid's uniform acceleration, which its kick
+/// adds; forces on parts; moving shapes.
 void FluidStep::add_outside_forces(double t, double dt) {
     const auto count = [&](const std::array<double, 3>& force) {
         for (std::size_t axis = 0; axis < 3; ++axis) impulses_.of_body_forces.at(axis) += dt * force.at(axis);
     };
-    if (solidifies_) count(body_force_.add_to_solidified(particles_, ranks_, t));
+    if (!springs_.empty()) count(body_force_.add_weights(particles_, springs_, ranks_, t));
+    const auto gradient = body_force_.force_density(t), slope = passes_.subtracted().slope;
+    std::array<double, 3> by_volume{};
+    for (int axis = 0; axis < 3; ++axis) by_volume[axis] = gradient[axis] - slope[axis];
+    by_volume_ = by_volume != std::array<double, 3>{};
+    if (by_volume_) driven_volume_ = body_force_.add_pressure_forces(particles_, by_volume, settings_.threads);
     if (body_force_.depends_on_position()) count(body_force_.kick_fluid(particles_, ranks_, t, dt));
     if (!driving_.empty()) count(driving_.add_forces(particles_, ranks_, t, settings_.threads));
 }
@@ -315,17 +320,14 @@ void FluidStep::change_bodies(const BodyChange& change) {
 void FluidStep::kick(double t, double dt) {
     const auto g = body_force_.uniform(t);
     const double expected_speed = shifts_by_speed() ? largest_speed_ : 0;
-    std::array<double, 3> force_density{};  // of the reference pressure
-    for (int axis = 0; axis < 3; ++axis) force_density[axis] = -passes_.subtracted().slope[axis];
-    SpeedSums speeds = passes_.kick(particles_.fluid(), dt, g, expected_speed, force_density);
+    SpeedSums speeds = passes_.kick(particles_.fluid(), dt, g, expected_speed);
     largest_speed_ = ranks_.largest(speeds.largest);
     if (shifts_by_speed() && !FluidPasses::sum_alike(expected_speed, largest_speed_))
         speeds.fourth_powers = passes_.fourth_powers_of_speeds(particles_.fluid(), largest_speed_);
-    add_up(dt, g, force_density, speeds.fourth_powers);
+    add_up(t, dt, speeds.fourth_powers);
 }
 
-void FluidStep::add_up(double dt, const std::array<double, 3>& g, const std::array<double, 3>& force_density,
-                       const ExactSum& fourth_powers_of_speeds) {
+void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_speeds) {
     const auto axes = static_cast<std::size_t>(particles_.dimension());
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
@@ -339,12 +341,14 @@ void FluidStep::add_up(double dt, const std::array<double, 3>& g, const std::arr
         sums.push_back(fourth_powers_of_speeds);
         sums.emplace_back().add(static_cast<double>(particles_.fluid().owned()));
     }
+    if (by_volume_) sums.push_back(driven_volume_);
     ranks_.sum(sums);
+    const auto g = body_force_.uniform(t), pressure = body_force_.force_density(t);
+    const double volume = by_volume_ ? sums.back().value() : 0;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-        impulses_.of_body_forces[axis] += dt * g[axis] * fluid_mass_;
-        impulses_.of_fixed[axis] -= dt * sums[axis].value();
-        // The walls hold what the reference pressure exerts on the fluid.
-        if (refers) impulses_.of_fixed[axis] += dt * force_density[axis] * sums[axes].value();
+        impulses_.of_body_forces[axis] += dt * (g[axis] * driven_mass_ + pressure[axis] * volume);
+        // The walls hold what the reference pressure exerts on fluid and bodies.
+        impulses_.of_fixed[axis] -= dt * (sums[axis].value() + passes_.subtracted().slope[axis] * volume);
     }
     if (refers) set_reference_level(sums[axes].value(), sums[axes + 1].value());
     if (shifts_by_speed())

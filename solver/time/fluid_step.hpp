@@ -83,9 +83,7 @@ class FluidStep {
     /// Null where the scene has no species.
     [[nodiscard]] const SpeciesTransport* species() const { return species_ ? &*species_ : nullptr; }
     [[nodiscard]] const Driving& driving() const { return driving_; }
-    /// The uniform part of the body acceleration at time t [m/s^2]: axes on which it depends on place count 0 here (the
-    /// pressure in walls is then continued as it is).
-    [[nodiscard]] std::array<double, 3> body_acceleration(double t) const { return body_force_.uniform(t); }
+    [[nodiscard]] const BodyForce& body_force() const { return body_force_; }
 
   private:
     void renew_list();
@@ -116,8 +114,7 @@ class FluidStep {
     void drift_to_middle(double dt);
     FluidExtremes drift_to_end(double dt);
     /// What all ranks' particles add up to after the kick, in one message: impulses, and the mean speed.
-    void add_up(double dt, const std::array<double, 3>& g, const std::array<double, 3>& force_density,
-                const ExactSum& fourth_powers_of_speeds);
+    void add_up(double t, double dt, const ExactSum& fourth_powers_of_speeds);
 
     ParticleStore& particles_;
     PairSettings settings_;
@@ -134,11 +131,12 @@ class FluidStep {
     Driving driving_;
     Neighbours neighbours_;
     BodyForce body_force_;
-    bool solidifies_;    ///< liquid may turn solid
-    double fluid_mass_;   ///< of all ranks, what turned solid included [kg]
-    double liquid_mass_;  ///< of all ranks, what is liquid still [kg]
+    double driven_mass_;      ///< of liquid and elastic solids, of all ranks [kg]
+    double liquid_mass_;      ///< of all ranks, what is liquid still [kg]
+    bool by_volume_ = false;  ///< whether pressures that are not summed over pairs act in this step
+    ExactSum driven_volume_;  ///< on which they act, of this rank [m^3]
     double bodies_ahead_ = 0;
-    double bodies_shown_ = 1;  ///< share of the bodies' last displacement that the store's positions include [-]
+    double bodies_shown_ = 1;       ///< share of the bodies' last displacement that the store's positions include [-]
     double reference_density_ = 0;  ///< rho0 of the slope of the reference pressure [kg/m^3]
     double largest_speed_ = 0;
     /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].

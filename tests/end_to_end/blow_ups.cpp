@@ -47,17 +47,17 @@ TEST_F(BlowUp, FromTooLongAStepNamesTheStep) {
 
 TEST_F(BlowUp, FromTooStrongADriveNamesTheSpeed) {
     const auto ended =
-        run("out", {"--set", "flow.acceleration=[\"73 m/s^2 * cos(2*pi*t / 4 s)\", 0]", "--until", "0.5 s"});
+        run("out", {"--set", "flow.pressure_gradient=[\"-77090 Pa/m * cos(2*pi*t / 4 s)\", 0]", "--until", "0.5 s"});
     ASSERT_EQ(ended.code, 3) << ended.errors;
     EXPECT_THAT(ended.errors, AllOf(HasSubstr("sound speed 2.5 m/s"), HasSubstr("likely cause: numerics.sound_speed")));
     expect_snapshot_of(ended.errors, "out");
 }
 
 TEST_F(BlowUp, FromAFormulaThatGivesNoNumberNamesIt) {
-    const auto ended = run("out", {"--set", "flow.acceleration=[\"1 m/s^2 * sqrt(0.0151 - t / 1 s)\", 0]"});
+    const auto ended = run("out", {"--set", "flow.pressure_gradient=[\"-1056 Pa/m * sqrt(0.0151 - t / 1 s)\", 0]"});
     ASSERT_EQ(ended.code, 3) << ended.errors;
     EXPECT_THAT(ended.errors, AllOf(HasSubstr("is not finite"),
-                                    HasSubstr("likely causes: flow.acceleration gives no number at that time")));
+                                    HasSubstr("likely causes: flow.pressure_gradient gives no number at that time")));
     const auto series = read_series(folder_.path() / "out/fluid.pvd");
     ASSERT_FALSE(series.empty());
     EXPECT_GT(read_frame(series.back().file, "fluid").frame.time, 0.0151);

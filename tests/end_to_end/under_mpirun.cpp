@@ -125,7 +125,7 @@ TEST_F(SomeRanks, AnInputErrorEndsThemAllAndIsSaidOnce) {
 }
 
 TEST_F(SomeRanks, ADivergenceEndsThemAllAndIsSaidOnce) {
-    const auto outcome = run("out", {"--set", "flow.acceleration=[\"1000 m/s^2\", 0]"}, {.ranks = 3});
+    const auto outcome = run("out", {"--set", "flow.pressure_gradient=[\"-1e6 Pa/m\", 0]"}, {.ranks = 3});
     EXPECT_EQ(outcome.code, 3);
     EXPECT_EQ(times(outcome.errors, "diverged"), 1U) << outcome.errors;
 }

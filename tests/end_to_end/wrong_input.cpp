@@ -27,7 +27,7 @@ const std::string valve = "vein_valve";
 const std::string scene = "scene.toml";
 const std::string cad_geometry = "channel.geo";
 const std::string spacing = R"("0.05 mm")";
-const std::string drive = R"("1e-4 m/s^2")";
+const std::string drive = R"("-0.1 Pa/m")";
 
 std::vector<std::string> set(const std::string& text) { return {"--set", text}; }
 
@@ -104,19 +104,24 @@ std::vector<WrongInput> wrong_inputs() {
          {"scene.toml:20:8:", "already a part called 'water'"}},
         {"FormulaUnknownName",
          poiseuille,
-         {{scene, drive, "\"1e-4 m/s^2 * sin(q)\""}},
+         {{scene, drive, "\"-0.1 Pa/m * sin(q)\""}},
          {},
-         {"scene.toml:25:35:", "unknown name 'q'"}},
+         {"scene.toml:25:39:", "unknown name 'q'"}},
         {"FormulaSyntax",
          poiseuille,
-         {{scene, drive, "\"1e-4 m/s^2 * (2\""}},
+         {{scene, drive, "\"-0.1 Pa/m * (2\""}},
          {},
-         {"scene.toml:25:33:", "expected ')'"}},
+         {"scene.toml:25:37:", "expected ')'"}},
         {"FormulaDimension",
          poiseuille,
-         {{scene, drive, R"("1e-4 m/s")"}},
+         {{scene, drive, R"("0.1 m/s")"}},
          {},
-         {"scene.toml:25:18:", "(speed)", "acceleration"}},
+         {"scene.toml:25:23:", "(speed)", "pressure gradient"}},
+        {"DriveAlongNoPeriod",
+         poiseuille,
+         {{scene, "periodic = [\"x\"]", ""}},
+         {},
+         {"scene.toml:25:22:", "acts along x, which is not periodic", "add \"x\" to flow.periodic"}},
         {"NoDrawing",
          poiseuille,
          {{scene, cad_geometry, "chanel.geo"}},

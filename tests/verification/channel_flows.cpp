@@ -77,8 +77,9 @@ TEST_P(ChannelFlow, FollowsItsSeriesFromRest) {
     if (is_couette)
         overrides.push_back("part.lid.surface_velocity=[\"" + text_of(setting.speed) + "\", 0]");
     else
-        overrides.push_back("flow.acceleration=[\"" +
-                            std::to_string(8 * viscosity * setting.speed / (width * width) * 1e6) + " um/s^2\", 0]");
+        // The density is 1000 kg/m^3.
+        overrides.push_back("flow.pressure_gradient=[\"" +
+                            std::to_string(-8 * viscosity * setting.speed / (width * width) * 1e6) + " mPa/m\", 0]");
     for (const std::string& more : setting.more) overrides.push_back(more);
     ProfileError error(is_couette ? couette : poiseuille, setting.speed);
     const RunSummary run = run_case("verification/" + setting.case_name, overrides, 1, &error);

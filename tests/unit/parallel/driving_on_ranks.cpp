@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Forces on parts and moving shapes: the same bits on any number of ranks.
+// Forces on parts, moving shapes and a pressure gradient: the same bits on any number of ranks.
 #include <gtest/gtest.h>
 
 #include "tests/modules.hpp"
@@ -30,6 +30,8 @@ TEST(DrivingOnRanks, water_that_is_pushed_and_stirred) {
     spoon.range = 0.1;
     made.scene.forces = {push, even};
     made.scene.moving_shapes = {spoon};
+    made.scene.flow.pressure_gradient.value[0] = formula_of("-200 * cos(5 * t)");
+    made.scene.flow.acceleration = {formula_of("0.1"), formula_of("0.2 * sin(7 * x)"), Expression()};
     made.scene.run.duration = 0.3;
     const Ranks ranks = Ranks::world();
     const RunSummary shared = run_of(made, nullptr, ranks), alone = run_of(made);

@@ -123,6 +123,23 @@ TEST(SpringsInSpace, are_the_same_bits_on_any_number_of_ranks) {
     }
 }
 
+TEST(DrivenInSpace, liquid_and_solids_are_the_same_bits_on_any_number_of_ranks) {
+    SceneAndParticles made = solid_and_shell_in_water();
+    made.scene.flow.acceleration[1] = Expression("-2", "-2");
+    made.scene.flow.pressure_gradient.value[2] = Expression("-900 * cos(9 * t)", "-900 * cos(9 * t)");
+    made.particles.fixed.back() = 1;
+    const Ranks ranks = Ranks::world();
+    const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, ranks);
+    EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
+    EXPECT_EQ(shared.impulse_of_body_forces, alone.impulse_of_body_forces);
+    EXPECT_LT(shared.momentum_residual, 1e-13);
+    EXPECT_GT(alone.impulse_of_body_forces[2], 0);
+    EXPECT_LT(alone.impulse_of_body_forces[1], 0);
+    if (ranks.is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
+}
+
 /// A bond from each node of the solid to each of the shell within some spacings: one body.
 SceneAndParticles joined() {
     SceneAndParticles made = solid_and_shell_in_water();

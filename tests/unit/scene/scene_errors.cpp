@@ -203,6 +203,30 @@ INSTANTIATE_TEST_SUITE_P(
               "largest_speed = \"0.2 m/s\"\nacceleration = [0, 0, \"1 m/s^2\"]",
               "scene.toml:29:23: flow.acceleration has a third component in a 2-D scene\n"
               "  leave it out, or write 0"},
+        Fault{
+            "gradient_of_another_dimension", "largest_speed = \"0.2 m/s\"",
+            "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\npressure_gradient = [\"-100 Pa\", 0]",
+            "scene.toml:30:23: flow.pressure_gradient: found \"-100 Pa\" (pressure), expected a pressure gradient such "
+            "as \"-100 Pa/m\"\n  check the units of its factors: the whole formula must be a pressure gradient"},
+        Fault{"gradient_without_unit", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\npressure_gradient = [-100, 0]",
+              "scene.toml:30:22: missing unit: pressure_gradient = -100, expected a pressure gradient such as \"-100 "
+              "Pa/m\"\n  write pressure_gradient = \"-100 Pa/m\", with the unit you mean"},
+        Fault{
+            "gradient_along_no_period", "largest_speed = \"0.2 m/s\"",
+            "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\npressure_gradient = [0, \"-100 Pa/m\"]",
+            "scene.toml:30:25: flow.pressure_gradient acts along y, which is not periodic: walls there balance it, and "
+            "nothing flows\n"
+            "  add \"y\" to flow.periodic, or leave the component out; gravity is flow.acceleration"},
+        Fault{"gradient_by_place", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\npressure_gradient = [\"-1 Pa/m * y / 1 mm\", 0]",
+              "scene.toml:30:22: flow.pressure_gradient depends on x, y or z: \"-1 Pa/m * y / 1 mm\"\n"
+              "  write formulas of t: it is the mean over the period; a force that depends on position is "
+              "flow.acceleration or a [[force]]"},
+        Fault{"gradient_out_of_the_plane", "largest_speed = \"0.2 m/s\"",
+              "largest_speed = \"0.2 m/s\"\nperiodic = [\"x\"]\npressure_gradient = [0, 0, \"-1 Pa/m\"]",
+              "scene.toml:30:28: flow.pressure_gradient has a third component in a 2-D scene\n"
+              "  leave it out, or write 0"},
         Fault{"no_component", "largest_speed = \"0.2 m/s\"", "largest_speed = \"0.2 m/s\"\nacceleration = []",
               "scene.toml:29:16: flow.acceleration: found a list of 0, expected one to three formulas\n"
               "  write acceleration = [x, y], such as [\"0.1 m/s^2\", 0]"},
@@ -370,6 +394,17 @@ INSTANTIATE_TEST_SUITE_P(
               "[flow], [contact], [numerics], [run], [output], [[species]], [[force]], [[moving_shape]], [[region]], "
               "[[measure]], [[solidify]], [[break]]"}}),
     name_of);
+
+TEST(PressureGradient, without_a_fluid_is_refused) {
+    std::string text = good_scene;
+    const auto from = text.find("[[part]]"), to = text.find("[[part]]", from + 1);
+    text.erase(from, to - from);
+    EXPECT_EQ(
+        fault_of(text + "\n[numerics]\nsound_speed = \"1 m/s\"\n",
+                 {"flow.periodic=[\"x\"]", "flow.pressure_gradient=[\"-1 Pa/m\", 0]"}),
+        "--set flow.pressure_gradient=[\"-1 Pa/m\", 0]: flow.pressure_gradient drives a fluid, and no part is one\n"
+        "  leave it out, or push with flow.acceleration or a [[force]]");
+}
 
 }  // namespace
 }  // namespace dmp::tests::scene_errors_tests

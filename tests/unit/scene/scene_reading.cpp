@@ -43,9 +43,11 @@ TEST(ReadScene, vein_valve_whole) {
     EXPECT_EQ(*scene.parts[2].mass_per_length, 0.42);
     EXPECT_EQ(*scene.parts[2].anchor, "leaflet_roots");
 
-    EXPECT_DOUBLE_EQ(scene.flow.acceleration[0](0.7), 0.073 * std::sin(2 * std::numbers::pi * 0.7 / 4));
-    EXPECT_EQ(scene.flow.acceleration[1](0.7), 0);
-    EXPECT_EQ(scene.flow.acceleration[2](0.7), 0);
+    const auto& drive = *scene.flow.pressure_gradient;
+    EXPECT_DOUBLE_EQ(drive[0](0.7), -77.09 * std::sin(2 * std::numbers::pi * 0.7 / 4));
+    EXPECT_EQ(drive[1](0.7), 0);
+    EXPECT_EQ(drive[2](0.7), 0);
+    EXPECT_EQ(scene.flow.acceleration[0](0.7), 0);
     EXPECT_TRUE(scene.flow.periodic[0]);
     EXPECT_FALSE(scene.flow.periodic[1]);
     EXPECT_FALSE(scene.flow.periodic[2]);
@@ -85,8 +87,8 @@ TEST(ReadScene, poiseuille_whole) {
     EXPECT_EQ(*scene.parts[0].density, 1000);
     EXPECT_EQ(*scene.parts[0].viscosity, 0.001);
     EXPECT_EQ(*scene.parts[1].layers, 3);
-    EXPECT_EQ(scene.flow.acceleration[0](3), 1e-4);
-    EXPECT_FALSE(scene.flow.acceleration[0].depends_on_time());
+    EXPECT_EQ((*scene.flow.pressure_gradient)[0](3), -0.1);
+    EXPECT_FALSE((*scene.flow.pressure_gradient)[0].depends_on_time());
     EXPECT_TRUE(scene.flow.periodic[0]);
     EXPECT_EQ(*scene.flow.largest_speed, 1.25e-5);
     EXPECT_EQ(*scene.run.duration, 1);
@@ -127,6 +129,7 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*leaflets.drag, *fresh_part.drag);
 
     for (const auto& component : scene.flow.acceleration) EXPECT_EQ(component(1, 2, 3, 4), 0);
+    for (const auto& component : *scene.flow.pressure_gradient) EXPECT_EQ(component(1, 2, 3, 4), 0);
     for (const auto& axis : scene.flow.periodic) EXPECT_FALSE(axis);
     for (const auto& component : *scene.flow.initial_velocity) EXPECT_EQ(component(0, 2, 3, 4), 0);
     EXPECT_EQ((*scene.flow.initial_pressure)(0, 2, 3, 4), 0);

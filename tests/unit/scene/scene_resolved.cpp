@@ -77,7 +77,7 @@ TEST(ResolvedScene, reads_back_as_the_same_scene) {
         EXPECT_EQ(resolved_scene(again), resolved);
         EXPECT_EQ(again.hash, scene.hash);
         EXPECT_EQ(*again.particles.spacing, *scene.particles.spacing);
-        EXPECT_EQ(again.flow.acceleration[0](0.7), scene.flow.acceleration[0](0.7)) << "bit for bit";
+        EXPECT_EQ((*again.flow.pressure_gradient)[0](0.7), (*scene.flow.pressure_gradient)[0](0.7)) << "bit for bit";
     }
 }
 
@@ -106,6 +106,7 @@ seed = 1
 
 [flow]
 acceleration = ["0", "0", "0"]
+pressure_gradient = ["0", "0", "0"]
 periodic = []
 symmetry = []
 largest_speed = "0.2 m/s"

@@ -98,15 +98,14 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
         if (gradients.is_fluid(p.j)) {
             if (settings.several_fluids) same = of(Field::fluid_number, p.i) == of(Field::fluid_number, p.j) ? 1 : 0;
             difference = of(Field::density, p.i) - of(Field::density, p.j);
-            const Vec slopes =
-                by_id.vector(Field::density_gradient, p.i) + by_id.vector(Field::density_gradient, p.j);
+            const Vec slopes = by_id.vector(Field::density_gradient, p.i) + by_id.vector(Field::density_gradient, p.j);
             sum.diffusion += same * weight * (difference - 0.5 * slopes.dot(p.separation));
         } else {
             difference = of(Field::density, p.i) * g.dot(p.separation) / (c0 * c0);
             if (set.kind(p.j) == PartKind::rigid) {  // the velocity on the line through the fluid's and the wall's
                 const double depth = of(Field::wall_distance, p.j);
-                const double distance = std::max(
-                    by_id.vector(Field::wall_normal, p.j).dot(p.separation) - depth, 0.5 * settings.spacing);
+                const double distance =
+                    std::max(by_id.vector(Field::wall_normal, p.j).dot(p.separation) - depth, 0.5 * settings.spacing);
                 past *= 1 + depth / distance;
             }
         }

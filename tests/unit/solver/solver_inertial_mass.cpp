@@ -2,6 +2,7 @@
 // A spring node's inertia is its body's, whatever volume it fills for the liquid.
 #include <gtest/gtest.h>
 
+#include "driven_scenes.hpp"
 #include "small_scenes.hpp"
 #include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
@@ -11,7 +12,9 @@ namespace {
 
 /// Water that is pushed along x, with a rod in the place of two of its particles.
 SceneAndParticles water_with_a_rod(double node_mass) {
-    SceneAndParticles made = endless_water("1");
+    SceneAndParticles made = endless_water();
+    // On the water alone: gravity would act on the rod too.
+    made.scene.forces = {force_on("water", "10", "0", ForceAmount::per_particle)};
     add_flags(made);
     ParticleSet& set = made.particles;
     const Vec position = set.position[27];

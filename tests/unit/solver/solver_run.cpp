@@ -279,10 +279,10 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
     const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
-    EXPECT_THAT(models(plan),
-                ElementsAre("Tait equation of state", "continuity", "pressure force", "viscous force",
-                            "density diffusion", "particle shifting", "body acceleration", "extrapolated no-slip walls",
-                            "bonds with dashpots", "hinges", "implicit springs", "short-range repulsion"));
+    EXPECT_THAT(models(plan), ElementsAre("Tait equation of state", "continuity", "pressure force", "viscous force",
+                                          "density diffusion", "particle shifting", "pressure gradient along x",
+                                          "extrapolated no-slip walls", "bonds with dashpots", "hinges",
+                                          "implicit springs", "short-range repulsion"));
     for (const ModelUse& use : plan.models) {
         EXPECT_FALSE(use.source.empty()) << use.model;
         EXPECT_FALSE(use.reason.empty()) << use.model;
@@ -298,7 +298,7 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
 TEST(Plan, limits_the_step_and_says_what_rules) {
     const SceneAndParticles made =
         case_of("vein_valve", {"particles.spacing=0.4 mm", "flow.largest_speed=0.22 m/s", "numerics.sound_speed=auto",
-                               "run.duration=4 s", "flow.acceleration=[\"0.15 m/s^2 * sin(2*pi*t / 4 s)\", 0]"});
+                               "run.duration=4 s", "flow.pressure_gradient=[\"-158.4 Pa/m * sin(2*pi*t / 4 s)\", 0]"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
     EXPECT_DOUBLE_EQ(plan.sound_speed, 2.2);

@@ -138,6 +138,19 @@ TEST(Solidify, what_turned_solid_goes_on_to_feel_the_body_acceleration) {
     }
 }
 
+TEST(Solidify, what_turned_solid_goes_on_to_feel_the_pressure_gradient) {
+    SceneAndParticles made = moving_water(Vec(0.1, 0, 0), "0.5");
+    made.scene.flow.pressure_gradient.value[0] = Expression("-1500", "-1500");
+    KeptFrames frames;
+    const RunSummary summary = run(made, &frames);
+    const FrameGroup& solid = *group_of(frames.frames.back(), "solid");
+    EXPECT_EQ(solid.size(), 25U);
+    for (std::size_t k = 0; k < solid.size(); ++k)
+        EXPECT_NEAR(field_of(solid, "velocity")->values[3 * k], 0.1 + 2 * 0.05, 2e-3);
+    EXPECT_LT(summary.momentum_residual, 1e-12);
+    EXPECT_NEAR(summary.impulse_of_body_forces[0], 640 * 2 * 0.05, 1e-4) << "each particle once";
+}
+
 TEST(Solidify, from_a_wall_holds_on_to_it_and_the_momentum_adds_up) {
     SceneAndParticles made = blood_channel(24, "0.5");
     Solidify clot = clot_of("blood");

@@ -182,14 +182,16 @@ TEST(Warnings, of_nothing_that_moves_know_every_drive) {
     Scene scene = pipe();
     scene.flow.acceleration[0] = Expression();
     const Expression one("1", "1");
-    Scene thrown = scene, pressed = scene, belt = scene;
+    Scene thrown = scene, pressed = scene, belt = scene, sucked = scene;
+    sucked.flow.pressure_gradient.value[0] = one;
     thrown.flow.initial_velocity.value[1] = one;
     pressed.flow.initial_pressure = one;
     belt.parts[1].surface_velocity.value[0] = one;
     Scene squeezed = scene, brushed = scene;
     squeezed.forces.resize(1);
     brushed.moving_shapes.resize(1);
-    for (const Scene& driven : {thrown, pressed, belt, squeezed, brushed}) EXPECT_THAT(texts(driven), IsEmpty());
+    for (const Scene& driven : {thrown, pressed, belt, sucked, squeezed, brushed})
+        EXPECT_THAT(texts(driven), IsEmpty());
     belt.parts[1].enabled = false;
     EXPECT_THAT(texts(belt), Contains(HasSubstr("nothing will move")));
 }
