@@ -38,9 +38,10 @@ ParticleSet water() {
     return set;
 }
 
-/// Of three lists, with so much time before each that ranks with more to do than others have kept those waiting.
+/// After lists with some time before each, in which ranks with more to do than others keep those waiting. A division of
+/// space follows once they have waited longer than the last one took, which on a busy machine is many lists.
 double imbalance_after_a_while(Neighbours& neighbours, ParticleStore& particles) {
-    for (int list = 0; list < 3; ++list) {
+    for (int list = 0; list < 3 || (neighbours.imbalance() > 1.001 && list < 200); ++list) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         neighbours.renew(particles);
     }
