@@ -10,8 +10,8 @@ namespace dmp::solver {
 
 /// Where the scene leaves the pressure open, it is that of a column of the densest liquid under the body acceleration,
 /// as long as the fluid is at the start, summed over the axes that are not periodic; the acceleration is the largest of
-/// 64 instants of the run (components that depend on place count 0). A mean pressure gradient, along periodic axes alone,
-/// has no column.
+/// 64 instants of the run (components that depend on place count 0). A mean pressure gradient, along periodic axes
+/// alone, has no column.
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
 
 /// The scene with that speed of sound in place of an "auto" that looks at speeds alone.

@@ -102,6 +102,14 @@ inline SceneAndParticles stirred_mixture() {
     add_flags(mixture);
     add_rod(mixture, Vec(1.2, 0.5, 0), 0);
     mixture.scene.contact.range = 0.0;
+    // The drive stirs the liquids alone: it is taken back from the nodes of 10 kg, which follow the liquid.
+    ForceOnPart back;
+    back.name = std::string("back");
+    back.part = std::string("flags");
+    back.amount = ForceAmount::per_particle;
+    back.force =
+        std::array{formula_of("-5 * sin(2 * pi * y / 1.2)"), formula_of("-5 * sin(2 * pi * x / 1.4)"), Expression()};
+    mixture.scene.forces = {back};
     return mixture;
 }
 
