@@ -99,6 +99,15 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
             "write spring_stepping = \"implicit\"");
 }
 
+/// Where the scene leaves them open. Shifting at its limit would press fluid into a longer repulsion, step by step.
+void use_defaults_of_corrected_scheme(Scene& scene) {
+    auto& numerics = scene.numerics;
+    if (!numerics.viscous_law.given()) numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
+    if (!numerics.step_factor.given()) numerics.step_factor.value = 0.5;
+    if (!numerics.shifting.given()) numerics.shifting.value = 4;
+    if (!scene.contact.range.given()) scene.contact.range.value = 0.7;
+}
+
 /// What only one of the fluid's schemes can do.
 void need_what_the_scheme_supports(const Scene& scene) {
     const auto& numerics = scene.numerics;
@@ -120,6 +129,13 @@ void need_what_the_scheme_supports(const Scene& scene) {
             if (*numerics.gradient_correction)
                 refuse(numerics.gradient_correction.location, "gradient_correction = true");
             if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
+            if (*scene.contact.range > 0.8 && !scene.parts_of(PartKind::elastic).empty())
+                throw InputError(
+                    first_known(scene, {&scene.contact.range.location, &numerics.scheme.location}),
+                    "contact.range = " + exact_text(scene.contact.range) +
+                        " is within reach of the fluid that numerics.scheme = \"corrected\" keeps evenly "
+                        "spread: shifting would press it into the repulsion of elastic solids, step by step",
+                    "leave range out: it is then 0.7");
             return;
         case FluidScheme::plain:
             if (numerics.viscous_law.given() && needs_gradient)
@@ -433,8 +449,7 @@ void check_scene(const Scene& scene, const TomlNode& document) {
 }
 
 void switch_off_what_gives_way(Scene& scene) {
-    if (*scene.numerics.scheme == FluidScheme::corrected && !scene.numerics.viscous_law.given())
-        scene.numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
+    if (*scene.numerics.scheme == FluidScheme::corrected) use_defaults_of_corrected_scheme(scene);
     if (*scene.numerics.density == DensityModel::summation) scene.numerics.density_diffusion.value = 0;
     if (*scene.numerics.transport_velocity) scene.numerics.shifting.value = 0;
 }

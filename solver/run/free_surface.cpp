@@ -30,7 +30,7 @@ void add_mirror_images(const ParticleSet& set, double reach, Coordinates& points
 }
 
 template <int D>
-bool any_on_surface(const ParticleSet& set, int threads) {
+bool any_on_surface(const ParticleSet& set, PartKind kind, int threads) {
     const double support = 3 * set.spacing;
     const WendlandC2<D> kernel(support);
     Coordinates points;
@@ -50,7 +50,7 @@ bool any_on_surface(const ParticleSet& set, int threads) {
     bool found = false;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(|| : found)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        if (set.kind(static_cast<std::size_t>(i)) != PartKind::fluid) continue;
+        if (set.kind(static_cast<std::size_t>(i)) != kind || set.fixed[i]) continue;
         std::array<double, 3> position{};
         for (int axis = 0; axis < D; ++axis) position[axis] = points[axis][i];
         double divergence = 0;
@@ -66,8 +66,8 @@ bool any_on_surface(const ParticleSet& set, int threads) {
 
 }  // namespace
 
-bool has_free_surface(const ParticleSet& set, int threads) {
-    return set.dimension == 3 ? any_on_surface<3>(set, threads) : any_on_surface<2>(set, threads);
+bool has_free_surface(const ParticleSet& set, int threads, PartKind kind) {
+    return set.dimension == 3 ? any_on_surface<3>(set, kind, threads) : any_on_surface<2>(set, kind, threads);
 }
 
 }  // namespace dmp::solver

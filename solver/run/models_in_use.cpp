@@ -138,7 +138,7 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
     if (settings.corrected)
         add("velocity gradient", "corrected to first order: Bonet & Lok 1999, eq. 29; gives the density rate",
             because(numerics.scheme, "numerics.scheme"));
-    if (settings.corrected && !settings.free_surface)
+    if (settings.subtracts_level)
         add("pressure level", "mean and hydrostatic slope, subtracted in the forces",
             because(numerics.scheme, "numerics.scheme"));
     add("viscous force", viscous_source(scene_, settings, sweeps.viscous_scales()),

@@ -43,6 +43,15 @@ std::vector<double> fluid_numbers(const Scene& scene, const ParticleSet& set) {
     return numbers;
 }
 
+/// Least mass of a free elastic node over that of the liquid in its place, at most 1.
+double lightest_solid(const ParticleSet& set, double density) {
+    double least = 1;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set.kind(i) == PartKind::elastic && !set.fixed[i])
+            least = std::min(least, set.mass[i] / (density * set.volume[i]));
+    return least;
+}
+
 double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
@@ -108,6 +117,9 @@ PairSettings pair_settings(const Scene& scene, const ParticleSet& set, const Res
     }
     if (settings.corrected || !settings.hydrostatic) settings.free_surface = has_free_surface(set, settings.threads);
     settings.hydrostatic = settings.hydrostatic || settings.free_surface;
+    // A solid that is wet on one side holds the whole pressure, not what is left of it.
+    settings.subtracts_level =
+        settings.corrected && !settings.free_surface && !has_free_surface(set, settings.threads, PartKind::elastic);
     return settings;
 }
 
@@ -170,6 +182,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // at its limit in any step
+    if (settings.corrected) scales.lightest_solid = lightest_solid(set, settings.density.largest);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);

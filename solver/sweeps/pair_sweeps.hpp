@@ -28,6 +28,7 @@ struct PairSettings {
     bool corrected = false;            ///< the corrected scheme: density rates from the corrected velocity gradient
     bool several_fluids = false;       ///< fluids differ in rest density or viscosity
     bool free_surface = false;         ///< corrected scheme: shifting vanishes where neighbours are missing
+    bool subtracts_level = false;      ///< corrected scheme: forces are of pressures less a reference
 
     struct {
         double largest = 0;         ///< largest rest density [kg/m^3]

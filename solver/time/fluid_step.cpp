@@ -160,10 +160,9 @@ void FluidStep::take_initial_gradients(double t) {
     set_reference_level(sums[0].value(), sums[1].value());
 }
 
-/// The reference of the next sums: the hydrostatic slope of now, and the level that is known. A free surface has the
-/// pressure 0, which no reference may change.
+/// The reference of the next sums: the hydrostatic slope of now, and the level that is known.
 void FluidStep::subtract_reference(double t) {
-    if (settings_.free_surface) return;
+    if (!settings_.subtracts_level) return;
     ReferencePressure reference = passes_.subtracted();
     const ParticleSpace& space = particles_.space();
     const auto g = body_force_.hydrostatic(t);
@@ -181,7 +180,7 @@ VolumeSums FluidStep::volumes_here() const {
 
 /// The mean of the pressure becomes the level of the reference, from the sums of all ranks.
 void FluidStep::set_reference_level(double volume, double pressure_times_volume) {
-    if (settings_.free_surface || volume <= 0) return;
+    if (!settings_.subtracts_level || volume <= 0) return;
     ReferencePressure reference = passes_.subtracted();
     reference.level += pressure_times_volume / volume;
     passes_.subtract(reference);
@@ -332,7 +331,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
         sums.push_back(total_force(particles_.of(PartKind::rigid), static_cast<int>(axis), !viscosity_));
-    const bool refers = settings_.corrected && !settings_.free_surface;
+    const bool refers = settings_.subtracts_level;
     if (refers) {
         const VolumeSums volumes = volumes_here();
         sums.push_back(volumes.volume);

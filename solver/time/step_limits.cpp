@@ -24,6 +24,13 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
                       "step_factor R / (c0 + U)"});
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
     if (scales.diffusivity > 0 && !scales.implicit_species) limits.push_back(species_step_limit(scales));
+    if (scales.lightest_solid < 1)
+        // Measured: light nodes coupled to the fluid's pressure go unstable from 0.92 sqrt(m / m_liquid) on, from 0.015
+        // to 0.5 of the liquid's mass.
+        limits.push_back(
+            {"light solids",
+             0.6 * std::sqrt(scales.lightest_solid) * scales.support / (scales.sound_speed + largest_speed),
+             "0.6 sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
     if (acceleration > 0)
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)

@@ -17,6 +17,7 @@ struct StepScales {
     double step_factor = 0;          ///< c0 dt / R asked for [-]
     double shifting = 0;             ///< s [-]
     double contact_limit = 0;        ///< [s]; 0: no contact
+    double lightest_solid = 1;  ///< least mass of an elastic node over that of the liquid it displaces, at most 1 [-]
     bool implicit_viscosity = false;
     double diffusivity = 0;      ///< largest of any species [m^2/s]
     double diffusion_limit = 0;  ///< of the kernel, D dt / R^2 [-]

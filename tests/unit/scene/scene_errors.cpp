@@ -318,12 +318,36 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:32:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
               "numerics.gradient_correction = true does not support\n"
               "  leave walls out, or gradient_correction"},
+        Fault{"corrected_scheme_of_a_summed_density", "[run]",
+              "[numerics]\nscheme = \"corrected\"\ndensity = \"summation\"\n[run]",
+              "scene.toml:32:11: numerics.scheme = \"corrected\" does not support numerics.density = \"summation\"\n"
+              "  leave it out, or write scheme = \"plain\""},
+        Fault{"corrected_scheme_beside_plain_walls", "[run]",
+              "[numerics]\nscheme = \"corrected\"\nwalls = \"plain\"\n[run]",
+              "scene.toml:32:9: numerics.scheme = \"corrected\" does not support numerics.walls = \"plain\"\n"
+              "  leave it out, or write scheme = \"plain\""},
+        Fault{"corrected_scheme_and_transport_velocity", "[run]",
+              "[numerics]\nscheme = \"corrected\"\ntransport_velocity = true\n[run]",
+              "scene.toml:32:22: numerics.scheme = \"corrected\" does not support numerics.transport_velocity = true\n"
+              "  leave it out, or write scheme = \"plain\""},
+        Fault{"corrected_scheme_corrected_twice", "[run]",
+              "[numerics]\nscheme = \"corrected\"\ngradient_correction = true\n[run]",
+              "scene.toml:32:23: numerics.scheme = \"corrected\" does not support numerics.gradient_correction = true\n"
+              "  leave it out, or write scheme = \"plain\""},
+        Fault{"corrected_scheme_and_a_long_repulsion", "[run]",
+              "[contact]\nrange = 0.9\n[numerics]\nscheme = \"corrected\"\n[run]",
+              "scene.toml:32:9: contact.range = 0.9 is within reach of the fluid that numerics.scheme = \"corrected\" "
+              "keeps evenly spread: shifting would press it into the repulsion of elastic solids, step by step\n"
+              "  leave range out: it is then 0.7"},
+        Fault{"newtonian_law_of_the_plain_scheme", "[run]", "[numerics]\nviscous_law = \"newtonian\"\n[run]",
+              "scene.toml:31:15: numerics.scheme = \"plain\" does not support numerics.viscous_law = \"newtonian\"\n"
+              "  leave it out, or write scheme = \"corrected\""},
         Fault{"background_below_zero", "[run]", "[numerics]\nbackground_pressure = \"-1 Pa\"\n[run]",
               "scene.toml:31:23: numerics.background_pressure: found \"-1 Pa\", expected at least 0\n"
               "  give a value that is at least 0"},
         Fault{"unknown_viscous_law", "[run]", "[numerics]\nviscous_law = \"moris\"\n[run]",
               "scene.toml:31:15: numerics.viscous_law: found \"moris\", expected one of 'morris', 'monaghan', "
-              "'monaghan_approaching' and 'cleary'\n"
+              "'monaghan_approaching', 'cleary' and 'newtonian'\n"
               "  did you mean \"morris\"?"},
         Fault{"more_than_a_fraction", "[run]", "[numerics]\nstep_factor = 2\n[run]",
               "scene.toml:31:15: numerics.step_factor: found 2, expected more than 0 and at most 1\n"

@@ -338,6 +338,20 @@ TEST(ReadScene, fluid_terms_that_are_off_by_default) {
     EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
 }
 
+TEST(ReadScene, corrected_scheme_has_defaults_of_its_own) {
+    const Scene scene = read_text(good_scene, {"numerics.scheme=corrected"});
+    EXPECT_EQ(*scene.numerics.scheme, FluidScheme::corrected);
+    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<NewtonianViscosity>());
+    EXPECT_EQ(*scene.numerics.step_factor, 0.5);
+    EXPECT_EQ(*scene.contact.range, 0.7);
+    const Scene given = read_text(good_scene, {"numerics.scheme=corrected", "numerics.viscous_law=morris",
+                                               "numerics.step_factor=0.2", "contact.range=0.5"});
+    EXPECT_EQ(*given.numerics.viscous_law, ViscousLaw::of<MorrisViscosity>());
+    EXPECT_EQ(*given.numerics.step_factor, 0.2);
+    EXPECT_EQ(*given.contact.range, 0.5);
+    EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
+}
+
 TEST(ReadScene, values_keep_their_places) {
     const Scene scene = read_text(good_scene);
     EXPECT_EQ(scene.particles.spacing.location.text(), "scene.toml:8:11");

@@ -122,6 +122,7 @@ kernel = "wendland_c2"
 support = 3
 sound_speed = "auto"
 mach_number = 0.1
+scheme = "plain"
 walls = "extrapolated"
 equation_of_state = "tait"
 background_pressure = "0 kg/m/s^2"
