@@ -129,7 +129,7 @@ void need_what_the_scheme_supports(const Scene& scene) {
             if (*numerics.gradient_correction)
                 refuse(numerics.gradient_correction.location, "gradient_correction = true");
             if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
-            if (*scene.contact.range > 0.8 && !scene.parts_of(PartKind::elastic).empty())
+            if (scene.contact.range.given() && *scene.contact.range > 0.8 && !scene.parts_of(PartKind::elastic).empty())
                 throw InputError(
                     first_known(scene, {&scene.contact.range.location, &numerics.scheme.location}),
                     "contact.range = " + exact_text(scene.contact.range) +

@@ -134,7 +134,8 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
                                             const FluidStep& step, double t) const {
     const SpringBodies& springs = step.springs();
     const auto& numerics = scene_.numerics;
-    const decltype(Scene::numerics) usual;
+    decltype(Scene::numerics) usual;
+    if (*numerics.scheme == FluidScheme::corrected) usual.step_factor = 0.5;
     std::vector<std::pair<double, std::string>> causes;  // with how likely each is
 
     // A run that breaks is slow in most places. All of it fast: that is the drive.

@@ -336,7 +336,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  leave it out, or write scheme = \"plain\""},
         Fault{"corrected_scheme_and_a_long_repulsion", "[run]",
               "[contact]\nrange = 0.9\n[numerics]\nscheme = \"corrected\"\n[run]",
-              "scene.toml:32:9: contact.range = 0.9 is within reach of the fluid that numerics.scheme = \"corrected\" "
+              "scene.toml:31:9: contact.range = 0.9 is within reach of the fluid that numerics.scheme = \"corrected\" "
               "keeps evenly spread: shifting would press it into the repulsion of elastic solids, step by step\n"
               "  leave range out: it is then 0.7"},
         Fault{"newtonian_law_of_the_plain_scheme", "[run]", "[numerics]\nviscous_law = \"newtonian\"\n[run]",
