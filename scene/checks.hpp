@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
+
 #include "scene/scene.hpp"
 #include "scene/toml_node.hpp"
 
@@ -10,8 +12,7 @@ namespace dmp::scene {
 /// locations of tables. Throws InputError.
 void check_scene(const Scene& scene, const TomlNode& document);
 
-/// Sets defaults to 0 that the scene's choices exclude: density diffusion with density = "summation", shifting with a
-/// transport velocity.
-void switch_off_what_gives_way(Scene& scene);
+/// The first known location, otherwise the scene file.
+SourceLocation first_known(const Scene& scene, std::initializer_list<const SourceLocation*> places);
 
 }  // namespace dmp::scene

@@ -10,6 +10,7 @@
 
 #include "base/nearest_name.hpp"
 #include "scene/checks.hpp"
+#include "scene/numerics_checks.hpp"
 #include "scene/overrides.hpp"
 #include "scene/schema.hpp"
 
@@ -196,7 +197,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     scene.solidify = read_items(document, "solidify", schema().solidify, *scene.quality);
     scene.breaking = read_items(document, "break", schema().breaking, *scene.quality);
     check_scene(scene, document);
-    switch_off_what_gives_way(scene);
+    set_dependent_defaults(scene);
     scene.hash = fnv1a(resolved_scene(scene));
     return scene;
 }

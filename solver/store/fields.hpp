@@ -59,7 +59,7 @@ enum class Field {
 
 using FieldList = std::vector<Field>;
 
-/// Of a field's values in space. A tensor has the arrays xx, xy, (xz,) yx, ...
+/// Scalar, vector or tensor of second order. A tensor has the arrays xx, xy, (xz,) yx, ...
 enum class FieldShape { scalar, vector, tensor };
 
 struct FieldInfo {

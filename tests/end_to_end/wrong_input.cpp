@@ -161,7 +161,7 @@ std::vector<WrongInput> wrong_inputs() {
          {"scene.toml:14:8:", "open between"}},
         {"OpenEnds",
          poiseuille,
-         {{scene, "periodic = [\"x\"]", "periodic = []"}},
+         {{scene, "periodic = [\"x\"]", "periodic = []"}, {scene, "pressure_gradient", "# pressure_gradient"}},
          {},
          {"scene.toml:14:8:", "flow.periodic"}},
         {"PeriodTooShort",

@@ -1,0 +1,120 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/numerics_checks.hpp"
+
+#include <string>
+
+#include "base/errors.hpp"
+#include "scene/checks.hpp"
+#include "scene/quantity.hpp"
+
+namespace dmp::scene {
+
+namespace {
+
+/// Where the scene leaves them open. Shifting at its limit would press fluid into a longer repulsion, step by step.
+void use_defaults_of_corrected_scheme(Scene& scene) {
+    auto& numerics = scene.numerics;
+    if (!numerics.viscous_law.given()) numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
+    if (!numerics.step_factor.given()) numerics.step_factor.value = 0.5;
+    if (!numerics.shifting.given()) numerics.shifting.value = 4;
+    if (!scene.contact.range.given()) scene.contact.range.value = 0.7;
+}
+
+/// Implicit viscosity solves one linear, symmetric system for the fluid and its elastic solids.
+void need_what_implicit_viscosity_solves(const Scene& scene) {
+    const auto& numerics = scene.numerics;
+    if (*numerics.viscosity_stepping != ViscosityStepping::implicitly) return;
+    if (!numerics.viscous_law->visit([]<class Law>() { return Law::linear; }))
+        throw InputError(first_known(scene, {&numerics.viscous_law.location}),
+                         "numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities; "
+                         "numerics.viscous_law = \"" +
+                             to_string(*numerics.viscous_law) + "\" is not",
+                         "write viscous_law = \"monaghan\" or \"morris\"");
+    if (*numerics.spring_stepping == SpringStepping::subcycled && scene.may_have_elastic())
+        throw InputError(
+            first_known(scene, {&numerics.spring_stepping.location, &numerics.viscosity_stepping.location}),
+            "numerics.viscosity_stepping = \"implicit\" solves for fluid and elastic solids together; "
+            "numerics.spring_stepping = \"subcycled\" integrates the solids separately",
+            "write spring_stepping = \"implicit\"");
+}
+
+/// What only one of the fluid's schemes can do.
+void need_what_the_scheme_supports(const Scene& scene) {
+    const auto& numerics = scene.numerics;
+    const auto refuse = [&](const SourceLocation& location, const std::string& key) {
+        const std::string scheme = to_string(*numerics.scheme);
+        throw InputError(
+            first_known(scene, {&location, &numerics.scheme.location}),
+            "numerics.scheme = \"" + scheme + "\" does not support numerics." + key,
+            "leave it out, or write scheme = \"" +
+                to_string(*numerics.scheme == FluidScheme::corrected ? FluidScheme::plain : FluidScheme::corrected) +
+                "\"");
+    };
+    const bool needs_gradient = numerics.viscous_law->visit([]<class Law>() { return models::needs_gradient<Law>(); });
+    switch (*numerics.scheme) {
+        case FluidScheme::corrected:
+            if (*numerics.density == DensityModel::summation)
+                refuse(numerics.density.location, "density = \"summation\"");
+            if (*numerics.transport_velocity) refuse(numerics.transport_velocity.location, "transport_velocity = true");
+            if (*numerics.gradient_correction)
+                refuse(numerics.gradient_correction.location, "gradient_correction = true");
+            if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
+            if (scene.contact.range.given() && *scene.contact.range > 0.8 && !scene.parts_of(PartKind::elastic).empty())
+                throw InputError(
+                    first_known(scene, {&scene.contact.range.location, &numerics.scheme.location}),
+                    "contact.range = " + exact_text(scene.contact.range) +
+                        " is within reach of the fluid that numerics.scheme = \"corrected\" keeps evenly "
+                        "spread: shifting would press it into the repulsion of elastic solids, step by step",
+                    "leave range out: it is then 0.7");
+            return;
+        case FluidScheme::plain:
+            if (numerics.viscous_law.given() && needs_gradient)
+                refuse(numerics.viscous_law.location, "viscous_law = \"" + to_string(*numerics.viscous_law) + "\"");
+            return;
+    }
+}
+
+/// Terms that exclude each other: an error if both are given; a default is turned off instead.
+void need_terms_that_go_together(const Scene& scene) {
+    const auto& numerics = scene.numerics;
+    const bool summation = *numerics.density == DensityModel::summation;
+    if (summation && numerics.density_diffusion.given() && *numerics.density_diffusion > 0)
+        throw InputError(numerics.density_diffusion.location,
+                         "numerics.density_diffusion smooths an integrated density; numerics.density = "
+                         "\"summation\" does not integrate it",
+                         "leave density_diffusion out, or write density = \"continuity\"");
+    if (*numerics.transport_velocity && numerics.shifting.given() && *numerics.shifting > 0)
+        throw InputError(numerics.shifting.location,
+                         "numerics.shifting and numerics.transport_velocity both spread the particles",
+                         "leave one of them out");
+    if (*numerics.gradient_correction)
+        for (const Part* wall : scene.parts_of(PartKind::rigid))
+            if (wall->slip || wall->moves())
+                throw InputError(
+                    first_known(scene, {&numerics.gradient_correction.location}),
+                    "numerics.gradient_correction does not support walls that move or let the fluid slip, such as '" +
+                        *wall->name + "'",
+                    "leave out gradient_correction");
+    if (*numerics.walls != WallModel::plain || (!summation && !*numerics.gradient_correction)) return;
+    const std::string term = summation ? "density = \"summation\"" : "gradient_correction = true";
+    throw InputError(numerics.walls.location,
+                     "numerics.walls = \"plain\" integrates the density of wall particles, which numerics." + term +
+                         " does not support",
+                     "leave walls out, or " + (summation ? std::string("density") : "gradient_correction"));
+}
+
+}  // namespace
+
+void check_numerics(const Scene& scene) {
+    need_what_implicit_viscosity_solves(scene);
+    need_what_the_scheme_supports(scene);
+    need_terms_that_go_together(scene);
+}
+
+void set_dependent_defaults(Scene& scene) {
+    if (*scene.numerics.scheme == FluidScheme::corrected) use_defaults_of_corrected_scheme(scene);
+    if (*scene.numerics.density == DensityModel::summation) scene.numerics.density_diffusion.value = 0;
+    if (*scene.numerics.transport_velocity) scene.numerics.shifting.value = 0;
+}
+
+}  // namespace dmp::scene
