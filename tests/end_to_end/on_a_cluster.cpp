@@ -72,7 +72,7 @@ TEST_F(OnACluster, ParticlesOfAnotherSceneAreRefusedWithTheDifference) {
     expect_refused({"--set", "particles.spacing=\"0.4 mm\""},
                    AllOf(HasSubstr("\n  particles.spacing: 0.0005 m in the file, 0.0004 m in the scene\n"),
                          HasSubstr("dmp mesh SCENE --particles FILE.h5")));
-    expect_refused({"--set", "flow.periodic=[\"y\"]"},
+    expect_refused({"--set", "flow.periodic=[\"y\"]", "--set", "flow.pressure_gradient=[0, 0]"},
                    AllOf(HasSubstr("\n  flow.periodic along x: yes in the file, no in the scene\n"),
                          HasSubstr("\n  flow.periodic along y: no in the file, yes in the scene\n")));
     expect_refused({"--set", "part.leaflets.enabled=false"},
