@@ -77,19 +77,19 @@ class GradientSweep {
         Sum sum;
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
-            const auto pair = weighted(i, j);
-            add_moments(pair, i.velocity - j.velocity, sum.all);
-            L same = 1.0;
+            const Vec separation = i.position - j.position, past = i.velocity - j.velocity;
+            const L distance = sqrt(dot(separation, separation));
+            L weight = j.volume * kernel_.slope(distance);
+            add_moments(weight, separation, past, sum.all);
+            add_shift(weight, distance, separation, sum.shift);
             if constexpr (Several) {
-                same = equal(own_number, fluid_number_[index]);
-                add_moments(pair.times(same), i.velocity - j.velocity, sum.of_one_fluid);
+                weight = equal(own_number, fluid_number_[index]) * weight;
+                add_moments(weight, separation, past, sum.of_one_fluid);
             }
-            const L weight = Several ? L(same * pair.weight) : pair.weight;
             const L difference = i.density - j.density;
-            sum.density += rounding_.density((weight * difference) * pair.separation);
+            sum.density += rounding_.density((weight * difference) * separation);
             sum.diffusion += rounding_.density(SmoothDensityDiffusion::law(
-                weight, difference, own_gradient + load_vector<L, D>(density_gradient_, index), pair.separation));
-            add_shift(pair, sum);
+                weight, difference, own_gradient + load_vector<L, D>(density_gradient_, index), separation));
         }
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);
@@ -99,35 +99,24 @@ class GradientSweep {
         return sum;
     }
 
-    /// A neighbour with V_j (1/r) dW/dr of it.
-    struct Weighted {
-        Vec separation;
-        L distance, weight;
-        [[nodiscard]] Weighted times(const L& factor) const { return {separation, distance, factor * weight}; }
-    };
-    template <class I, class J>
-    [[nodiscard]] Weighted weighted(const I& i, const J& j) const {
-        const Vec separation = i.position - j.position;
-        const L distance = sqrt(dot(separation, separation));
-        return {separation, distance, j.volume * kernel_.slope(distance)};
-    }
-
-    void add_moments(const Weighted& pair, const Vec& past, Moments& sum) const {
-        const Matrix term = GradientCorrection::term(pair.weight, pair.separation);
+    // The weight of a neighbour is V_j (1/r) dW/dr. Passed one by one: a struct of lanes goes through memory.
+    void add_moments(const L& weight, const Vec& separation, const Vec& past, Moments& sum) const {
+        const Matrix term = GradientCorrection::term(weight, separation);
         sum.moment.diagonal += rounding_.moment(term.diagonal);
         sum.moment.off += rounding_.moment(term.off);
-        for (int row = 0; row < D; ++row)
-            sum.velocity[row] += rounding_.velocity((pair.weight * past[row]) * pair.separation);
+        for (int row = 0; row < D; ++row) sum.velocity[row] += rounding_.velocity((weight * past[row]) * separation);
     }
 
     template <class I, class Image>
     void add_solid(const I& i, const Image& image, Sum& sum) const {
-        const Weighted pair = weighted(i, image);
-        add_moments(pair, i.velocity - image.velocity, sum.all);
-        if constexpr (Several) add_moments(pair, i.velocity - image.velocity, sum.of_one_fluid);
+        const Vec separation = i.position - image.position, past = i.velocity - image.velocity;
+        const L distance = sqrt(dot(separation, separation));
+        const L weight = image.volume * kernel_.slope(distance);
+        add_moments(weight, separation, past, sum.all);
+        if constexpr (Several) add_moments(weight, separation, past, sum.of_one_fluid);
         const L difference = (i.pressure - image.pressure) * (1 / (options_.sound_speed * options_.sound_speed));
-        sum.density += rounding_.density((pair.weight * difference) * pair.separation);
-        add_shift(pair, sum);
+        sum.density += rounding_.density((weight * difference) * separation);
+        add_shift(weight, distance, separation, sum.shift);
     }
 
     /// An elastic particle moves as itself; the pressure continues to it as to a wall.
@@ -139,9 +128,8 @@ class GradientSweep {
         return image;
     }
 
-    void add_shift(const Weighted& pair, Sum& sum) const {
-        if (!options_.shifts) return;
-        sum.shift += rounding_.shift((pair.weight * shifting_.factor(pair.distance, kernel_)) * pair.separation);
+    void add_shift(const L& weight, const L& distance, const Vec& separation, Vec& sum) const {
+        if (options_.shifts) sum += rounding_.shift((weight * shifting_.factor(distance, kernel_)) * separation);
     }
 
     static L equal(const L& a, double b) {
