@@ -329,8 +329,9 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double largest_force() const {
         const double c0 = settings_.sound_speed;
         const double pressure = 0.1 * settings_.density.largest * c0 * c0 + settings_.background_pressure;
-        const double viscous =
-            settings_.viscosity.implicit ? 0 : settings_.viscosity.largest * 0.1 * c0 / settings_.spacing;
+        // Where viscosity is solved for, the Newtonian law's part in the gradients stays among the forces.
+        const bool elsewhere = settings_.viscosity.implicit && !settings_.viscosity.law.is<NewtonianViscosity>();
+        const double viscous = elsewhere ? 0 : settings_.viscosity.largest * 0.1 * c0 / settings_.spacing;
         return std::max(2 * (pressure + viscous) * volume() * volume() * steepest_,
                         10 * settings_.repulsion_strength / settings_.spacing);
     }

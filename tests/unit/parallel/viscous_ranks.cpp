@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Implicit viscosity on several ranks: the bits of one.
+// Implicit viscosity, and the corrected scheme, on several ranks: the bits of one.
 #include <gtest/gtest.h>
 
 #include "tests/modules.hpp"
@@ -47,6 +47,21 @@ TEST(ImplicitViscosity, is_the_same_bits_on_any_number_of_ranks) {
     EXPECT_GT(shared.steps, 5);
     EXPECT_EQ(shared.viscous_solves.iterations, alone.viscous_solves.iterations);
     EXPECT_GT(shared.viscous_solves.mean_iterations(), 3);
+    EXPECT_LT(shared.momentum_residual, 1e-12);
+    EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
+}
+
+TEST(CorrectedScheme, is_the_same_bits_on_any_number_of_ranks) {
+    SceneAndParticles made = mucus_and_rod();  // unlike fluids, so that all of the scheme's sums are there
+    made.scene.numerics.scheme.value = FluidScheme::corrected;
+    made.scene.numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
+    made.scene.contact.range.value = 0.7;
+    made.scene.run.duration.value = 20 * Simulation(made.scene, made.particles, 1).plan().dt;
+    const RunSummary alone = run_on(made, Ranks::alone()), shared = run_on(made, Ranks::world());
+    if (Ranks::world().is_first()) {
+        EXPECT_EQ(shared.state_hash, alone.state_hash);
+    }
+    EXPECT_EQ(shared.steps, alone.steps);
     EXPECT_LT(shared.momentum_residual, 1e-12);
     EXPECT_EQ(shared.momentum_residual, alone.momentum_residual);
 }
