@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "base/enum_names.hpp"
-#include <cstdint>
 
 namespace dmp::models {
 

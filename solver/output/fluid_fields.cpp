@@ -39,7 +39,8 @@ FluidValues FluidFields::stored(Field field) const {
     for (std::size_t i = 0; i < fluid.owned(); ++i)
         for (int axis = 0; axis < out.components; ++axis) {
             const double value = axis == 0 || axis < fluid.dimension() ? fluid.data(field, axis)[i] : 0.0;
-            const bool turned = about.shape == FieldShape::vector && is_shown_mirrored(fluid, particles_.space(), axis, i);
+            const bool turned =
+                about.shape == FieldShape::vector && is_shown_mirrored(fluid, particles_.space(), axis, i);
             out.values.push_back(turned ? -value : value);
         }
     return out;

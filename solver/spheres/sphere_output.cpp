@@ -20,7 +20,10 @@ Frame sphere_frame(const SphereStep& step, const ParticleSpace& space, double ti
     FrameGroup group;
     group.name = "spheres";
     const auto of_spheres = [&](Field field) -> FrameField {
-        return {std::string(info(field).name), std::string(info(field).unit), info(field).shape == FieldShape::vector ? 3 : 1, {}};
+        return {std::string(info(field).name),
+                std::string(info(field).unit),
+                info(field).shape == FieldShape::vector ? 3 : 1,
+                {}};
     };
     FrameField radius = of_spheres(Field::radius), velocity = of_spheres(Field::velocity),
                spin = of_spheres(Field::angular_velocity), force = of_spheres(Field::contact_force);

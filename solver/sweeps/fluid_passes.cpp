@@ -66,20 +66,14 @@ FluidPasses::FluidPasses(std::vector<LiquidState> state_of_part, int threads)
       threads_(threads) {}
 
 void FluidPasses::drift_to_middle(ParticleStore& particles, double dt) const {
-    ParticleGroup& fluid = particles.fluid();
-    const PositionQuantum& quantum = particles.quantum();
-    for (int axis = 0; axis < particles.dimension(); ++axis) {
-        double* x = fluid.data(Field::position, axis);
-        const double* v = fluid.data(Field::velocity, axis);
-        for_each_owned(fluid, threads_, [=](std::ptrdiff_t i) { x[i] += quantum.round(dt * v[i]); });
-    }
+    drift(particles, dt);
     for (ParticleGroup& group : particles.groups())
         if (group.has(Field::density_rate)) {
             double* density = group.data(Field::density);
             const double* rate = group.data(Field::density_rate);
             update_pressure(group, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; });
         }
-    update_reduced_pressure(fluid);
+    update_reduced_pressure(particles.fluid());
 }
 
 void FluidPasses::drift(ParticleStore& particles, double dt) const {

@@ -30,8 +30,8 @@ class EveryViscousLaw : public testing::Test {
                 j.velocity = {{velocity(a, b), 0}};
                 if (needs_gradient<Law>()) {
                     i.correction = j.correction = 1 / scales.morris_on_lattice.shear;
-                    j.gradient[0] = {{(velocity(a + 1, b) - velocity(a - 1, b)) / 2,
-                                      (velocity(a, b + 1) - velocity(a, b - 1)) / 2}};
+                    j.gradient[0] = {
+                        {(velocity(a + 1, b) - velocity(a - 1, b)) / 2, (velocity(a, b + 1) - velocity(a, b - 1)) / 2}};
                 }
                 sum += term.law(pair_of(i, j, {{-1.0 * a, -1.0 * b}}));
             }
