@@ -86,7 +86,7 @@ TEST(CorrectedScheme, is_stable_with_solids_far_lighter_than_the_fluid) {
     EXPECT_NEAR(run.density_high, 1056, 10);
 }
 
-TEST(CorrectedScheme, a_heavy_column_rests_under_gravity_with_its_pressure) {
+TEST(CorrectedScheme, accounts_for_the_momentum_of_a_column_under_gravity) {
     const auto made = case_of("verification/hydrostatic", corrected({}));
     const Plan plan = Simulation(made.scene, made.particles, 1).plan();
     const RunSummary run = run_on(made, 2, 200 * plan.dt);
