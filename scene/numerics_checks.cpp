@@ -11,12 +11,14 @@ namespace dmp::scene {
 
 namespace {
 
-/// Where the scene leaves them open. Shifting at its limit would press fluid into a longer repulsion, step by step.
+/// Where the scene leaves them open, at any quality. Shifting would press fluid into a longer repulsion, step by step.
 void use_defaults_of_corrected_scheme(Scene& scene) {
     auto& numerics = scene.numerics;
     if (!numerics.viscous_law.given()) numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
     if (!numerics.step_factor.given()) numerics.step_factor.value = 0.5;
-    if (!numerics.shifting.given()) numerics.shifting.value = 4;
+    if (!numerics.shifting.given()) numerics.shifting.value = 0.2;
+    if (!numerics.kernel.given()) numerics.kernel.value = KernelKind::wendland_c2;
+    if (!numerics.support.given()) numerics.support.value = 3;
     if (!scene.contact.range.given()) scene.contact.range.value = 0.7;
 }
 
@@ -59,6 +61,10 @@ void need_what_the_scheme_supports(const Scene& scene) {
             if (*numerics.gradient_correction)
                 refuse(numerics.gradient_correction.location, "gradient_correction = true");
             if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
+            if (numerics.kernel.given() && *numerics.kernel != KernelKind::wendland_c2)
+                refuse(numerics.kernel.location, "kernel = \"" + to_string(*numerics.kernel) + "\"");
+            if (numerics.support.given() && *numerics.support < 2.8)
+                refuse(numerics.support.location, "support = " + exact_text(numerics.support) + ", below 2.8");
             if (scene.contact.range.given() && *scene.contact.range > 0.8 && !scene.parts_of(PartKind::elastic).empty())
                 throw InputError(
                     first_known(scene, {&scene.contact.range.location, &numerics.scheme.location}),

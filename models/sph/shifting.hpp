@@ -55,9 +55,12 @@ struct Shifting {
     static double speed(double quartic_mean, double largest) { return std::min(2.5 * quartic_mean, largest); }
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx; with U [m/s].
     [[nodiscard]] double step(double speed, double dt) const { return -strength * speed * dt * support; }
-    /// The same at the limit of what is stable, s U dt / R = 0.1 whatever the flow and the step (corrected scheme):
-    /// dx_i = - 0.1 R^2 SUM_j ... [m^2]. Fluid at rest is kept evenly spread too. `strength` 4 is the limit.
-    [[nodiscard]] double step_at_limit() const { return -0.025 * strength * support * support; }
+    /// The same with the speed of sound in place of U (corrected scheme), at most at the limit of what is stable,
+    /// s c0 dt / R = 0.1 [m^2]. Fluid at rest is kept evenly spread too, and what shifting does in a given time does
+    /// not depend on the step.
+    [[nodiscard]] double step_by_sound(double sound_speed, double dt) const {
+        return -std::min(strength * sound_speed * dt / support, 0.1) * support * support;
+    }
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
 

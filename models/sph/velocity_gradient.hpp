@@ -10,7 +10,12 @@ namespace dmp::models {
 /// arrangement of the particles, so that the density rate of a divergence-free linear flow is zero:
 ///   M_i = - SUM_j V_j (1/r dW/dr) x_ij x_ij^T   [-],     B_i = M_i^-1
 ///   A_i = - SUM_j V_j (1/r dW/dr) v_ij x_ij^T   [1/s],   G_i = A_i B_i,   [a][b] = dv_a/dx_b
-///   drho_i/dt = - rho_i tr G_i                  [kg/m^3/s]
+///   drho_i/dt = - rho_i tr (A'_i B_i)           [kg/m^3/s]
+/// A' is A but for solid neighbours, which count twice with their own velocity, v_ij = 2 (v_i - v_j). It makes the rate
+/// the partner of the pressure force, in which solids count twice too (p_j = p_i): with a = SUM_j (1, solids 2) V_j
+/// (1/r dW/dr) x_ij, the motion of a particle on its own obeys dv/dt ~ - p a, dp/dt ~ v . B a, an oscillation. With the
+/// velocities of A, extrapolated into the solids, the second vector is another one. In gaps one particle wide, where
+/// a is small, it points away from a, and the particle's pressure and velocity grow exponentially.
 /// B = 1 where det M < 0.3: too few neighbours (a flat free surface has 0.5). The gradient among the particles of one
 /// fluid and the solids alone, which viscous forces need where fluids of unlike viscosity meet, takes B = 1 below
 /// det M = 0.03: a flat interface has 1/4, in 3-D 1/8.

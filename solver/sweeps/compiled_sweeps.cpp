@@ -204,7 +204,7 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double quartic_mean_speed, double largest_speed, double dt) const override {
-        if (settings_.corrected) return settings_.shifting > 0 ? shifting_.step_at_limit() : 0;
+        if (settings_.corrected) return settings_.shifting > 0 ? shifting_.step_by_sound(settings_.sound_speed, dt) : 0;
         return settings_.transport_velocity ? TransportVelocity::step(settings_.sound_speed, dt)
                                             : shifting_.step(shifting_.speed(quartic_mean_speed, largest_speed), dt);
     }

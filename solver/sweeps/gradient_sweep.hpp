@@ -63,8 +63,9 @@ class GradientSweep {
         Rows velocity = Rows::zero();                                          ///< - A
     };
     struct Sum {
-        Moments all, of_one_fluid;  ///< the second only of `Several`
-        Vec density = Vec::zero();  ///< SUM_j V_j (1/r dW/dr) (rho_i - rho_j) x_ij, that is - M g
+        Moments all, of_one_fluid;   ///< the second only of `Several`
+        Rows excess = Rows::zero();  ///< - A of the density rate, less that of the velocity gradient
+        Vec density = Vec::zero();   ///< SUM_j V_j (1/r dW/dr) (rho_i - rho_j) x_ij, that is - M g
         L diffusion = 0.0;
         Vec shift = Vec::zero();
     };
@@ -93,9 +94,12 @@ class GradientSweep {
         }
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);
-            add_solid(i, solid_.rigid(i, wall, i.position - wall.position), sum);
+            add_solid(i, solid_.rigid(i, wall, i.position - wall.position), Solid::approached(i, wall).velocity, sum);
         }
-        for (const std::int32_t index : near.of(PartKind::elastic)) add_solid(i, elastic_image(i, index), sum);
+        for (const std::int32_t index : near.of(PartKind::elastic)) {
+            const auto body = elastic_(index);
+            add_solid(i, elastic_image(i, body), body.velocity, sum);
+        }
         return sum;
     }
 
@@ -107,22 +111,24 @@ class GradientSweep {
         for (int row = 0; row < D; ++row) sum.velocity[row] += rounding_.velocity((weight * past[row]) * separation);
     }
 
-    template <class I, class Image>
-    void add_solid(const I& i, const Image& image, Sum& sum) const {
+    /// `approached`: the solid's velocity in the density rate, where it counts twice (VelocityGradient).
+    template <class I, class Image, class Velocity>
+    void add_solid(const I& i, const Image& image, const Velocity& approached, Sum& sum) const {
         const Vec separation = i.position - image.position, past = i.velocity - image.velocity;
         const L distance = sqrt(dot(separation, separation));
         const L weight = image.volume * kernel_.slope(distance);
         add_moments(weight, separation, past, sum.all);
         if constexpr (Several) add_moments(weight, separation, past, sum.of_one_fluid);
+        const Vec beyond = Solid::approach_weight * (i.velocity - approached) - past;
+        for (int row = 0; row < D; ++row) sum.excess[row] += rounding_.velocity((weight * beyond[row]) * separation);
         const L difference = (i.pressure - image.pressure) * (1 / (options_.sound_speed * options_.sound_speed));
         sum.density += rounding_.density((weight * difference) * separation);
         add_shift(weight, distance, separation, sum.shift);
     }
 
     /// An elastic particle moves as itself; the pressure continues to it as to a wall.
-    template <class I>
-    [[nodiscard]] auto elastic_image(const I& i, std::int32_t index) const {
-        const auto body = elastic_(index);
+    template <class I, class Body>
+    [[nodiscard]] auto elastic_image(const I& i, const Body& body) const {
         auto image = solid_.springs(i, body, i.position - body.position);
         image.pressure = image.pressure - i.density * dot(solid_.acceleration, i.position - body.position);
         return image;
@@ -141,8 +147,9 @@ class GradientSweep {
         ParticleGroup& group = particles_.fluid();
         const Matrix inverse = GradientCorrection::inverse(sum.all.moment, VelocityGradient::smallest_determinant);
         const Rows gradient = gradient_of(sum.all, inverse);
-        const L rate = options_.diffusion * sum.diffusion -
-                       load<L>(group.data(Field::density), cluster) * VelocityGradient::divergence(gradient);
+        const L divergence = VelocityGradient::divergence(gradient) -
+                             VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
+        const L rate = options_.diffusion * sum.diffusion - load<L>(group.data(Field::density), cluster) * divergence;
         store_scalar(rate, Field::density_rate, cluster);
         store_scalar(VelocityGradient::mean(inverse), Field::mean_correction, cluster);
         if constexpr (Several) {

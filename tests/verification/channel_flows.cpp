@@ -109,5 +109,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"20 across, Re 100, shifting 1", "couette", "0.05 mm", fast, 0.01, gentle},
                     Setting{"40 across, Re 100, shifting 1", "couette", "0.025 mm", fast, 0.005, gentle}));
 
+const std::vector<std::string> corrected{"numerics.scheme=corrected"};
+
+INSTANTIATE_TEST_SUITE_P(
+    CorrectedScheme, ChannelFlow,
+    testing::Values(Setting{"20 across, Re 0.0125, corrected", "poiseuille", "0.05 mm", slow, 0.003, corrected},
+                    Setting{"40 across, Re 0.0125, corrected", "poiseuille", "0.025 mm", slow, 0.0015, corrected},
+                    Setting{"20 across, Re 100, corrected", "poiseuille", "0.05 mm", fast, 0.003, corrected},
+                    Setting{"40 across, Re 100, corrected", "poiseuille", "0.025 mm", fast, 0.0015, corrected},
+                    Setting{"20 across, Re 0.0125, corrected", "couette", "0.05 mm", slow, 0.0015, corrected},
+                    Setting{"20 across, Re 100, corrected", "couette", "0.05 mm", fast, 0.01, corrected},
+                    Setting{"40 across, Re 100, corrected", "couette", "0.025 mm", fast, 0.01, corrected}));
+
 }  // namespace
 }  // namespace dmp::tests::channel_flows_tests

@@ -69,5 +69,38 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"100 x 100, lattice, support 4, shifting 6", "0.01 m", "0", 0.005, 0.0025, fine},
                     Setting{"100 x 100, disordered, support 4, shifting 6", "0.01 m", "0.2", 0.005, 0.0025, fine}));
 
+const std::string corrected = "numerics.scheme=corrected";
+
+INSTANTIATE_TEST_SUITE_P(
+    CorrectedScheme, TaylorGreen,
+    testing::Values(Setting{"50 x 50, lattice, corrected", "0.02 m", "0", 0.005, 0.0025, {corrected}},
+                    Setting{"50 x 50, disordered, corrected", "0.02 m", "0.2", 0.007, 0.004, {corrected}},
+                    Setting{"100 x 100, lattice, corrected", "0.01 m", "0", 0.002, 0.001, {corrected}},
+                    Setting{"100 x 100, disordered, corrected", "0.01 m", "0.2", 0.002, 0.0015, {corrected}},
+                    Setting{"50 x 50, disordered, corrected, c0 = 20 U",
+                            "0.02 m",
+                            "0.2",
+                            0.008,
+                            0.004,
+                            {corrected, "numerics.sound_speed=20 m/s"}},
+                    Setting{"50 x 50, disordered, corrected, c0 = 40 U",
+                            "0.02 m",
+                            "0.2",
+                            0.01,
+                            0.005,
+                            {corrected, "numerics.sound_speed=40 m/s"}},
+                    Setting{"50 x 50, disordered, corrected, level 10 rho U^2",
+                            "0.02 m",
+                            "0.2",
+                            0.007,
+                            0.004,
+                            {corrected, "numerics.background_pressure=10 Pa", "numerics.sound_speed=10 m/s"}},
+                    Setting{"50 x 50, disordered, corrected, level 100 rho U^2",
+                            "0.02 m",
+                            "0.2",
+                            0.007,
+                            0.004,
+                            {corrected, "numerics.background_pressure=100 Pa", "numerics.sound_speed=10 m/s"}}));
+
 }  // namespace
 }  // namespace dmp::tests::taylor_green_tests

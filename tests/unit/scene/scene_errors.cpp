@@ -339,6 +339,14 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:31:9: contact.range = 0.9 is within reach of the fluid that numerics.scheme = \"corrected\" "
               "keeps evenly spread: shifting would press it into the repulsion of elastic solids, step by step\n"
               "  leave range out: it is then 0.7"},
+        Fault{"corrected_scheme_of_another_kernel", "[run]",
+              "[numerics]\nscheme = \"corrected\"\nkernel = \"lucy\"\n[run]",
+              "scene.toml:32:10: numerics.scheme = \"corrected\" does not support numerics.kernel = \"lucy\"\n"
+              "  leave it out, or write scheme = \"plain\""},
+        Fault{"corrected_scheme_of_a_small_support", "[run]",
+              "[numerics]\nscheme = \"corrected\"\nsupport = 2.5\n[run]",
+              "scene.toml:32:11: numerics.scheme = \"corrected\" does not support numerics.support = 2.5, below 2.8\n"
+              "  leave it out, or write scheme = \"plain\""},
         Fault{"newtonian_law_of_the_plain_scheme", "[run]", "[numerics]\nviscous_law = \"newtonian\"\n[run]",
               "scene.toml:31:15: numerics.scheme = \"plain\" does not support numerics.viscous_law = \"newtonian\"\n"
               "  leave it out, or write scheme = \"corrected\""},

@@ -344,6 +344,11 @@ TEST(ReadScene, corrected_scheme_has_defaults_of_its_own) {
     EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<NewtonianViscosity>());
     EXPECT_EQ(*scene.numerics.step_factor, 0.5);
     EXPECT_EQ(*scene.contact.range, 0.7);
+    EXPECT_EQ(*scene.numerics.shifting, 0.2);
+    const Scene draft = read_text(good_scene, {"numerics.scheme=corrected", "quality=draft"});
+    EXPECT_EQ(*draft.numerics.kernel, KernelKind::wendland_c2);
+    EXPECT_EQ(*draft.numerics.support, 3);
+    EXPECT_EQ(*draft.numerics.step_factor, 0.5);
     const Scene given = read_text(good_scene, {"numerics.scheme=corrected", "numerics.viscous_law=morris",
                                                "numerics.step_factor=0.2", "contact.range=0.5"});
     EXPECT_EQ(*given.numerics.viscous_law, ViscousLaw::of<MorrisViscosity>());

@@ -80,7 +80,7 @@ class Gradients {
 /// Plain sums over all pairs, in the words of models/sph/velocity_gradient.hpp.
 std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, const PairSettings& settings) {
     struct Sum {
-        Matrix m = Matrix::Zero(), a = Matrix::Zero(), m_own = Matrix::Zero(), a_own = Matrix::Zero();
+        Matrix m = Matrix::Zero(), a_of_rate = Matrix::Zero(), m_own = Matrix::Zero(), a_own = Matrix::Zero();
         Vec r = Vec::Zero(), shift = Vec::Zero();
         double diffusion = 0;
     };
@@ -95,6 +95,7 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
         const double weight = of(Field::volume, p.j) * gradients.sweeps().kernel_slope(p.separation.norm());
         Sum& sum = sums[p.i];
         Vec past = by_id.vector(Field::velocity, p.i) - by_id.vector(Field::velocity, p.j);
+        Vec past_in_rate = past;
         double same = 1, difference = 0;
         if (gradients.is_fluid(p.j)) {
             if (settings.several_fluids) same = of(Field::fluid_number, p.i) == of(Field::fluid_number, p.j) ? 1 : 0;
@@ -103,6 +104,7 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
             sum.diffusion += same * weight * (difference - 0.5 * slopes.dot(p.separation));
         } else {
             difference = of(Field::density, p.i) * g.dot(p.separation) / (c0 * c0);
+            past_in_rate *= 2;  // as in the pressure force, where p_j = p_i
             if (set.kind(p.j) == PartKind::rigid) {  // the velocity on the line through the fluid's and the wall's
                 const double depth = of(Field::wall_distance, p.j);
                 const double distance =
@@ -111,7 +113,7 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
             }
         }
         sum.m -= weight * p.separation * p.separation.transpose();
-        sum.a -= weight * past * p.separation.transpose();
+        sum.a_of_rate -= weight * past_in_rate * p.separation.transpose();
         sum.m_own -= same * weight * p.separation * p.separation.transpose();
         sum.a_own -= same * weight * past * p.separation.transpose();
         sum.r -= same * weight * difference * p.separation;
@@ -131,7 +133,7 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
         all[id].velocity_gradient = sum.a_own * b_own;
         all[id].density_gradient = b_own * sum.r;
         all[id].shift = sum.shift;
-        all[id].rate = -by_id.value(Field::density, id) * (sum.a * b).trace() +
+        all[id].rate = -by_id.value(Field::density, id) * (sum.a_of_rate * b).trace() +
                        settings.density.diffusion * settings.support * c0 * sum.diffusion;
         all[id].correction = b.topLeftCorner(set.dimension, set.dimension).trace() / set.dimension;
     }
