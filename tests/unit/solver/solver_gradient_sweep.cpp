@@ -104,7 +104,7 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
             sum.diffusion += same * weight * (difference - 0.5 * slopes.dot(p.separation));
         } else {
             difference = of(Field::density, p.i) * g.dot(p.separation) / (c0 * c0);
-            past_in_rate *= 2;  // as in the pressure force, where p_j = p_i
+            past_in_rate *= 2;                       // as in the pressure force, where p_j = p_i
             if (set.kind(p.j) == PartKind::rigid) {  // the velocity on the line through the fluid's and the wall's
                 const double depth = of(Field::wall_distance, p.j);
                 const double distance =
