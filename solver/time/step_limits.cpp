@@ -29,8 +29,8 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         // to 0.5 of the liquid's mass.
         limits.push_back(
             {"light solids",
-             0.6 * std::sqrt(scales.lightest_solid) * scales.support / (scales.sound_speed + largest_speed),
-             "0.6 sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
+             0.4 * std::sqrt(scales.lightest_solid) * scales.support / (scales.sound_speed + largest_speed),
+             "0.4 sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
     if (acceleration > 0)
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)
