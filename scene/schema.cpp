@@ -247,8 +247,8 @@ std::vector<Key<Numerics>> numerics_keys() {
          "Coefficient delta of the density diffusion; 0 turns it off. It is off with density = \"summation\"."},
         {"shifting", &Numerics::shifting, number(not_negative), ByQuality{"3.0", "4.0", "6.0"},
          "Coefficient s of particle shifting, which moves particles by s u dt R times a sum over neighbours; u is the "
-         "speed of the flow, or, with scheme = \"corrected\", that of sound, and s is then 0.2 by default. 0 turns it "
-         "off. It is off with transport_velocity = true."},
+         "speed of the flow, or, with scheme = \"corrected\", that of sound; s is then 0.2 by default, and s c0 dt / R "
+         "at most 0.1, the limit of what is stable. 0 turns it off. It is off with transport_velocity = true."},
         {"transport_velocity", &Numerics::transport_velocity, boolean(), "false",
          "Whether particles move with a transport velocity, which keeps them evenly spread, instead of shifting."},
         {"step_factor", &Numerics::step_factor, number(fraction), ByQuality{"0.4", "0.3", "0.15"},

@@ -159,7 +159,7 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
     if (settings.shifting > 0)
         add("particle shifting",
             settings.corrected && !settings.free_surface
-                ? "after Sun et al. 2017, at its stable limit; velocity and density follow by their gradients"
+                ? "after Sun et al. 2017, by the speed of sound; velocity and density follow by their gradients"
             : settings.hydrostatic ? "after Sun et al. 2017; not across a free surface: Mokos et al. 2017"
                                    : "after Sun et al. 2017",
             because(numerics.shifting, "numerics.shifting"));

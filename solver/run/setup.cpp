@@ -181,7 +181,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.sound_speed = settings.sound_speed;
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
-    scales.shifting = settings.corrected ? 0 : settings.shifting;  // at its limit in any step
+    scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
     if (settings.corrected) scales.lightest_solid = lightest_solid(set, settings.density.largest);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))

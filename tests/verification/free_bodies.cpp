@@ -118,7 +118,7 @@ TEST(HoveringDisc, StaysWhereItIs) {
     const Fall hovering = fall_of("", {"part.disc.density=1000 kg/m^3"});
     const double sinking = faxen(1500 * 9.81 * hovering.area, viscosity, 0.2);
     Record record("sinking_disc", "of the liquid's density", hovering.run);
-    record.at_most("speed, over that of a disc 2.5 times as dense", std::abs(hovering.velocity) / sinking, 0.001);
+    record.at_most("speed, over that of a disc 2.5 times as dense", std::abs(hovering.velocity) / sinking, 1e-4);
 }
 
 }  // namespace
