@@ -8,6 +8,7 @@
 #include "models/sph/monaghan_viscosity.hpp"
 #include "models/sph/morris_viscosity.hpp"
 #include "models/sph/newtonian_viscosity.hpp"
+#include "models/sph/viscosity_in_tension.hpp"
 #include "models/sph/viscosity_means.hpp"
 
 namespace dmp::models {
@@ -44,7 +45,20 @@ struct ViscousTerm {
     }
 };
 
-/// The two parts of the Newtonian law, where the first is solved for implicitly.
+/// The Newtonian law of the corrected scheme.
+template <class Mean>
+struct NewtonianTerm {
+    static constexpr bool needs_gradient = true;
+    ViscosityInTension tension;
+
+    template <class P>
+    [[nodiscard]] auto law(const P& p) const {
+        return NewtonianViscosity::law(p, tension.at_least(p, Mean::twice(p.i.viscosity, p.j.viscosity)));
+    }
+};
+
+/// The two parts of the Newtonian law, where the first is solved for implicitly. What tension adds to the viscosity is
+/// explicit, as part of the second.
 template <class Mean>
 struct NewtonianVelocityTerm {
     static constexpr bool needs_gradient = true;
@@ -56,9 +70,13 @@ struct NewtonianVelocityTerm {
 template <class Mean>
 struct NewtonianGradientTerm {
     static constexpr bool needs_gradient = true;
+    ViscosityInTension tension;
+
     template <class P>
     [[nodiscard]] auto law(const P& p) const {
-        return NewtonianViscosity::law_of_gradients(p, Mean::twice(p.i.viscosity, p.j.viscosity));
+        const auto own = Mean::twice(p.i.viscosity, p.j.viscosity);
+        const auto all = tension.at_least(p, own);
+        return NewtonianViscosity::law_of_gradients(p, all) + NewtonianViscosity::law_of_velocities(p, all - own);
     }
 };
 

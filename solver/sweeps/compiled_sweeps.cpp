@@ -61,8 +61,8 @@ class Sweeps final : public PairSweeps {
                              ReproducibleSum(settings.density.largest * volume() * steepest_),
                              density_rounding_.shift} {}
 
-    void forces(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
-                ClusterChoice choice, const std::array<double, 3>& subtracted) const override {
+    void forces(ParticleStore& particles, const ClusterList& list, const ForceSums& sums,
+                ClusterChoice choice) const override {
         const auto sweep_with = [&](const auto& viscosity) {
             const auto run = [&](const auto& solid) {
                 ForceSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
@@ -73,25 +73,24 @@ class Sweeps final : public PairSweeps {
                 run(PlainSolid<D>{});
             } else {
                 with_flag(settings_.walls.slip || settings_.walls.moving, [&](auto motion) {
-                    auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
-                    solid.subtracted = narrowed(subtracted);
+                    auto solid = extrapolated<decltype(motion)::value>(sums.body_acceleration);
+                    solid.subtracted = narrowed(sums.subtracted);
                     run(solid);
                 });
             }
         };
         const bool newtonian = settings_.viscosity.law.is<NewtonianViscosity>();
         if (newtonian && settings_.viscosity.implicit) {
-            with_mean([&]<class Mean>() { sweep_with(NewtonianGradientTerm<Mean>{}); });
+            with_mean([&]<class Mean>() { sweep_with(NewtonianGradientTerm<Mean>{{sums.dt}}); });
         } else if (newtonian) {
-            with_mean(
-                [&]<class Mean>() { sweep_with(ViscousTerm<NewtonianViscosity, Mean>{NewtonianViscosity(scales_)}); });
+            with_mean([&]<class Mean>() { sweep_with(NewtonianTerm<Mean>{{sums.dt}}); });
         } else if (settings_.viscosity.implicit) {
             sweep_with(NoViscosity{});
         } else {
             with_published_viscosity(sweep_with);
         }
         if (settings_.gradient_correction) {
-            const auto solid = extrapolated(body_acceleration);
+            const auto solid = extrapolated(sums.body_acceleration);
             corrected(particles, list, solid).forces(choice);
         }
         if (settings_.transport_velocity)

@@ -63,6 +63,13 @@ struct PairSettings {
     VectorUnit vector_unit = VectorUnit::widest;
 };
 
+/// What the forces of one step depend on, besides the particles.
+struct ForceSums {
+    std::array<double, 3> body_acceleration{};  ///< [m/s^2]
+    std::array<double, 3> subtracted{};  ///< slope of the reference that the fluid's pressures are less of [Pa/m]
+    double dt = 0;                       ///< [s]; ViscosityInTension needs it
+};
+
 /// Velocities for which the viscous force is computed.
 struct ViscousMotion {
     Field velocity = Field::velocity;  ///< of fluid particles and elastic bodies, including ghosts
@@ -116,10 +123,8 @@ class PairSweeps {
 
     /// Computes force [N] on every particle of the chosen clusters, including fixed ones (their reaction): pressure,
     /// viscosity, repulsion.
-    /// `subtracted`: slope of the reference that the fluid's pressures are less of [Pa/m].
-    virtual void forces(ParticleStore& particles, const ClusterList& list,
-                        const std::array<double, 3>& body_acceleration, ClusterChoice choice = ClusterChoice::all,
-                        const std::array<double, 3>& subtracted = {}) const = 0;
+    virtual void forces(ParticleStore& particles, const ClusterList& list, const ForceSums& sums,
+                        ClusterChoice choice = ClusterChoice::all) const = 0;
 
     /// Computes velocity_gradient, mean_correction, density_rate, next_density_gradient and, with shifting, shift of
     /// the fluid (corrected scheme).

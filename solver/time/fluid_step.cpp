@@ -93,7 +93,7 @@ FluidExtremes FluidStep::advance_corrected(double t, double dt) {
 
     timer_.timed("drift", [&] { drift_to_middle(dt); });
     timer_.timed("neighbours", [&] { renew_list(); });
-    sum_forces(middle);
+    sum_forces(middle, dt);
     timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
     if (viscosity_) solve_viscous_forces(middle, dt);
     timer_.timed("kick", [&] { kick(middle, dt); });
@@ -116,7 +116,7 @@ FluidExtremes FluidStep::advance_plain(double t, double dt) {
     timer_.timed("neighbours", [&] { renew_list(); });
     sum_densities();
     sum_corrections();
-    sum_forces(middle);
+    sum_forces(middle, dt);
     timer_.timed("kick", [&] { add_outside_forces(middle, dt); });
     if (viscosity_) solve_viscous_forces(middle, dt);
     timer_.timed("kick", [&] { kick(middle, dt); });
@@ -188,12 +188,13 @@ void FluidStep::set_reference_level(double volume, double pressure_times_volume)
 
 double FluidStep::particle_volume() const { return std::pow(settings_.spacing, particles_.dimension()); }
 
-void FluidStep::sum_forces(double t) {
+void FluidStep::sum_forces(double t, double dt) {
     FieldList fields = force_fields_;
     for (const Field field : walls_.show_surfaces(particles_)) fields.push_back(field);
-    sweep("forces", fields, [&, g = body_force_.in_walls(t)](ClusterChoice clusters) {
-        sweeps_->forces(particles_, neighbours_.list(), g, clusters, passes_.subtracted().slope);
-    });
+    sweep("forces", fields,
+          [&, sums = ForceSums{body_force_.in_walls(t), passes_.subtracted().slope, dt}](ClusterChoice clusters) {
+              sweeps_->forces(particles_, neighbours_.list(), sums, clusters);
+          });
     if (!springs_.empty()) timer_.timed("elastic", [&] { update_contact_rate(); });
 }
 

@@ -103,7 +103,7 @@ class FluidStep {
     /// Where shifting goes by the fluid's quartic mean speed.
     [[nodiscard]] bool shifts_by_speed() const { return settings_.shifting > 0 && !settings_.corrected; }
     [[nodiscard]] double particle_volume() const;
-    void sum_forces(double t);
+    void sum_forces(double t, double dt);
     void add_outside_forces(double t, double dt);
     void solve_viscous_forces(double t, double dt);
     void sum_density_rates(double t, double dt);

@@ -81,7 +81,7 @@ class ArrangedCrowd {
         using enum ClusterChoice;
         for (const ClusterChoice clusters : border_apart_ ? std::vector{inner, border} : std::vector{all}) {
             if (with_correction_) correct(clusters);
-            sweeps_->forces(particles_, neighbours_.list(), body_acceleration, clusters);
+            sweeps_->forces(particles_, neighbours_.list(), {body_acceleration}, clusters);
             sweeps_->density_rates(particles_, neighbours_.list(), body_acceleration, clusters);
         }
         const ById by_id(particles_);

@@ -126,7 +126,7 @@ double gap_of_pressed_leaflets(double repulsion) {
     for (int step = 0; step < 2500; ++step) {
         neighbours.renew(particles);
         bodies.find_nodes(particles);
-        sweeps->forces(particles, neighbours.list(), {0, 0, 0});
+        sweeps->forces(particles, neighbours.list(), {});
         for (std::size_t i = 0; i < nodes.owned(); ++i)
             nodes.data(Field::force, 1)[i] += nodes.tags()[i].body == 0 ? 1e-3 : -1e-3;
         bodies.advance(particles, dt, 1);
