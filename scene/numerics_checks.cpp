@@ -11,17 +11,6 @@ namespace dmp::scene {
 
 namespace {
 
-/// Where the scene leaves them open, at any quality. Shifting would press fluid into a longer repulsion, step by step.
-void use_defaults_of_corrected_scheme(Scene& scene) {
-    auto& numerics = scene.numerics;
-    if (!numerics.viscous_law.given()) numerics.viscous_law.value = ViscousLaw::of<NewtonianViscosity>();
-    if (!numerics.step_factor.given()) numerics.step_factor.value = 0.5;
-    if (!numerics.shifting.given()) numerics.shifting.value = 0.2;
-    if (!numerics.kernel.given()) numerics.kernel.value = KernelKind::wendland_c2;
-    if (!numerics.support.given()) numerics.support.value = 3;
-    if (!scene.contact.range.given()) scene.contact.range.value = 0.7;
-}
-
 /// Implicit viscosity solves one linear, symmetric system for the fluid and its elastic solids.
 void need_what_implicit_viscosity_solves(const Scene& scene) {
     const auto& numerics = scene.numerics;
@@ -118,7 +107,6 @@ void check_numerics(const Scene& scene) {
 }
 
 void set_dependent_defaults(Scene& scene) {
-    if (*scene.numerics.scheme == FluidScheme::corrected) use_defaults_of_corrected_scheme(scene);
     if (*scene.numerics.density == DensityModel::summation) scene.numerics.density_diffusion.value = 0;
     if (*scene.numerics.transport_velocity) scene.numerics.shifting.value = 0;
 }

@@ -98,13 +98,13 @@ void check_keys(const TomlNode& document) {
 /// Reads one key, or its default if `node` is null. `path` is its name in messages.
 template <class Owner>
 void read_key(Owner& owner, const Key<Owner>& key, const TomlNode* node, const std::string& path,
-              const SourceLocation& table, Quality quality) {
+              const SourceLocation& table, const Scene& scene) {
     if (node != nullptr) {
         key.read(owner, *node, path);
     } else if (key.facts.fallback.presence == required) {
         throw InputError(table, "missing key: " + path, "add " + shown_key(key.facts.path) + ": " + key.facts.type);
     } else if (key.facts.fallback.presence == Default::Presence::value) {
-        key.read(owner, parse_toml_value(key.facts.fallback.at(quality), {}), path);
+        key.read(owner, parse_toml_value(key.facts.fallback.at(*scene.quality, *scene.numerics.scheme), {}), path);
     }
 }
 
@@ -126,13 +126,13 @@ void need_fitting_key(const Item& item, const TomlNode& node, const std::string&
 }
 
 template <class Item>
-Item read_item(const TomlNode& table, const std::string& what, const std::vector<Key<Item>>& keys, Quality quality) {
+Item read_item(const TomlNode& table, const std::string& what, const std::vector<Key<Item>>& keys, const Scene& scene) {
     Item item;
     std::string prefix = what;  // "part", then "part.blood" once the name is known
     for (const auto& key : keys) {
         const bool first_two = key.facts.name() == "name" || key.facts.name() == "kind";
         if (!first_two && !key.facts.is_for(kind_of(item))) continue;
-        read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.location, quality);
+        read_key(item, key, table.child(key.facts.name()), prefix + "." + key.facts.name(), table.location, scene);
         if (key.facts.name() == "name" && !item.name->empty()) prefix = what + "." + *item.name;
         if constexpr (requires { item.kind; }) {
             if (key.facts.name() != "kind") continue;
@@ -144,10 +144,10 @@ Item read_item(const TomlNode& table, const std::string& what, const std::vector
 
 template <class Item>
 std::vector<Item> read_items(const TomlNode& document, const std::string& what, const std::vector<Key<Item>>& keys,
-                             Quality quality) {
+                             const Scene& scene) {
     std::vector<Item> items;
     if (const TomlNode* list = document.child(what)) {
-        for (const auto& table : list->children) items.push_back(read_item(table, what, keys, quality));
+        for (const auto& table : list->children) items.push_back(read_item(table, what, keys, scene));
     }
     return items;
 }
@@ -178,24 +178,26 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
     apply_overrides(document, overrides);
     check_keys(document);
 
-    for (const auto& key : schema().scene) {
+    const auto read = [&](const Key<Scene>& key) {
         const TomlNode* section = document.find(key.facts.section());
         const bool in_table = section != nullptr && !key.facts.section().empty();
         const SourceLocation table = in_table ? section->location : SourceLocation{scene.file, 0, 0};
-        read_key(scene, key, document.find(key.facts.path), key.facts.path, table,
-                 *scene.quality);  // it is read before the keys that depend on it
-    }
-    scene.selections = read_items(document, "select", schema().select, *scene.quality);
-    scene.parts = read_items(document, "part", schema().part, *scene.quality);
-    scene.joins = read_items(document, "join", schema().join, *scene.quality);
-    scene.species = read_items(document, "species", schema().species, *scene.quality);
-    scene.contact_pairs = read_items(document, "contact_pair", schema().contact_pair, *scene.quality);
-    scene.forces = read_items(document, "force", schema().force, *scene.quality);
-    scene.moving_shapes = read_items(document, "moving_shape", schema().moving_shape, *scene.quality);
-    scene.regions = read_items(document, "region", schema().region, *scene.quality);
-    scene.measures = read_items(document, "measure", schema().measure, *scene.quality);
-    scene.solidify = read_items(document, "solidify", schema().solidify, *scene.quality);
-    scene.breaking = read_items(document, "break", schema().breaking, *scene.quality);
+        read_key(scene, key, document.find(key.facts.path), key.facts.path, table, scene);
+    };
+    for (const auto& key : schema().scene)  // first what defaults of other keys depend on
+        if (key.facts.path == "quality" || key.facts.path == "numerics.scheme") read(key);
+    for (const auto& key : schema().scene) read(key);
+    scene.selections = read_items(document, "select", schema().select, scene);
+    scene.parts = read_items(document, "part", schema().part, scene);
+    scene.joins = read_items(document, "join", schema().join, scene);
+    scene.species = read_items(document, "species", schema().species, scene);
+    scene.contact_pairs = read_items(document, "contact_pair", schema().contact_pair, scene);
+    scene.forces = read_items(document, "force", schema().force, scene);
+    scene.moving_shapes = read_items(document, "moving_shape", schema().moving_shape, scene);
+    scene.regions = read_items(document, "region", schema().region, scene);
+    scene.measures = read_items(document, "measure", schema().measure, scene);
+    scene.solidify = read_items(document, "solidify", schema().solidify, scene);
+    scene.breaking = read_items(document, "break", schema().breaking, scene);
     check_scene(scene, document);
     set_dependent_defaults(scene);
     scene.hash = fnv1a(resolved_scene(scene));

@@ -17,6 +17,12 @@ std::string shown_value(const std::string& text) {
     return list;
 }
 
+std::string shown_levels(const ByQuality& levels) {
+    if (!levels.differ()) return shown_value(levels.standard);
+    return shown_value(levels.standard) + " (draft: " + shown_value(levels.draft) +
+           ", fine: " + shown_value(levels.fine) + ")";
+}
+
 std::string shown_default(const KeyFacts& key) {
     switch (key.fallback.presence) {
         case Default::Presence::required:
@@ -26,9 +32,9 @@ std::string shown_default(const KeyFacts& key) {
         case Default::Presence::value:
             break;
     }
-    if (!key.fallback.depends_on_quality()) return shown_value(key.fallback.value);
-    return shown_value(key.fallback.value) + " (draft: " + shown_value(key.fallback.draft) +
-           ", fine: " + shown_value(key.fallback.fine) + ")";
+    const auto& [corrected, plain] = key.fallback.values;
+    if (!key.fallback.depends_on_scheme()) return shown_levels(corrected);
+    return shown_levels(corrected) + "; scheme = \"plain\": " + shown_levels(plain);
 }
 
 /// "for fluid parts", "for flux measures"; empty for a key of every kind.

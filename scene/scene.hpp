@@ -60,12 +60,12 @@ struct Scene {
     } flow;
 
     struct {
-        Value<double> range = 1.0;     ///< r*, cut-off of the short-range repulsion [spacings]; 0 turns it off
+        Value<double> range = 0.7;     ///< r*, cut-off of the short-range repulsion [spacings]; 0 turns it off
         Value<double> strength = 0.0;  ///< K [J]; 0 = "auto"
     } contact;
 
     struct {
-        Value<FluidScheme> scheme = FluidScheme::plain;
+        Value<FluidScheme> scheme = FluidScheme::corrected;
         Value<KernelKind> kernel = KernelKind::wendland_c2;
         Value<double> support = 3.0;      ///< support radius [spacings]
         Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": flow.largest_speed / mach_number
@@ -75,12 +75,12 @@ struct Scene {
         Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
         Value<DensityModel> density = DensityModel::continuity;
         Value<bool> gradient_correction = false;  ///< Bonet & Lok 1999
-        Value<ViscousLaw> viscous_law;
+        Value<ViscousLaw> viscous_law = ViscousLaw::of<NewtonianViscosity>();
         Value<ViscosityMean> viscosity_mean = ViscosityMean::harmonic;  ///< between fluids of different viscosity
         Value<double> density_diffusion = 0.1;   ///< delta of Molteni & Colagrossi [-]; 0 turns it off
-        Value<double> shifting = 4.0;            ///< coefficient s of particle shifting [-]; 0 turns it off
+        Value<double> shifting = 0.2;            ///< coefficient s of particle shifting [-]; 0 turns it off
         Value<bool> transport_velocity = false;  ///< Adami, Hu & Adams 2013, instead of shifting
-        Value<double> step_factor = 0.3;         ///< c0 dt / support radius [-]
+        Value<double> step_factor = 0.5;         ///< c0 dt / support radius [-]
         Value<ViscosityStepping> viscosity_stepping = ViscosityStepping::explicitly;
         Value<double> viscosity_tolerance = 1e-6;  ///< implicit viscosity: relative error of the velocities [-]
         Value<SpringStepping> spring_stepping = SpringStepping::implicit;

@@ -206,7 +206,7 @@ std::vector<Key<Flow>> flow_keys() {
 
 std::vector<Key<Contact>> contact_keys() {
     return {
-        {"range", &Contact::range, number(not_negative), "1.0",
+        {"range", &Contact::range, number(not_negative), ByScheme{"0.7", "1.0"},
          "Cut-off distance of the short-range repulsion, in spacings; 0 turns the repulsion off."},
         {"strength", &Contact::strength, quantity_or_auto("1e-6 J"), "auto",
          "Strength K of the short-range repulsion; \"auto\" chooses it."},
@@ -215,18 +215,20 @@ std::vector<Key<Contact>> contact_keys() {
 
 std::vector<Key<Numerics>> numerics_keys() {
     return {
-        {"kernel", &Numerics::kernel, one_of<KernelKind>(), ByQuality{"lucy", "wendland_c2", "wendland_c2"},
+        {"scheme", &Numerics::scheme, one_of<FluidScheme>(), "corrected",
+         "Scheme of the fluid: \"corrected\", whose answer depends neither on the speed of sound nor on the level of the "
+         "pressure (docs/scheme.md), or \"plain\", that of the published studies. Several defaults depend on it."},
+        {"kernel", &Numerics::kernel, one_of<KernelKind>(),
+         ByScheme{"wendland_c2", {"lucy", "wendland_c2", "wendland_c2"}},
          "Smoothing kernel."},
-        {"support", &Numerics::support, number(between(2, 6)), ByQuality{"3.0", "3.0", "4.0"},
+        {"support", &Numerics::support, number(between(2, 6)), ByScheme{"3.0", {"3.0", "3.0", "4.0"}},
          "Support radius of the kernel, in spacings."},
         {"sound_speed", &Numerics::sound_speed, quantity_or_auto("2 m/s"), "auto",
          "Speed of sound of the fluid. \"auto\" derives it from numerics.mach_number, flow.largest_speed and the "
          "largest pressure."},
-        {"mach_number", &Numerics::mach_number, number(Range{0.01, 0.3, false, {}}), ByQuality{"0.15", "0.1", "0.1"},
+        {"mach_number", &Numerics::mach_number, number(Range{0.01, 0.3, false, {}}),
+         ByScheme{{"0.15", "0.1", "0.05"}, {"0.15", "0.1", "0.1"}},
          "Largest speed divided by the speed of sound, if that is \"auto\"; the density varies by about its square."},
-        {"scheme", &Numerics::scheme, one_of<FluidScheme>(), "plain",
-         "Scheme of the fluid: \"corrected\" takes density rates from the velocity gradient corrected to first order, "
-         "and subtracts the level of the pressure; \"plain\" is that of the published studies."},
         {"walls", &Numerics::walls, one_of<WallModel>(), "extrapolated",
          "Wall particles: \"extrapolated\" takes their pressure and velocity from the fluid, \"plain\" treats them "
          "as fluid at rest."},
@@ -239,19 +241,19 @@ std::vector<Key<Numerics>> numerics_keys() {
          "(\"summation\")."},
         {"gradient_correction", &Numerics::gradient_correction, boolean(), "false",
          "Whether kernel gradients are corrected, so that gradients of linear fields are exact."},
-        {"viscous_law", &Numerics::viscous_law, one_of<ViscousLaw>(), "morris",
+        {"viscous_law", &Numerics::viscous_law, one_of<ViscousLaw>(), ByScheme{"newtonian", "morris"},
          "Viscous force: " + meanings<ViscousLaw>() + "."},
         {"viscosity_mean", &Numerics::viscosity_mean, one_of<ViscosityMean>(), "harmonic",
          "Mean of the two viscosities where fluids of different viscosity meet."},
         {"density_diffusion", &Numerics::density_diffusion, number(between(0, 1)), "0.1",
          "Coefficient delta of the density diffusion; 0 turns it off. It is off with density = \"summation\"."},
-        {"shifting", &Numerics::shifting, number(not_negative), ByQuality{"3.0", "4.0", "6.0"},
+        {"shifting", &Numerics::shifting, number(not_negative), ByScheme{"0.2", {"3.0", "4.0", "6.0"}},
          "Coefficient s of particle shifting, which moves particles by s u dt R times a sum over neighbours; u is the "
-         "speed of the flow, or, with scheme = \"corrected\", that of sound; s is then 0.2 by default, and s c0 dt / R "
-         "at most 0.1, the limit of what is stable. 0 turns it off. It is off with transport_velocity = true."},
+         "speed of sound, s c0 dt / R being at most 0.1, the limit of what is stable, or, with scheme = \"plain\", the "
+         "speed of the flow. 0 turns it off. It is off with transport_velocity = true."},
         {"transport_velocity", &Numerics::transport_velocity, boolean(), "false",
          "Whether particles move with a transport velocity, which keeps them evenly spread, instead of shifting."},
-        {"step_factor", &Numerics::step_factor, number(fraction), ByQuality{"0.4", "0.3", "0.15"},
+        {"step_factor", &Numerics::step_factor, number(fraction), ByScheme{"0.5", {"0.4", "0.3", "0.15"}},
          "Time step of the fluid, times the speed of sound, divided by the support radius."},
         {"viscosity_stepping", &Numerics::viscosity_stepping, one_of<ViscosityStepping>(), "explicit",
          "Integration of viscous forces: \"explicit\", which limits the time step, or \"implicit\", which solves a "

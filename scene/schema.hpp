@@ -15,26 +15,39 @@
 
 namespace dmp::scene {
 
-/// A default that depends on the quality level, written as on the command line.
+/// A default that may depend on the quality level, written as on the command line (texts without quotes).
 struct ByQuality {
-    const char *draft, *standard, *fine;
+    std::string draft, standard, fine;
+
+    ByQuality(const char* all) : ByQuality(all, all, all) {}  // NOLINT(google-explicit-constructor): rows read plainly
+    ByQuality(const char* at_draft, const char* at_standard, const char* at_fine)
+        : draft(at_draft), standard(at_standard), fine(at_fine) {}
+
+    [[nodiscard]] bool differ() const { return draft != standard || fine != standard; }
+    [[nodiscard]] const std::string& at(Quality quality) const;
+    bool operator==(const ByQuality&) const = default;
 };
 
-/// Default of a key: the key is required, or may be left out without a value (not_given), or has a default value,
-/// written as on the command line (texts without quotes).
+/// A default that depends on numerics.scheme.
+struct ByScheme {
+    ByQuality corrected, plain;
+};
+
+/// Default of a key: the key is required, or may be left out without a value (not_given), or has a default value.
 struct Default {
     enum class Presence { required, not_given, value };
     Presence presence = Presence::value;
-    std::string value;        ///< for standard quality, or for all levels
-    std::string draft, fine;  ///< empty if the default does not depend on the quality
+    ByScheme values{"", ""};
 
-    [[nodiscard]] bool depends_on_quality() const { return !draft.empty(); }
-    [[nodiscard]] const std::string& at(Quality quality) const;
+    [[nodiscard]] bool depends_on_quality(FluidScheme scheme) const { return of(scheme).differ(); }
+    [[nodiscard]] bool depends_on_scheme() const { return values.corrected != values.plain; }
+    [[nodiscard]] const ByQuality& of(FluidScheme scheme) const;
+    [[nodiscard]] const std::string& at(Quality quality, FluidScheme scheme) const { return of(scheme).at(quality); }
 
-    Default(const ByQuality& levels)  // NOLINT(google-explicit-constructor): rows read plainly
-        : value(levels.standard), draft(levels.draft), fine(levels.fine) {}
-    Default(Presence how) : presence(how) {}    // NOLINT(google-explicit-constructor): rows read plainly
-    Default(const char* text) : value(text) {}  // NOLINT(google-explicit-constructor)
+    Default(Presence how) : presence(how) {}                      // NOLINT(google-explicit-constructor)
+    Default(const char* text) : values{text, text} {}             // NOLINT(google-explicit-constructor)
+    Default(const ByQuality& levels) : values{levels, levels} {}  // NOLINT(google-explicit-constructor)
+    Default(ByScheme schemes) : values(std::move(schemes)) {}     // NOLINT(google-explicit-constructor)
 };
 inline constexpr auto required = Default::Presence::required;
 inline constexpr auto not_given = Default::Presence::not_given;

@@ -16,6 +16,7 @@ namespace dmp::models {
 /// (1/r dW/dr) x_ij, the motion of a particle on its own obeys dv/dt ~ - p a, dp/dt ~ v . B a, an oscillation. With the
 /// velocities of A, extrapolated into the solids, the second vector is another one. In gaps one particle wide, where
 /// a is small, it points away from a, and the particle's pressure and velocity grow exponentially.
+/// In a scene with a free surface the rate takes B = 1 everywhere: where neighbours are missing, B a is too unlike a.
 /// B = 1 where det M < 0.3: too few neighbours (a flat free surface has 0.5). The gradient among the particles of one
 /// fluid and the solids alone, which viscous forces need where fluids of unlike viscosity meet, takes B = 1 below
 /// det M = 0.03: a flat interface has 1/4, in 3-D 1/8.

@@ -142,8 +142,8 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
         add("pressure level", "mean and hydrostatic slope, subtracted in the forces",
             because(numerics.scheme, "numerics.scheme"));
     add("viscous force", viscous_source(scene_, settings, sweeps.viscous_scales()),
-        settings.viscosity.law == ViscousLaw() ? because(fluids.front()->viscosity, "viscosity")
-                                               : because(numerics.viscous_law, "numerics.viscous_law"));
+        numerics.viscous_law.given() ? because(numerics.viscous_law, "numerics.viscous_law")
+                                     : because(fluids.front()->viscosity, "viscosity"));
     if (settings.viscosity.implicit)
         add("implicit viscosity", "backward Euler, conjugate gradients; after Weiler et al. 2018",
             because(numerics.viscosity_stepping, "numerics.viscosity_stepping"));

@@ -96,10 +96,11 @@ class Warnings {
         has_no_effect("numerics.walls", numerics.walls, reason);
     }
 
-    /// Measured in docs/accuracy.md, "Shifting and the speed of sound". Implicit viscosity damps what it stirs up.
+    /// Of the plain scheme; measured in docs/accuracy.md, "Shifting and the speed of sound". Implicit viscosity damps what it stirs up.
     void about_shifting() {
         constexpr double times_too_fast = 50;
         const auto& numerics = scene_.numerics;
+        if (*numerics.scheme != FluidScheme::plain) return;
         if (*numerics.shifting == 0 || *numerics.transport_velocity || !numerics.sound_speed.given()) return;
         if (*numerics.viscosity_stepping == ViscosityStepping::implicitly || *scene_.flow.largest_speed == 0) return;
         if (*numerics.sound_speed < 0.999 * times_too_fast * *scene_.flow.largest_speed) return;

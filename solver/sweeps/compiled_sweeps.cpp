@@ -203,9 +203,12 @@ class Sweeps final : public PairSweeps {
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double quartic_mean_speed, double largest_speed, double dt) const override {
-        if (settings_.corrected) return settings_.shifting > 0 ? shifting_.step_by_sound(settings_.sound_speed, dt) : 0;
-        return settings_.transport_velocity ? TransportVelocity::step(settings_.sound_speed, dt)
-                                            : shifting_.step(shifting_.speed(quartic_mean_speed, largest_speed), dt);
+        if (settings_.transport_velocity) return TransportVelocity::step(settings_.sound_speed, dt);
+        if (settings_.shifting == 0) return 0;
+        const double speed = shifting_.speed(quartic_mean_speed, largest_speed);
+        if (!settings_.corrected) return shifting_.step(speed, dt);
+        const double c0 = settings_.sound_speed;
+        return shifting_.step_by_sound(settings_.free_surface ? std::min(c0, 20 * speed) : c0, dt);
     }
     [[nodiscard]] double longest_shift() const override { return shifting_.longest(); }
 

@@ -28,7 +28,7 @@ class GradientSweep {
         double diffusion;    ///< 2 delta h c0 [m^2/s]
         double sound_speed;  ///< [m/s]
         bool shifts;         ///< the shifting vector is wanted
-        bool free_surface;   ///< shifting vanishes where neighbours are missing
+        bool free_surface;   ///< density rates are uncorrected; shifting vanishes where neighbours are missing
     };
 
     GradientSweep(ParticleStore& particles, const ClusterList& list, const Kernel& kernel, const Solid& solid,
@@ -147,8 +147,12 @@ class GradientSweep {
         ParticleGroup& group = particles_.fluid();
         const Matrix inverse = GradientCorrection::inverse(sum.all.moment, VelocityGradient::smallest_determinant);
         const Rows gradient = gradient_of(sum.all, inverse);
-        const L divergence = VelocityGradient::divergence(gradient) -
-                             VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
+        // At a free surface only the force's exact partner, B = 1, is stable.
+        const L divergence =
+            options_.free_surface
+                ? -1.0 * (VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess))
+                : VelocityGradient::divergence(gradient) -
+                      VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
         const L rate = options_.diffusion * sum.diffusion - load<L>(group.data(Field::density), cluster) * divergence;
         store_scalar(rate, Field::density_rate, cluster);
         store_scalar(VelocityGradient::mean(inverse), Field::mean_correction, cluster);

@@ -101,7 +101,9 @@ class FluidStep {
     [[nodiscard]] VolumeSums volumes_here() const;
     void set_reference_level(double volume, double pressure_times_volume);
     /// Where shifting goes by the fluid's quartic mean speed.
-    [[nodiscard]] bool shifts_by_speed() const { return settings_.shifting > 0 && !settings_.corrected; }
+    [[nodiscard]] bool shifts_by_speed() const {
+        return settings_.shifting > 0 && (!settings_.corrected || settings_.free_surface);
+    }
     [[nodiscard]] double particle_volume() const;
     void sum_forces(double t, double dt);
     void add_outside_forces(double t, double dt);

@@ -90,8 +90,8 @@ TEST_F(SomeRanks, NorDoManyOrWithThreadsAndAnotherVectorUnit) {
 
 TEST_F(SomeRanks, TheFluidsOptionsAreTheSameBitsOnAnyNumberOfRanks) {
     const auto options = [](Words more = {}) {
-        for (const char* option : {"gradient_correction=true", "density=summation", "transport_velocity=true",
-                                   "viscous_law=monaghan", "kernel=quintic_spline"})
+        for (const char* option : {"scheme=plain", "gradient_correction=true", "density=summation",
+                                   "transport_velocity=true", "viscous_law=monaghan", "kernel=quintic_spline"})
             more.insert(more.end(), {"--set", std::string("numerics.") + option});
         more.insert(more.end(), {"--until", "0.01 s"});
         return more;

@@ -50,11 +50,11 @@ Outcome run(const std::string& name, std::vector<std::string> overrides) {
     return outcome;
 }
 
-/// Speed at t = 1 s of vortices that decay as exp(-8 pi^2 nu t) (Taylor & Green 1937).
-const double decay = std::exp(-8 * pi * pi * 0.01);
+/// Speed at t = 1 s of vortices of this kinematic viscosity (Taylor & Green 1937).
+double decay_at_end(double viscosity) { return std::exp(-8 * pi * pi * viscosity); }
 
 /// Mean difference of the speed over the mean speed.
-double speed_error_of_vortices(const LastFluid& last) {
+double speed_error_of_vortices(const LastFluid& last, double decay) {
     double difference = 0, sum = 0;
     for (std::size_t k = 0; k < last.fluid.size(); ++k) {
         const double x = 2 * pi * last.position(k, 0), y = 2 * pi * last.position(k, 1);
@@ -85,29 +85,45 @@ struct Bounds {
     double energy, speed, channel;
 };
 
-TEST(QualityLevels, keep_the_errors_of_the_table_and_cost_in_their_order) {
-    const std::map<std::string, Bounds> bounds{
-        {"draft", {0.035, 0.02, 0.005}}, {"standard", {0.02, 0.01, 0.005}}, {"fine", {0.005, 0.004, 0.003}}};
+/// `viscosity`: of the vortices [Pa s].
+void expect_errors_and_costs_in_order(const std::string& scheme, double viscosity, double draft_over_standard_steps,
+                                      const std::map<std::string, Bounds>& bounds) {
+    const double decay = decay_at_end(viscosity);
     std::map<std::string, double> steps;
     std::map<std::string, double> speed_errors;
     for (const auto& [quality, bound] : bounds) {
         SCOPED_TRACE(quality);
-        const Outcome vortices = run("taylor_green", {"quality=" + quality, "particles.spacing=0.02 m"});
+        const Outcome vortices =
+            run("taylor_green", {"numerics.scheme=" + scheme, "quality=" + quality, "particles.spacing=0.02 m",
+                                 "part.water.viscosity=" + std::to_string(viscosity) + " Pa*s"});
         const double energy = column(vortices.summary.measures, "energy").back() / (0.25 * decay * decay) - 1;
-        speed_errors[quality] = speed_error_of_vortices(vortices.last);
+        speed_errors[quality] = speed_error_of_vortices(vortices.last, decay);
         EXPECT_LE(std::abs(energy), bound.energy);
         EXPECT_LE(speed_errors[quality], bound.speed);
         steps[quality] = static_cast<double>(vortices.summary.steps);
-        const Outcome channel = run("poiseuille", {"quality=" + quality, "part.wall.layers=4"});
+        const Outcome channel =
+            run("poiseuille", {"numerics.scheme=" + scheme, "quality=" + quality, "part.wall.layers=4"});
         EXPECT_LE(error_of_channel(channel.last), bound.channel);
         std::printf("%-8s  vortices: energy %+.2f %%, speed %.2f %%, %ld steps; channel %.2f %%\n", quality.c_str(),
                     100 * energy, 100 * speed_errors[quality], vortices.summary.steps,
                     100 * error_of_channel(channel.last));
     }
-    EXPECT_LT(steps["draft"], 0.6 * steps["standard"]);
+    EXPECT_LT(steps["draft"], draft_over_standard_steps * steps["standard"]);
     EXPECT_LT(steps["standard"], steps["fine"]);
     EXPECT_LT(speed_errors["fine"], speed_errors["standard"]);
     EXPECT_LT(speed_errors["standard"], speed_errors["draft"]);
+}
+
+TEST(QualityLevels, keep_the_errors_of_the_table_and_cost_in_their_order) {
+    expect_errors_and_costs_in_order(
+        "corrected", 0.001, 0.7,
+        {{"draft", {0.03, 0.02, 0.005}}, {"standard", {0.018, 0.014, 0.005}}, {"fine", {0.01, 0.008, 0.005}}});
+}
+
+TEST(QualityLevels, of_the_plain_scheme_too) {
+    expect_errors_and_costs_in_order(
+        "plain", 0.01, 0.6,
+        {{"draft", {0.035, 0.02, 0.005}}, {"standard", {0.02, 0.01, 0.005}}, {"fine", {0.005, 0.004, 0.003}}});
 }
 
 }  // namespace

@@ -56,51 +56,42 @@ TEST_P(TaylorGreen, DecaysAsItShould) {
 }
 
 /// A wider kernel and stronger shifting: half of the error, for 1.3 times the time.
-const std::vector<std::string> fine{"numerics.support=4", "numerics.shifting=6"};
+const std::vector<std::string> plain{"numerics.scheme=plain"};
+const std::vector<std::string> fine{"numerics.scheme=plain", "numerics.support=4", "numerics.shifting=6"};
+
+INSTANTIATE_TEST_SUITE_P(
+    PlainScheme, TaylorGreen,
+    testing::Values(Setting{"50 x 50, lattice, plain", "0.02 m", "0", 0.02, 0.01, plain},
+                    Setting{"50 x 50, disordered, plain", "0.02 m", "0.2", 0.02, 0.01, plain},
+                    Setting{"100 x 100, lattice, plain", "0.01 m", "0", 0.01, 0.005, plain},
+                    Setting{"100 x 100, disordered, plain", "0.01 m", "0.2", 0.01, 0.005, plain},
+                    Setting{"50 x 50, lattice, support 4, shifting 6, plain", "0.02 m", "0", 0.01, 0.005, fine},
+                    Setting{"50 x 50, disordered, support 4, shifting 6, plain", "0.02 m", "0.2", 0.01, 0.005, fine},
+                    Setting{"100 x 100, lattice, support 4, shifting 6, plain", "0.01 m", "0", 0.005, 0.0025, fine},
+                    Setting{"100 x 100, disordered, support 4, shifting 6, plain", "0.01 m", "0.2", 0.005, 0.0025,
+                            fine}));
 
 INSTANTIATE_TEST_SUITE_P(
     Starts, TaylorGreen,
-    testing::Values(Setting{"50 x 50, lattice", "0.02 m", "0", 0.02, 0.01},
-                    Setting{"50 x 50, disordered", "0.02 m", "0.2", 0.02, 0.01},
-                    Setting{"100 x 100, lattice", "0.01 m", "0", 0.01, 0.005},
-                    Setting{"100 x 100, disordered", "0.01 m", "0.2", 0.01, 0.005},
-                    Setting{"50 x 50, lattice, support 4, shifting 6", "0.02 m", "0", 0.01, 0.005, fine},
-                    Setting{"50 x 50, disordered, support 4, shifting 6", "0.02 m", "0.2", 0.01, 0.005, fine},
-                    Setting{"100 x 100, lattice, support 4, shifting 6", "0.01 m", "0", 0.005, 0.0025, fine},
-                    Setting{"100 x 100, disordered, support 4, shifting 6", "0.01 m", "0.2", 0.005, 0.0025, fine}));
-
-const std::string corrected = "numerics.scheme=corrected";
-
-INSTANTIATE_TEST_SUITE_P(
-    CorrectedScheme, TaylorGreen,
-    testing::Values(Setting{"50 x 50, lattice, corrected", "0.02 m", "0", 0.005, 0.0025, {corrected}},
-                    Setting{"50 x 50, disordered, corrected", "0.02 m", "0.2", 0.007, 0.004, {corrected}},
-                    Setting{"100 x 100, lattice, corrected", "0.01 m", "0", 0.002, 0.001, {corrected}},
-                    Setting{"100 x 100, disordered, corrected", "0.01 m", "0.2", 0.002, 0.0015, {corrected}},
-                    Setting{"50 x 50, disordered, corrected, c0 = 20 U",
-                            "0.02 m",
-                            "0.2",
-                            0.008,
-                            0.004,
-                            {corrected, "numerics.sound_speed=20 m/s"}},
-                    Setting{"50 x 50, disordered, corrected, c0 = 40 U",
-                            "0.02 m",
-                            "0.2",
-                            0.01,
-                            0.005,
-                            {corrected, "numerics.sound_speed=40 m/s"}},
-                    Setting{"50 x 50, disordered, corrected, level 10 rho U^2",
-                            "0.02 m",
-                            "0.2",
-                            0.007,
-                            0.004,
-                            {corrected, "numerics.background_pressure=10 Pa", "numerics.sound_speed=10 m/s"}},
-                    Setting{"50 x 50, disordered, corrected, level 100 rho U^2",
-                            "0.02 m",
-                            "0.2",
-                            0.007,
-                            0.004,
-                            {corrected, "numerics.background_pressure=100 Pa", "numerics.sound_speed=10 m/s"}}));
+    testing::Values(
+        Setting{"50 x 50, lattice", "0.02 m", "0", 0.005, 0.0025},
+        Setting{"50 x 50, disordered", "0.02 m", "0.2", 0.007, 0.004},
+        Setting{"100 x 100, lattice", "0.01 m", "0", 0.002, 0.001},
+        Setting{"100 x 100, disordered", "0.01 m", "0.2", 0.002, 0.0015},
+        Setting{"50 x 50, disordered, c0 = 20 U", "0.02 m", "0.2", 0.008, 0.004, {"numerics.sound_speed=20 m/s"}},
+        Setting{"50 x 50, disordered, c0 = 40 U", "0.02 m", "0.2", 0.01, 0.005, {"numerics.sound_speed=40 m/s"}},
+        Setting{"50 x 50, disordered, level 10 rho U^2",
+                "0.02 m",
+                "0.2",
+                0.007,
+                0.004,
+                {"numerics.background_pressure=10 Pa", "numerics.sound_speed=10 m/s"}},
+        Setting{"50 x 50, disordered, level 100 rho U^2",
+                "0.02 m",
+                "0.2",
+                0.007,
+                0.004,
+                {"numerics.background_pressure=100 Pa", "numerics.sound_speed=10 m/s"}}));
 
 }  // namespace
 }  // namespace dmp::tests::taylor_green_tests

@@ -94,7 +94,7 @@ TEST(MeshErrors, PeriodicSidesThatDoNotMatch) {
 TEST(MeshErrors, APeriodShorterThanTheKernelReaches) {
     const Texts shortest = channel.with("{4, 0, 0}", "{0.5, 0, 0}").with("{4, 2, 0}", "{0.5, 2, 0}");
     EXPECT_EQ(fault_of(shortest), "no error");
-    EXPECT_EQ(fault_of(shortest.with("[flow]", "[numerics]\nsupport = 2.5\n[flow]")
+    EXPECT_EQ(fault_of(shortest.with("[flow]", "[numerics]\nscheme = \"plain\"\nsupport = 2.5\n[flow]")
                            .with("{0.5, 0, 0}", "{0.4375, 0, 0}")
                            .with("{0.5, 2, 0}", "{0.4375, 2, 0}")),
               "no error");

@@ -75,7 +75,8 @@ TEST(ChannelMesh, CountsVolumesAndMasses) {
 }
 
 TEST(ChannelMesh, KernelSumIsThatOfTheScenesKernel) {
-    const Meshed meshed = mesh_texts(channel.with("[flow]", "[numerics]\nkernel = \"lucy\"\nsupport = 2.6\n[flow]"));
+    const Meshed meshed =
+        mesh_texts(channel.with("[flow]", "[numerics]\nscheme = \"plain\"\nkernel = \"lucy\"\nsupport = 2.6\n[flow]"));
     EXPECT_NEAR(meshed.report.parts[0].kernel_sum_mean, 1.00003, 1e-5);
 }
 
@@ -114,9 +115,11 @@ TEST(FlapMesh, IsClampedAtItsRoot) {
 }
 
 TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
-    // The lower row stands 0.11 m above the wall's first one, nearer than the contact range of 0.125 m.
+    // The lower row stands 0.11 m above the wall's first one, nearer than the contact range of 0.119 m.
     const Meshed meshed =
-        mesh_texts(flap_channel.with("{2, 0, 0}", "{1.0625, 0.11, 0}").with("{2, 1, 0}", "{3.0625, 0.11, 0}"));
+        mesh_texts(flap_channel.with("{2, 0, 0}", "{1.0625, 0.11, 0}")
+                       .with("{2, 1, 0}", "{3.0625, 0.11, 0}")
+                       .with("[flow]", "[contact]\nrange = 0.95\n[numerics]\nscheme = \"plain\"\n[flow]"));
     const ParticleSet& set = meshed.particles;
     std::size_t seated = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {

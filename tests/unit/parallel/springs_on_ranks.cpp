@@ -78,6 +78,7 @@ SceneAndParticles solid_and_shell_in_water() {
     scene.parts.push_back(spring_part("shell"));
     scene.contact.strength = 1e-2;
     scene.run.duration = 0.05;
+    scene.numerics.step_factor = 0.3;
     scene.output.every = 0.05;
 
     // The solid's nodes are places of the water's lattice.

@@ -125,7 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:20:20: the surface of 'wall' slides, but the fluid slips on it: the motion would have "
               "no effect\n"
               "  leave out surface_velocity, or slip"},
-        Fault{"slip_at_plain_walls", "kind = \"rigid\"", "kind = \"rigid\"\nslip = true\n[numerics]\nwalls = \"plain\"",
+        Fault{"slip_at_plain_walls", "kind = \"rigid\"",
+              "kind = \"rigid\"\nslip = true\n[numerics]\nscheme = \"plain\"\nwalls = \"plain\"",
               "scene.toml:19:8: the wall 'wall' has slip = true, and plain walls cannot let a fluid slip\n"
               "  write numerics.walls = \"extrapolated\", or leave out slip"},
         Fault{"plane_across_a_period", "largest_speed = \"0.2 m/s\"",
@@ -302,20 +303,22 @@ INSTANTIATE_TEST_SUITE_P(
               "velocities; numerics.viscous_law = \"monaghan_approaching\" is not\n"
               "  write viscous_law = \"monaghan\" or \"morris\""},
         Fault{"diffusion_of_a_summed_density", "[run]",
-              "[numerics]\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
-              "scene.toml:32:21: numerics.density_diffusion smooths an integrated density; numerics.density = "
+              "[numerics]\nscheme = \"plain\"\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
+              "scene.toml:33:21: numerics.density_diffusion smooths an integrated density; numerics.density = "
               "\"summation\" does not integrate it\n"
               "  leave density_diffusion out, or write density = \"continuity\""},
-        Fault{"shifting_and_transport", "[run]", "[numerics]\ntransport_velocity = true\nshifting = 4\n[run]",
-              "scene.toml:32:12: numerics.shifting and numerics.transport_velocity both spread the particles\n"
+        Fault{"shifting_and_transport", "[run]",
+              "[numerics]\nscheme = \"plain\"\ntransport_velocity = true\nshifting = 4\n[run]",
+              "scene.toml:33:12: numerics.shifting and numerics.transport_velocity both spread the particles\n"
               "  leave one of them out"},
-        Fault{"summation_beside_plain_walls", "[run]", "[numerics]\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
-              "scene.toml:32:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
+        Fault{"summation_beside_plain_walls", "[run]",
+              "[numerics]\nscheme = \"plain\"\ndensity = \"summation\"\nwalls = \"plain\"\n[run]",
+              "scene.toml:33:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
               "numerics.density = \"summation\" does not support\n"
               "  leave walls out, or density"},
         Fault{"correction_beside_plain_walls", "[run]",
-              "[numerics]\ngradient_correction = true\nwalls = \"plain\"\n[run]",
-              "scene.toml:32:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
+              "[numerics]\nscheme = \"plain\"\ngradient_correction = true\nwalls = \"plain\"\n[run]",
+              "scene.toml:33:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
               "numerics.gradient_correction = true does not support\n"
               "  leave walls out, or gradient_correction"},
         Fault{"corrected_scheme_of_a_summed_density", "[run]",
@@ -347,8 +350,9 @@ INSTANTIATE_TEST_SUITE_P(
               "[numerics]\nscheme = \"corrected\"\nsupport = 2.5\n[run]",
               "scene.toml:32:11: numerics.scheme = \"corrected\" does not support numerics.support = 2.5, below 2.8\n"
               "  leave it out, or write scheme = \"plain\""},
-        Fault{"newtonian_law_of_the_plain_scheme", "[run]", "[numerics]\nviscous_law = \"newtonian\"\n[run]",
-              "scene.toml:31:15: numerics.scheme = \"plain\" does not support numerics.viscous_law = \"newtonian\"\n"
+        Fault{"newtonian_law_of_the_plain_scheme", "[run]",
+              "[numerics]\nscheme = \"plain\"\nviscous_law = \"newtonian\"\n[run]",
+              "scene.toml:32:15: numerics.scheme = \"plain\" does not support numerics.viscous_law = \"newtonian\"\n"
               "  leave it out, or write scheme = \"corrected\""},
         Fault{"background_below_zero", "[run]", "[numerics]\nbackground_pressure = \"-1 Pa\"\n[run]",
               "scene.toml:31:23: numerics.background_pressure: found \"-1 Pa\", expected at least 0\n"

@@ -123,8 +123,9 @@ TEST(WrongScene, a_quality_that_there_is_not) {
 }
 
 TEST(WrongScene, a_fine_support_in_a_wall_of_three_rows) {
-    EXPECT_EQ(fault_of(good_scene, {"quality=fine"}), "no error") << "rows follow the quality too";
-    EXPECT_EQ(fault_of(good_scene, {"quality=fine", "part.wall.layers=3"}),
+    const std::string plain = "numerics.scheme=plain";
+    EXPECT_EQ(fault_of(good_scene, {plain, "quality=fine"}), "no error") << "rows follow the quality too";
+    EXPECT_EQ(fault_of(good_scene, {plain, "quality=fine", "part.wall.layers=3"}),
               "--set part.wall.layers=3: the wall 'wall' is thinner than the kernel: layers = 3, numerics.support = 4\n"
               "  give the part at least as many layers as the support has spacings");
 }

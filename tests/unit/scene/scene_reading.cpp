@@ -133,7 +133,7 @@ TEST(ReadScene, every_default) {
     for (const auto& axis : scene.flow.periodic) EXPECT_FALSE(axis);
     for (const auto& component : *scene.flow.initial_velocity) EXPECT_EQ(component(0, 2, 3, 4), 0);
     EXPECT_EQ((*scene.flow.initial_pressure)(0, 2, 3, 4), 0);
-    EXPECT_EQ(*scene.contact.range, 1);
+    EXPECT_EQ(*scene.contact.range, 0.7);
     EXPECT_EQ(*scene.contact.range, *fresh.contact.range);
     EXPECT_EQ(*scene.contact.strength, 0) << "auto";
     EXPECT_EQ(*scene.contact.strength, *fresh.contact.strength);
@@ -163,7 +163,9 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.numerics.density, *fresh.numerics.density);
     EXPECT_FALSE(*scene.numerics.gradient_correction);
     EXPECT_EQ(*scene.numerics.gradient_correction, *fresh.numerics.gradient_correction);
-    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<MorrisViscosity>());
+    EXPECT_EQ(*scene.numerics.scheme, FluidScheme::corrected);
+    EXPECT_EQ(*scene.numerics.scheme, *fresh.numerics.scheme);
+    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<NewtonianViscosity>());
     EXPECT_EQ(*scene.numerics.viscous_law, *fresh.numerics.viscous_law);
     EXPECT_EQ(*scene.numerics.viscosity_mean, ViscosityMean::harmonic);
     EXPECT_EQ(*scene.numerics.viscosity_mean, *fresh.numerics.viscosity_mean);
@@ -171,9 +173,9 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.numerics.transport_velocity, *fresh.numerics.transport_velocity);
     EXPECT_EQ(*scene.numerics.density_diffusion, 0.1);
     EXPECT_EQ(*scene.numerics.density_diffusion, *fresh.numerics.density_diffusion);
-    EXPECT_EQ(*scene.numerics.shifting, 4);
+    EXPECT_EQ(*scene.numerics.shifting, 0.2);
     EXPECT_EQ(*scene.numerics.shifting, *fresh.numerics.shifting);
-    EXPECT_EQ(*scene.numerics.step_factor, 0.3);
+    EXPECT_EQ(*scene.numerics.step_factor, 0.5);
     EXPECT_EQ(*scene.numerics.step_factor, *fresh.numerics.step_factor);
     EXPECT_EQ(*scene.numerics.viscosity_stepping, ViscosityStepping::explicitly);
     EXPECT_EQ(*scene.numerics.viscosity_stepping, *fresh.numerics.viscosity_stepping);
@@ -235,6 +237,7 @@ periodic = ["y", "x"]
 range = 1.5
 strength = "2 uJ"
 [numerics]
+scheme = "plain"
 kernel = "lucy"
 support = 2
 sound_speed = "2 m/s"
@@ -287,6 +290,7 @@ field = "pressure"
     EXPECT_TRUE(scene.flow.periodic[1]);
     EXPECT_EQ(*scene.contact.range, 1.5);
     EXPECT_EQ(*scene.contact.strength, 2e-6);
+    EXPECT_EQ(*scene.numerics.scheme, FluidScheme::plain);
     EXPECT_EQ(*scene.numerics.kernel, KernelKind::lucy);
     EXPECT_EQ(*scene.numerics.support, 2);
     EXPECT_EQ(*scene.numerics.sound_speed, 2);
@@ -319,11 +323,11 @@ field = "pressure"
 
 TEST(ReadScene, fluid_terms_that_are_off_by_default) {
     const Scene scene =
-        read_text(good_scene,
-                  {"flow.largest_pressure=2 kPa", "numerics.kernel=quintic_spline", "numerics.equation_of_state=linear",
-                   "numerics.background_pressure=3 Pa", "numerics.density=summation",
-                   "numerics.gradient_correction=true", "numerics.viscous_law=monaghan_approaching",
-                   "numerics.viscosity_mean=arithmetic", "numerics.transport_velocity=true"});
+        read_text(good_scene, {"numerics.scheme=plain", "flow.largest_pressure=2 kPa", "numerics.kernel=quintic_spline",
+                               "numerics.equation_of_state=linear", "numerics.background_pressure=3 Pa",
+                               "numerics.density=summation", "numerics.gradient_correction=true",
+                               "numerics.viscous_law=monaghan_approaching", "numerics.viscosity_mean=arithmetic",
+                               "numerics.transport_velocity=true"});
     EXPECT_EQ(*scene.flow.largest_pressure, 2000);
     EXPECT_EQ(*scene.numerics.kernel, KernelKind::quintic_spline);
     EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::linear);
@@ -338,23 +342,25 @@ TEST(ReadScene, fluid_terms_that_are_off_by_default) {
     EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
 }
 
-TEST(ReadScene, corrected_scheme_has_defaults_of_its_own) {
-    const Scene scene = read_text(good_scene, {"numerics.scheme=corrected"});
-    EXPECT_EQ(*scene.numerics.scheme, FluidScheme::corrected);
-    EXPECT_EQ(*scene.numerics.viscous_law, ViscousLaw::of<NewtonianViscosity>());
-    EXPECT_EQ(*scene.numerics.step_factor, 0.5);
-    EXPECT_EQ(*scene.contact.range, 0.7);
-    EXPECT_EQ(*scene.numerics.shifting, 0.2);
-    const Scene draft = read_text(good_scene, {"numerics.scheme=corrected", "quality=draft"});
+TEST(ReadScene, each_scheme_has_defaults_of_its_own) {
+    const Scene plain = read_text(good_scene, {"numerics.scheme=plain"});
+    EXPECT_EQ(*plain.numerics.viscous_law, ViscousLaw::of<MorrisViscosity>());
+    EXPECT_EQ(*plain.numerics.step_factor, 0.3);
+    EXPECT_EQ(*plain.contact.range, 1);
+    EXPECT_EQ(*plain.numerics.shifting, 4);
+    EXPECT_EQ(default_origin(plain, "contact.range"), "numerics.scheme = \"plain\" at --set numerics.scheme=plain");
+    EXPECT_EQ(default_origin(plain, "numerics.walls"), "default");
+    const Scene draft = read_text(good_scene, {"quality=draft"});
     EXPECT_EQ(*draft.numerics.kernel, KernelKind::wendland_c2);
     EXPECT_EQ(*draft.numerics.support, 3);
     EXPECT_EQ(*draft.numerics.step_factor, 0.5);
-    const Scene given = read_text(good_scene, {"numerics.scheme=corrected", "numerics.viscous_law=morris",
-                                               "numerics.step_factor=0.2", "contact.range=0.5"});
+    const Scene given =
+        read_text(good_scene, {"numerics.viscous_law=morris", "numerics.step_factor=0.2", "contact.range=0.5"});
     EXPECT_EQ(*given.numerics.viscous_law, ViscousLaw::of<MorrisViscosity>());
     EXPECT_EQ(*given.numerics.step_factor, 0.2);
     EXPECT_EQ(*given.contact.range, 0.5);
-    EXPECT_EQ(resolved_scene(read_text(resolved_scene(scene))), resolved_scene(scene));
+    for (const Scene* scene : {&plain, &draft, &given})
+        EXPECT_EQ(resolved_scene(read_text(resolved_scene(*scene))), resolved_scene(*scene));
 }
 
 TEST(ReadScene, values_keep_their_places) {

@@ -36,11 +36,12 @@ TEST(ExplainKey, a_required_quantity) {
 }
 
 TEST(ExplainKey, a_word_with_a_default) {
-    EXPECT_EQ(explain_key("numerics.kernel"),
-              "numerics.kernel\n"
-              "    Smoothing kernel.\n"
-              "    type:    one of 'wendland_c2', 'wendland_c4', 'lucy', 'cubic_spline' and 'quintic_spline'\n"
-              "    default: \"wendland_c2\" (draft: \"lucy\", fine: \"wendland_c2\")\n");
+    EXPECT_EQ(
+        explain_key("numerics.kernel"),
+        "numerics.kernel\n"
+        "    Smoothing kernel.\n"
+        "    type:    one of 'wendland_c2', 'wendland_c4', 'lucy', 'cubic_spline' and 'quintic_spline'\n"
+        "    default: \"wendland_c2\"; scheme = \"plain\": \"wendland_c2\" (draft: \"lucy\", fine: \"wendland_c2\")\n");
 }
 
 TEST(ExplainKey, a_key_of_parts_by_pattern_by_name_and_without) {

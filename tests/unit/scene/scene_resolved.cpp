@@ -11,13 +11,19 @@ namespace {
 const std::string cases = std::string(DMP_SOURCE_DIR) + "/cases";
 
 TEST(Quality, sets_what_is_not_given) {
-    const auto with = [](const std::string& quality) { return read_text(good_scene, {"quality=" + quality}); };
-    const Scene plain = read_text(good_scene), draft = with("draft"), standard = with("standard"), fine = with("fine");
-    EXPECT_EQ(resolved_scene(standard), resolved_scene(plain));
-    EXPECT_EQ(*draft.numerics.kernel, KernelKind::lucy);
-    EXPECT_GT(*draft.numerics.step_factor, *standard.numerics.step_factor);
-    EXPECT_GT(*fine.numerics.support, *standard.numerics.support);
-    EXPECT_GE(*fine.parts[1].layers, *fine.numerics.support);
+    const auto with = [](const std::string& quality, const std::string& scheme = "corrected") {
+        return read_text(good_scene, {"quality=" + quality, "numerics.scheme=" + scheme});
+    };
+    const Scene usual = read_text(good_scene), draft = with("draft"), standard = with("standard"), fine = with("fine");
+    EXPECT_EQ(resolved_scene(standard), resolved_scene(usual));
+    EXPECT_GT(*draft.numerics.mach_number, *standard.numerics.mach_number);
+    EXPECT_LT(*fine.numerics.mach_number, *standard.numerics.mach_number);
+    const Scene plain_draft = with("draft", "plain"), plain = with("standard", "plain"),
+                plain_fine = with("fine", "plain");
+    EXPECT_EQ(*plain_draft.numerics.kernel, KernelKind::lucy);
+    EXPECT_GT(*plain_draft.numerics.step_factor, *plain.numerics.step_factor);
+    EXPECT_GT(*plain_fine.numerics.support, *plain.numerics.support);
+    EXPECT_GE(*plain_fine.parts[1].layers, *plain_fine.numerics.support);
     EXPECT_NE(draft.hash, standard.hash);
     EXPECT_NE(fine.hash, standard.hash);
     for (const Scene* scene : {&draft, &fine}) {
@@ -29,31 +35,32 @@ TEST(Quality, sets_what_is_not_given) {
 
 TEST(Quality, leaves_alone_what_is_given) {
     const Scene scene =
-        read_text(good_scene, {"quality=draft", "numerics.step_factor=0.1", "numerics.kernel=wendland_c2"});
+        read_text(good_scene, {"quality=draft", "numerics.step_factor=0.1", "numerics.mach_number=0.1"});
     EXPECT_EQ(*scene.numerics.step_factor, 0.1);
-    EXPECT_EQ(*scene.numerics.kernel, KernelKind::wendland_c2);
+    EXPECT_EQ(*scene.numerics.mach_number, 0.1);
 }
 
 TEST(Quality, is_where_defaults_come_from) {
     const Scene scene = read_text("quality = \"draft\"\n" + good_scene);
-    EXPECT_EQ(default_origin(scene, "numerics.kernel"), "quality = \"draft\" at scene.toml:1:11");
+    EXPECT_EQ(default_origin(scene, "numerics.mach_number"), "quality = \"draft\" at scene.toml:1:11");
     EXPECT_EQ(default_origin(scene, "part.wall.layers"), "quality = \"draft\" at scene.toml:1:11");
     EXPECT_EQ(default_origin(scene, "numerics.walls"), "default") << "the same at every level";
-    EXPECT_EQ(default_origin(read_text(good_scene), "numerics.kernel"), "default");
+    EXPECT_EQ(default_origin(read_text(good_scene), "numerics.mach_number"), "default");
 }
+
 TEST(Override, reaches_every_kind_of_key) {
     const Scene scene = read_text(
         good_scene, {"particles.spacing=\"0.2 mm\"", "geometry.parameters.leaflet_length=\"25.6 mm\"",
                      "geometry.parameters.count = 3", "part.leaflets.enabled=false", "measure.tip_gap.part=leaflets",
-                     "measure.flux_in.to=[\"0 mm\", \"5 mm\"]", "numerics.support=2.5", "title=A = B",
-                     "flow.acceleration=[\"0.15 m/s^2 * cos(2*pi*t/4 s)\", 0]"});
+                     "measure.flux_in.to=[\"0 mm\", \"5 mm\"]", "numerics.support=3.5", "part.wall.layers=4",
+                     "title=A = B", "flow.acceleration=[\"0.15 m/s^2 * cos(2*pi*t/4 s)\", 0]"});
     EXPECT_EQ(*scene.particles.spacing, 0.0002);
     EXPECT_EQ(*scene.geometry.parameters.at("leaflet_length"), 0.0256);
     EXPECT_EQ(*scene.geometry.parameters.at("count"), 3);
     EXPECT_FALSE(*scene.parts[2].enabled);
     EXPECT_EQ(*scene.measures[1].part, "leaflets");
     EXPECT_EQ(*scene.measures[0].to, Vec(0, 0.005, 0));
-    EXPECT_EQ(*scene.numerics.support, 2.5) << "a table the file does not have";
+    EXPECT_EQ(*scene.numerics.support, 3.5) << "a table the file does not have";
     EXPECT_EQ(*scene.title, "A = B");
     EXPECT_EQ(scene.flow.acceleration[0](0), 0.15);
     const std::string region = "[[region]]\nname = \"sinus\"\nfrom = [0, 0]\nto = [\"1 mm\", \"2 mm\"]\n";
@@ -63,10 +70,10 @@ TEST(Override, reaches_every_kind_of_key) {
 }
 
 TEST(Override, needs_no_quotes_and_the_last_one_wins) {
-    const Scene scene =
-        read_text(good_scene, {"particles.spacing=0.3 mm", "particles.spacing= 0.4 mm ", "numerics.kernel=lucy"});
+    const Scene scene = read_text(good_scene, {"particles.spacing=0.3 mm", "particles.spacing= 0.4 mm ",
+                                               "numerics.density=continuity", "numerics.walls=extrapolated"});
     EXPECT_EQ(*scene.particles.spacing, 0.0004);
-    EXPECT_EQ(*scene.numerics.kernel, KernelKind::lucy);
+    EXPECT_EQ(*scene.numerics.walls, WallModel::extrapolated);
 }
 
 TEST(ResolvedScene, reads_back_as_the_same_scene) {
@@ -114,26 +121,26 @@ initial_velocity = ["0", "0", "0"]
 initial_pressure = "0"
 
 [contact]
-range = 1
+range = 0.7
 strength = "auto"
 
 [numerics]
+scheme = "corrected"
 kernel = "wendland_c2"
 support = 3
 sound_speed = "auto"
 mach_number = 0.1
-scheme = "plain"
 walls = "extrapolated"
 equation_of_state = "tait"
 background_pressure = "0 kg/m/s^2"
 density = "continuity"
 gradient_correction = false
-viscous_law = "morris"
+viscous_law = "newtonian"
 viscosity_mean = "harmonic"
 density_diffusion = 0.1
-shifting = 4
+shifting = 0.2
 transport_velocity = false
-step_factor = 0.3
+step_factor = 0.5
 viscosity_stepping = "explicit"
 viscosity_tolerance = 1e-06
 spring_stepping = "implicit"

@@ -32,6 +32,15 @@ struct SceneAndParticles {
     ParticleSet particles;
 };
 
+/// The scheme of the published studies with its defaults.
+inline void use_plain_scheme(Scene& scene) {
+    scene.numerics.scheme = FluidScheme::plain;
+    scene.numerics.viscous_law = ViscousLaw::of<MorrisViscosity>();
+    scene.numerics.shifting = 4.0;
+    scene.numerics.step_factor = 0.3;
+    scene.contact.range = 1.0;
+}
+
 /// A case of the repository, read and meshed; `folder` is relative to cases/.
 inline SceneAndParticles case_of(const std::string& folder, const std::vector<std::string>& overrides) {
     SceneAndParticles made;

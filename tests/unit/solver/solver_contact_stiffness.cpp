@@ -37,6 +37,7 @@ TEST(ContactStiffness, is_the_slope_of_the_force) {
 /// Rods among water, of unlike mass; one node is fixed.
 SceneAndParticles rods_in_water() {
     SceneAndParticles made = endless_water();
+    made.scene.contact.range = 1.0;
     add_flags(made);
     ParticleSet& set = made.particles;
     add_rod(made, Vec(0.31, 0.32, 0), 0);
@@ -106,6 +107,7 @@ SceneAndParticles squeezed_rod() {
     add_rod(made, Vec(0.436, 0.3, 0), 2);
     set.fixed = {1, 1, 0, 0, 1, 1};
     std::ranges::fill(set.mass, 0.5);
+    made.scene.contact.range = 1.0;
     made.scene.contact.strength = strength;
     made.scene.numerics.sound_speed = 10.0;
     made.scene.run.duration = made.scene.output.every = 0.5;

@@ -41,7 +41,8 @@ struct Flow {
 };
 
 Flow flow_of(const std::vector<std::string>& options, int threads = 1) {
-    std::vector<std::string> overrides{"run.duration=0.1 s", "output.fields=['velocity', 'pressure', 'density']"};
+    std::vector<std::string> overrides{"numerics.scheme=plain", "run.duration=0.1 s",
+                                       "output.fields=['velocity', 'pressure', 'density']"};
     overrides.insert(overrides.end(), options.begin(), options.end());
     const auto [scene, particles] = case_of("verification/poiseuille", overrides);
     Flow flow;

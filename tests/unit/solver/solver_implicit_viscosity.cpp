@@ -34,7 +34,9 @@ SceneAndParticles poiseuille(double reynolds, double times, int across = 20) {
     channel.speed = speed;
     channel.acceleration = text_of(8 * nu * speed / (width * width));
     channel.duration = times * width * width / nu;
-    return layered(channel);
+    SceneAndParticles made = layered(channel);
+    made.scene.numerics.step_factor = 0.3;
+    return made;
 }
 double parabola(double y) { return 4 * speed * y * (width - y) / (width * width); }
 

@@ -87,14 +87,14 @@ TEST(Poiseuille, follows_the_series_at_40_particles_across) {
 }
 
 TEST(Poiseuille, plain_walls_slip) {
-    const Flow flow = flow_of("0.05 mm", {"numerics.walls=plain"});
+    const Flow flow = flow_of("0.05 mm", {"numerics.scheme=plain", "numerics.walls=plain"});
     EXPECT_GE(flow.error.at(1.0), 0.05);
     EXPECT_LE(flow.error.at(1.0), 0.30);
     EXPECT_LT(flow.summary.momentum_residual, 1e-12);
 }
 
 TEST(Poiseuille, runs_with_lucys_kernel) {
-    const Flow flow = flow_of("0.05 mm", {"numerics.kernel=lucy"});
+    const Flow flow = flow_of("0.05 mm", {"numerics.scheme=plain", "numerics.kernel=lucy"});
     EXPECT_LE(flow.error.at(1.0), 0.02);
 }
 

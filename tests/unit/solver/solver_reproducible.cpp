@@ -45,7 +45,7 @@ TEST(Reproducible, vein_valve) { expect_same_bits(case_of("vein_valve", {"partic
 
 TEST(Reproducible, vein_valve_with_subcycled_springs_and_plain_walls) {
     expect_same_bits(case_of("vein_valve", {"particles.spacing=0.5 mm", "numerics.spring_stepping=subcycled",
-                                            "numerics.walls=plain", "numerics.kernel=lucy"}),
+                                            "numerics.scheme=plain", "numerics.walls=plain", "numerics.kernel=lucy"}),
                      40);
 }
 

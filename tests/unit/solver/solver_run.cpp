@@ -279,17 +279,18 @@ TEST(Plan, of_the_vein_valve_names_models_with_reasons) {
     const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm"});
     const Simulation simulation(made.scene, made.particles, 1);
     const Plan plan = simulation.plan();
-    EXPECT_THAT(models(plan), ElementsAre("Tait equation of state", "continuity", "pressure force", "viscous force",
-                                          "density diffusion", "particle shifting", "pressure gradient along x",
-                                          "extrapolated no-slip walls", "bonds with dashpots", "hinges",
-                                          "implicit springs", "short-range repulsion"));
+    EXPECT_THAT(models(plan),
+                ElementsAre("Tait equation of state", "continuity", "pressure force", "velocity gradient",
+                            "pressure level", "viscous force", "density diffusion", "particle shifting",
+                            "pressure gradient along x", "extrapolated no-slip walls", "bonds with dashpots", "hinges",
+                            "implicit springs", "short-range repulsion"));
     for (const ModelUse& use : plan.models) {
         EXPECT_FALSE(use.source.empty()) << use.model;
         EXPECT_FALSE(use.reason.empty()) << use.model;
     }
-    EXPECT_THAT(plan.models[3].reason, ContainsRegex("viscosity at .*scene.toml:[0-9]+:[0-9]+"));
-    EXPECT_EQ(plan.models[4].reason, "numerics.density_diffusion (default)");
-    EXPECT_THAT(plan.models[8].reason, ContainsRegex("part 'leaflets' at .*scene.toml:[0-9]+:[0-9]+"));
+    EXPECT_THAT(plan.models[5].reason, ContainsRegex("viscosity at .*scene.toml:[0-9]+:[0-9]+"));
+    EXPECT_EQ(plan.models[6].reason, "numerics.density_diffusion (default)");
+    EXPECT_THAT(plan.models[10].reason, ContainsRegex("part 'leaflets' at .*scene.toml:[0-9]+:[0-9]+"));
     EXPECT_EQ(plan.particles.at("fluid"), made.particles.count(PartKind::fluid));
     EXPECT_EQ(plan.particles.at("rigid"), made.particles.count(PartKind::rigid));
     EXPECT_EQ(plan.particles.at("elastic"), made.particles.count(PartKind::elastic));
@@ -341,6 +342,7 @@ TEST(Plan, counts_the_spring_steps_in_one_fluid_step) {
 
 TEST(Plan, models_that_are_switched_off_do_not_run_and_have_no_fields) {
     SceneAndParticles made = endless_water("0.5");
+    use_plain_scheme(made.scene);
     const Plan with = Simulation(made.scene, made.particles, 1).plan();
     made.scene.numerics.shifting = 0.0;
     made.scene.numerics.density_diffusion = 0.0;
@@ -384,7 +386,8 @@ TEST(Plan, lists_the_fields_of_each_kind_which_exist_only_where_they_are_needed)
 }
 
 TEST(Plan, plain_walls_carry_a_density) {
-    const SceneAndParticles made = case_of("vein_valve", {"particles.spacing=0.4 mm", "numerics.walls=plain"});
+    const SceneAndParticles made =
+        case_of("vein_valve", {"particles.spacing=0.4 mm", "numerics.scheme=plain", "numerics.walls=plain"});
     const auto fields = Simulation(made.scene, made.particles, 1).plan().fields;
     EXPECT_THAT(fields, testing::IsSupersetOf(
                             {"fluid: density, 8 bytes", "rigid: density, 8 bytes", "elastic: density, 8 bytes"}));
@@ -399,6 +402,7 @@ TEST(Setup, sound_speed_is_the_scenes_or_ten_times_the_largest_speed) {
 
 TEST(Setup, repulsion_is_as_strong_as_the_scene_says_or_a_small_part_of_the_fluids_stiffness) {
     SceneAndParticles made = endless_water();
+    made.scene.contact.range = 1.0;
     const double automatic = pair_settings(made.scene, 1).repulsion_strength;
     EXPECT_GT(automatic, 0);
     EXPECT_LT(automatic, 0.1 * 1000 * 10 * 10 * 0.1 * 0.1);

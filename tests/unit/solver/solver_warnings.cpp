@@ -5,6 +5,7 @@
 
 #include "solver/run/warnings.hpp"
 #include "tests/modules.hpp"
+#include "tests/unit/solver/small_scenes.hpp"
 
 namespace dmp::tests::solver_warnings_tests {
 namespace {
@@ -124,6 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:7:9: numerics.support", "is below 2.9 spacings"},
         Oddity{"sound_too_fast_for_shifting",
                [](Scene& s) {
+                   use_plain_scheme(s);
                    give(s.flow.largest_speed, 0.1);
                    give(s.numerics.shifting, 4.0);
                    give(s.numerics.sound_speed, 5.0);
