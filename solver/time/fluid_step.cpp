@@ -163,6 +163,7 @@ void FluidStep::take_initial_gradients(double t) {
 /// The reference of the next sums: the hydrostatic slope of now, and the level that is known.
 void FluidStep::subtract_reference(double t) {
     if (!settings_.subtracts_level) return;
+    if (liquid_mass_ == 0) return passes_.subtract({});  // all is solid: nothing bears it up
     ReferencePressure reference = passes_.subtracted();
     const ParticleSpace& space = particles_.space();
     const auto g = body_force_.hydrostatic(t);
