@@ -20,6 +20,7 @@ void expect_same_bits(const WalledWater& made) {
 
 TEST(WallsOnRanks, a_box_that_is_carried_along_and_turned) {
     WalledWater made(9, 7, {"box", "lid"}, [](int, int row) { return row < 7 ? 1 : 2; });
+    use_plain_scheme(made.scene);  // the corrected scheme is not: docs/scheme.md, known limits
     for (const int part : {1, 2}) {
         made.part(part).velocity = std::array{formula_of("0.5 * sin(3 * t)"), formula_of("0.2 * t"), Expression()};
         made.part(part).spin = formula_of("cos(t)");
