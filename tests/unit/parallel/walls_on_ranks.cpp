@@ -4,6 +4,7 @@
 
 #include "tests/modules.hpp"
 #include "tests/unit/solver/mirrored_water.hpp"
+#include "tests/unit/solver/small_scenes.hpp"
 
 namespace dmp::tests::walls_on_ranks_tests {
 namespace {
