@@ -57,8 +57,8 @@ struct Shifting {
     [[nodiscard]] double step(double speed, double dt) const { return -strength * speed * dt * support; }
     /// The same with the speed of sound in place of U (corrected scheme), at most at the limit of what is stable,
     /// s c0 dt / R = 0.1 [m^2]. Fluid at rest is kept evenly spread too, and what shifting does in a given time does
-    /// not depend on the step. With a free surface, where the sum vanishes for no arrangement, 20 U takes the place of a
-    /// faster speed of sound: fluid at rest is left alone.
+    /// not depend on the step. With a free surface, where the sum vanishes for no arrangement, 20 U takes the place of
+    /// a faster speed of sound: fluid at rest is left alone.
     [[nodiscard]] double step_by_sound(double sound_speed, double dt) const {
         return -std::min(strength * sound_speed * dt / support, 0.1) * support * support;
     }
