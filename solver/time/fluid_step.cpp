@@ -133,6 +133,7 @@ FluidExtremes FluidStep::advance_plain(double t, double dt) {
 void FluidStep::sum_gradients(double t, double dt) {
     walls_.show_velocities(particles_);
     FieldList fields{Field::position, Field::velocity, Field::density_gradient};
+    if (walls_.moves()) fields.push_back(Field::wall_normal);
     if (species_ && dt > 0) {
         timer_.timed("species", [&] { species_->show(particles_, t); });
         fields.push_back(Field::concentration);

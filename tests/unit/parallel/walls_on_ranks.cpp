@@ -20,11 +20,6 @@ void expect_same_bits(const WalledWater& made) {
 
 TEST(WallsOnRanks, a_box_that_is_carried_along_and_turned) {
     WalledWater made(9, 7, {"box", "lid"}, [](int, int row) { return row < 7 ? 1 : 2; });
-    // Of the corrected scheme, copies of turned walls differ on several ranks: docs/scheme.md, known limits.
-    made.scene.numerics.scheme = FluidScheme::plain;
-    made.scene.numerics.viscous_law = ViscousLaw::of<MorrisViscosity>();
-    made.scene.numerics.shifting = 4.0;
-    made.scene.numerics.step_factor = 0.3;
     for (const int part : {1, 2}) {
         made.part(part).velocity = std::array{formula_of("0.5 * sin(3 * t)"), formula_of("0.2 * t"), Expression()};
         made.part(part).spin = formula_of("cos(t)");
