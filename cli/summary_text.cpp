@@ -38,6 +38,8 @@ std::string density_text(const Scene& scene, const RunSummary& summary) {
         text += fmt::format(" ({} to {} of {:.4g})", percent_text(summary.density_low / rest - 1),
                             percent_text(summary.density_high / rest - 1), rest);
     }
+    if (std::abs(summary.density_drift) >= 0.001)
+        text += fmt::format("; a drift of the mean by {} was corrected", percent_text(summary.density_drift));
     return text;
 }
 

@@ -198,6 +198,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"sound_speed", summary.sound_speed},
               {"density_low", summary.density_low},
               {"density_high", summary.density_high},
+              {"density_drift", summary.density_drift},
               {"conserved", conserved(summary)},
               {"lost", summary.lost},
               {"measures", summary_of_measures(summary.measures)},

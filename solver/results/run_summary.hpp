@@ -92,6 +92,8 @@ struct RunSummary {
     double momentum_residual = 0;  ///< end - start - impulses| divided by the sum of the impulses' magnitudes [-]
     /// Extremes of density / rest density over the whole run, times the first fluid's rest density [kg/m^3].
     double density_low = 0, density_high = 0;
+    /// By how much the mean of the densities would have drifted, which keeping the fluid's volume took off [-].
+    double density_drift = 0;
     std::size_t lost = 0;
     std::string state_hash;  ///< of all particles, their final positions, velocities and densities, 16 hex digits
     std::map<std::string, double> seconds_by_stage;

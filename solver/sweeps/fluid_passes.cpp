@@ -316,7 +316,7 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
 }
 
 FluidPasses::Shifted FluidPasses::shift(ParticleStore& particles, double dt, const ShiftStep& shift,
-                                        double largest_momentum) const {
+                                        double largest_momentum, double density_excess) const {
     ParticleGroup& fluid = particles.fluid();
     Shifted shifted;
     if (shift.per_sum != 0)
@@ -327,8 +327,9 @@ FluidPasses::Shifted FluidPasses::shift(ParticleStore& particles, double dt, con
                     fluid.data(Field::density_gradient, axis));
     double* density = fluid.data(Field::density);
     const double* rate = fluid.data(Field::density_rate);
+    const double kept = 1 - density_excess;
     update_density_range(
-        fluid, [=](std::ptrdiff_t i) { return density[i] += dt * rate[i]; }, shifted.extremes);
+        fluid, [=](std::ptrdiff_t i) { return density[i] = kept * (density[i] + dt * rate[i]); }, shifted.extremes);
     return shifted;
 }
 

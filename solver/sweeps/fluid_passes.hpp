@@ -66,14 +66,15 @@ class FluidPasses {
 
     /// x += dt v alone.
     void drift(ParticleStore& particles, double dt) const;
-    /// x += shift; velocity and density follow by their gradients, v += G shift, rho += g . shift; rho += dt drho/dt.
-    /// The fluid's momentum changes by `momentum`, rounded for the largest momentum of a particle [N s].
+    /// x += shift; velocity and density follow by their gradients, v += G shift, rho += g . shift; rho += dt drho/dt,
+    /// and then loses the share `density_excess`. The fluid's momentum changes by `momentum`, rounded for the largest
+    /// momentum of a particle [N s].
     struct Shifted {
         PassExtremes extremes;
         std::array<ExactSum, 3> momentum;  ///< [N s]
     };
-    [[nodiscard]] Shifted shift(ParticleStore& particles, double dt, const ShiftStep& shift,
-                                double largest_momentum) const;
+    [[nodiscard]] Shifted shift(ParticleStore& particles, double dt, const ShiftStep& shift, double largest_momentum,
+                                double density_excess) const;
     /// v += change
     void add_to_velocities(ParticleGroup& fluid, const std::array<double, 3>& change) const;
     [[nodiscard]] VolumeSums volume_sums(const ParticleGroup& fluid, double largest_volume,

@@ -26,23 +26,6 @@ ExactSum total_force(const ParticleGroup& group, int axis, bool of_one_sweep) {
     return total;
 }
 
-double mass_of(const ParticleGroup& group, const Ranks& ranks) {
-    ExactSum mass;
-    for (std::size_t i = 0; i < group.owned(); ++i) mass.add(group.data(Field::mass)[i]);
-    ranks.sum(mass);
-    return mass.value();
-}
-
-/// Of the fluid of all ranks [kg/m^3].
-double mean_rest_density(const ParticleStore& particles, const std::vector<double>& rest_density, const Ranks& ranks) {
-    const ParticleGroup& fluid = particles.fluid();
-    ExactSum volume;
-    for (std::size_t i = 0; i < fluid.owned(); ++i)
-        volume.add(fluid.data(Field::mass)[i] / rest_density[fluid.tags()[i].part]);
-    ranks.sum(volume);
-    return volume.value() > 0 ? mass_of(fluid, ranks) / volume.value() : 0;
-}
-
 std::vector<double> rest_densities_of(const std::vector<LiquidState>& state_of_part) {
     std::vector<double> densities;
     densities.reserve(state_of_part.size());
@@ -64,16 +47,16 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       walls_(scene, set, particles),
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
-      body_force_(scene, set, particles) {
+      body_force_(scene, set, particles),
+      whole_(settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(), rest_density_, particles,
+             ranks) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.corrected)
         force_fields_ = {Field::position,        Field::reduced_pressure,  Field::volume,  Field::density,
                          Field::mean_correction, Field::velocity_gradient, Field::velocity};
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
-    liquid_mass_ = mass_of(particles.fluid(), ranks);
-    driven_mass_ = liquid_mass_ + springs_.mass();  // every rank has all bodies
-    reference_density_ = mean_rest_density(particles, rest_density_, ranks);
+    driven_mass_ = whole_.mass() + springs_.mass();  // every rank has all bodies
     if (settings.viscosity.implicit)
         viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
     if (!scene.species.empty()) {
@@ -155,24 +138,12 @@ void FluidStep::take_initial_gradients(double t) {
     for (int axis = 0; axis < particles_.dimension(); ++axis)
         std::copy_n(fluid.data(Field::next_density_gradient, axis), fluid.owned(),
                     fluid.data(Field::density_gradient, axis));
-    VolumeSums volumes = volumes_here();
-    std::vector<ExactSum> sums{volumes.volume, volumes.pressure};
-    ranks_.sum(sums);
-    set_reference_level(sums[0].value(), sums[1].value());
+    if (whole_.subtracts()) whole_.start(volumes_of_all_ranks());
 }
 
 /// The reference of the next sums: the hydrostatic slope of now, and the level that is known.
 void FluidStep::subtract_reference(double t) {
-    if (!settings_.subtracts_level) return;
-    if (liquid_mass_ == 0) return passes_.subtract({});  // all is solid: nothing bears it up
-    ReferencePressure reference = passes_.subtracted();
-    const ParticleSpace& space = particles_.space();
-    const auto g = body_force_.hydrostatic(t);
-    for (int axis = 0; axis < particles_.dimension(); ++axis) {
-        reference.slope[axis] = space.is_mirrored(axis) ? 0 : reference_density_ * g[axis];
-        reference.centre[axis] = 0.5 * (space.box.low[axis] + space.box.high[axis]);
-    }
-    passes_.subtract(reference);
+    passes_.subtract(whole_.pressure(particles_, body_force_.hydrostatic(t)));
 }
 
 VolumeSums FluidStep::volumes_here() const {
@@ -180,12 +151,11 @@ VolumeSums FluidStep::volumes_here() const {
     return passes_.volume_sums(particles_.fluid(), 2 * particle_volume(), largest_pressure);
 }
 
-/// The mean of the pressure becomes the level of the reference, from the sums of all ranks.
-void FluidStep::set_reference_level(double volume, double pressure_times_volume) {
-    if (!settings_.subtracts_level || volume <= 0) return;
-    ReferencePressure reference = passes_.subtracted();
-    reference.level += pressure_times_volume / volume;
-    passes_.subtract(reference);
+VolumeSums FluidStep::volumes_of_all_ranks() const {
+    const VolumeSums here = volumes_here();
+    std::vector<ExactSum> sums{here.volume, here.pressure};
+    ranks_.sum(sums);
+    return {sums[0], sums[1]};
 }
 
 double FluidStep::particle_volume() const { return std::pow(settings_.spacing, particles_.dimension()); }
@@ -314,7 +284,7 @@ void FluidStep::change_bodies(const BodyChange& change) {
     if (!turning.empty()) solidify_particles(particles_, turning, bodies_ahead_, neighbours_.list());
     springs_.change(change, particles_.space());
     springs_.number_particles(particles_);
-    liquid_mass_ = mass_of(particles_.fluid(), ranks_);
+    whole_.count(particles_, ranks_);
     neighbours_.forget();
     refresh_neighbours();
 }
@@ -334,8 +304,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
         sums.push_back(total_force(particles_.of(PartKind::rigid), static_cast<int>(axis), !viscosity_));
-    const bool refers = settings_.subtracts_level;
-    if (refers) {
+    if (whole_.subtracts()) {
         const VolumeSums volumes = volumes_here();
         sums.push_back(volumes.volume);
         sums.push_back(volumes.pressure);
@@ -352,7 +321,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
         // The walls hold what the reference pressure exerts on fluid and bodies.
         impulses_.of_fixed[axis] -= dt * (sums[axis].value() + passes_.subtracted().slope[axis] * volume);
     }
-    if (refers) set_reference_level(sums[axes].value(), sums[axes + 1].value());
+    if (whole_.subtracts()) whole_.update({sums[axes], sums[axes + 1]});
     if (shifts_by_speed())
         quartic_mean_speed_ = std::sqrt(std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value())));
 }
@@ -383,14 +352,14 @@ void FluidStep::drift_to_end_of_step(double dt) {
 FluidExtremes FluidStep::shift_particles(double dt) {
     ParticleGroup& fluid = particles_.fluid();
     const double largest_momentum = settings_.density.largest * particle_volume() * largest_speed_;
-    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum);
+    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum, whole_.density_excess());
     std::array<double, 3> largest{shifted.extremes.longest_shift, -shifted.extremes.density_low,
                                   shifted.extremes.density_high};
     ranks_.largest(largest);
-    if (settings_.shifting > 0 && liquid_mass_ > 0) {  // velocities interpolated anew keep the fluid's momentum
+    if (settings_.shifting > 0 && whole_.mass() > 0) {  // velocities interpolated anew keep the fluid's momentum
         ranks_.sum(shifted.momentum);
         std::array<double, 3> change{};
-        for (int axis = 0; axis < 3; ++axis) change[axis] = -shifted.momentum[axis].value() / liquid_mass_;
+        for (int axis = 0; axis < 3; ++axis) change[axis] = -shifted.momentum[axis].value() / whole_.mass();
         passes_.add_to_velocities(fluid, change);
     }
     neighbours_.moved_besides(largest[0]);
@@ -419,11 +388,8 @@ void FluidStep::archive(Archive& file) {
     file("fluid/largest_speed", largest_speed_);
     if (settings_.repulsion_strength > 0) file("fluid/contact_rate", contact_rate_);
     if (settings_.corrected) {
-        ReferencePressure reference = passes_.subtracted();
-        file("fluid/reference_level", reference.level);
-        passes_.subtract(reference);
+        whole_.archive(file);
         file("fluid/bodies_shown", bodies_shown_);
-        file("fluid/liquid_mass", liquid_mass_);
     }
     file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
     file("fluid/impulse_of_fixed", impulses_.of_fixed);

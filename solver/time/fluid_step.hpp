@@ -17,6 +17,7 @@
 #include "solver/species/species_transport.hpp"
 #include "solver/sweeps/fluid_passes.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/time/fluid_reference.hpp"
 #include "solver/time/outside_impulses.hpp"
 #include "solver/time/stage_timer.hpp"
 #include "solver/uses.hpp"
@@ -84,6 +85,7 @@ class FluidStep {
     [[nodiscard]] const SpeciesTransport* species() const { return species_ ? &*species_ : nullptr; }
     [[nodiscard]] const Driving& driving() const { return driving_; }
     [[nodiscard]] const BodyForce& body_force() const { return body_force_; }
+    [[nodiscard]] const FluidReference& whole() const { return whole_; }
 
   private:
     void renew_list();
@@ -99,7 +101,7 @@ class FluidStep {
     double show_bodies();
     void subtract_reference(double t);
     [[nodiscard]] VolumeSums volumes_here() const;
-    void set_reference_level(double volume, double pressure_times_volume);
+    [[nodiscard]] VolumeSums volumes_of_all_ranks() const;
     /// Where shifting goes by the fluid's quartic mean speed.
     [[nodiscard]] bool shifts_by_speed() const {
         return settings_.shifting > 0 && (!settings_.corrected || settings_.free_surface);
@@ -133,13 +135,12 @@ class FluidStep {
     Driving driving_;
     Neighbours neighbours_;
     BodyForce body_force_;
+    FluidReference whole_;
     double driven_mass_;      ///< of liquid and elastic solids, of all ranks [kg]
-    double liquid_mass_;      ///< of all ranks, what is liquid still [kg]
     bool by_volume_ = false;  ///< whether pressures that are not summed over pairs act in this step
     ExactSum driven_volume_;  ///< on which they act, of this rank [m^3]
     double bodies_ahead_ = 0;
-    double bodies_shown_ = 1;       ///< share of the bodies' last displacement that the store's positions include [-]
-    double reference_density_ = 0;  ///< rho0 of the slope of the reference pressure [kg/m^3]
+    double bodies_shown_ = 1;  ///< share of the bodies' last displacement that the store's positions include [-]
     double largest_speed_ = 0;
     /// Of the fluid at the last kick, <v^4>^(1/4); only where shifting goes by it [m/s].
     double quartic_mean_speed_ = 0;

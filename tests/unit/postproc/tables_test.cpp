@@ -119,7 +119,7 @@ TEST(Summary, HasTheKeysThatScriptsWant) {
                             "threads",     "ranks",       "dt_limits",    "ruling_limit", "conserved",
                             "lost",        "measures",    "state_hash",   "title",        "version",
                             "scene_hash",  "density_low", "density_high", "sound_speed",  "seconds_by_stage",
-                            "interrupted", "files",       "vector_unit",  "rank_shares"})
+                            "interrupted", "files",       "vector_unit",  "rank_shares",  "density_drift"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["particles"], (nlohmann::json{{"fluid", 1000}, {"rigid", 200}, {"elastic", 18}}));
     EXPECT_EQ(json["steps"], 4321);

@@ -61,6 +61,26 @@ TEST(CorrectedScheme, keeps_momentum_where_it_interpolates_velocities) {
     for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(run.end.momentum[axis], run.start.momentum[axis], 1e-13);
 }
 
+/// The box is closed, so the volume that its fluid fills is constant.
+TEST(CorrectedScheme, keeps_the_volume_of_the_fluid) {
+    const auto made = case_of("verification/taylor_green",
+                              corrected({"particles.spacing=0.04 m", "particles.disorder=0.2",
+                                         "part.water.viscosity=0.0005 Pa*s", "output.fields=[\"density\"]"}));
+    KeptFrames frames;
+    RunOptions options;
+    options.until = 1;
+    options.sink = &frames;
+    const RunSummary run = Simulation(made.scene, made.particles, 2).run(options);
+    const auto volume = [](const Frame& frame) {
+        const std::vector<float>& density = frame.groups.front().fields.front().values;
+        double sum = 0;
+        for (const float value : density) sum += 1.0 / value;
+        return sum / static_cast<double>(density.size());
+    };
+    EXPECT_NEAR(volume(frames.frames.back()), volume(frames.frames.front()), 5e-6);
+    EXPECT_GT(std::abs(run.density_drift), 1e-4);  // there was something to correct
+}
+
 /// About `steps` steps on every vector unit and on 1, 2 and 3 threads.
 void expect_same_bits(const SceneAndParticles& made, long steps) {
     const double until = static_cast<double>(steps) * Simulation(made.scene, made.particles, 1).plan().dt;

@@ -1,0 +1,67 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/time/fluid_reference.hpp"
+
+#include <utility>
+
+namespace dmp::solver {
+
+FluidReference::FluidReference(bool subtracts, bool keeps_volume, std::vector<double> rest_density,
+                               const ParticleStore& particles, const Ranks& ranks)
+    : subtracts_(subtracts), keeps_volume_(keeps_volume), rest_density_(std::move(rest_density)) {
+    count(particles, ranks);
+    mean_density_ = rest_volume_ > 0 ? mass_ / rest_volume_ : 0;
+}
+
+void FluidReference::count(const ParticleStore& particles, const Ranks& ranks) {
+    const ParticleGroup& fluid = particles.fluid();
+    std::vector<ExactSum> sums(2);
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        const double mass = fluid.data(Field::mass)[i];
+        sums[0].add(mass);
+        sums[1].add(mass / rest_density_[fluid.tags()[i].part]);
+    }
+    ranks.sum(sums);
+    mass_ = sums[0].value();
+    rest_volume_ = sums[1].value();
+}
+
+ReferencePressure FluidReference::pressure(const ParticleStore& particles, const std::array<double, 3>& g) const {
+    ReferencePressure reference;
+    if (!subtracts_ || mass_ == 0) return reference;
+    const ParticleSpace& space = particles.space();
+    reference.level = level_;
+    for (int axis = 0; axis < particles.dimension(); ++axis) {
+        reference.slope[axis] = space.is_mirrored(axis) ? 0 : mean_density_ * g[axis];
+        reference.centre[axis] = 0.5 * (space.box.low[axis] + space.box.high[axis]);
+    }
+    return reference;
+}
+
+void FluidReference::start(const VolumeSums& of_all_ranks) {
+    volume_ratio_ = rest_volume_ > 0 ? of_all_ranks.volume.value() / rest_volume_ : 1;
+    update_level(of_all_ranks);
+}
+
+void FluidReference::update(const VolumeSums& of_all_ranks) {
+    if (keeps_volume_ && rest_volume_ > 0) {
+        excess_ = volume_ratio_ * rest_volume_ / of_all_ranks.volume.value() - 1;
+        drift_ += excess_;
+    }
+    update_level(of_all_ranks);
+}
+
+/// The sums are of pressures less the present level.
+void FluidReference::update_level(const VolumeSums& sums) {
+    const double volume = sums.volume.value();
+    if (subtracts_ && volume > 0) level_ += sums.pressure.value() / volume;
+}
+
+void FluidReference::archive(Archive& file) {
+    file("reference/mass", mass_);
+    file("reference/rest_volume", rest_volume_);
+    file("reference/volume_ratio", volume_ratio_);
+    file("reference/level", level_);
+    file("reference/density_drift", drift_);
+}
+
+}  // namespace dmp::solver
