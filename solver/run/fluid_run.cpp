@@ -307,7 +307,7 @@ RunSummary FluidRun::summary() const {
     const double rest_density = equations_of_state(scene_, particles_.space()).front().rest_density;
     summary.density_low = density_low_ * rest_density;
     summary.density_high = density_high_ * rest_density;
-    summary.density_drift = fluid_.whole().density_drift();
+    summary.density_drift = fluid_.reference().density_drift();
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));
     summary.state_hash = state_hash(particles_, ranks_);

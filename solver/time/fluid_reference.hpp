@@ -26,11 +26,11 @@ class FluidReference {
     FluidReference(bool subtracts, bool keeps_volume, std::vector<double> rest_density, const ParticleStore& particles,
                    const Ranks& ranks);
 
-    /// Of what is liquid still [kg].
+    /// Of the liquid that has not turned solid [kg].
     [[nodiscard]] double mass() const { return mass_; }
     /// Whether there is a level to subtract.
     [[nodiscard]] bool subtracts() const { return subtracts_; }
-    /// With the hydrostatic slope in the acceleration g; nothing where all is solid: nothing bears it up.
+    /// With the hydrostatic slope in the acceleration g; zero where no liquid is left.
     [[nodiscard]] ReferencePressure pressure(const ParticleStore& particles, const std::array<double, 3>& g) const;
     /// By what share the densities are too high [-].
     [[nodiscard]] double density_excess() const { return excess_; }
@@ -41,7 +41,7 @@ class FluidReference {
     void start(const VolumeSums& of_all_ranks);
     /// After each kick.
     void update(const VolumeSums& of_all_ranks);
-    /// After liquid has turned solid.
+    /// After liquid has turned solid; all ranks must call it.
     void count(const ParticleStore& particles, const Ranks& ranks);
 
     void archive(Archive& file);

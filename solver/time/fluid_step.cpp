@@ -48,7 +48,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       body_force_(scene, set, particles),
-      whole_(settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(), rest_density_, particles,
+      reference_(settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(), rest_density_, particles,
              ranks) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
@@ -56,7 +56,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
         force_fields_ = {Field::position,        Field::reduced_pressure,  Field::volume,  Field::density,
                          Field::mean_correction, Field::velocity_gradient, Field::velocity};
     if (settings.transport_velocity) force_fields_.push_back(Field::transport_velocity);
-    driven_mass_ = whole_.mass() + springs_.mass();  // every rank has all bodies
+    driven_mass_ = reference_.mass() + springs_.mass();  // every rank has all bodies
     if (settings.viscosity.implicit)
         viscosity_.emplace(*sweeps_, ranks_, scene.numerics.viscosity_tolerance, settings.threads);
     if (!scene.species.empty()) {
@@ -138,12 +138,12 @@ void FluidStep::take_initial_gradients(double t) {
     for (int axis = 0; axis < particles_.dimension(); ++axis)
         std::copy_n(fluid.data(Field::next_density_gradient, axis), fluid.owned(),
                     fluid.data(Field::density_gradient, axis));
-    if (whole_.subtracts()) whole_.start(volumes_of_all_ranks());
+    if (reference_.subtracts()) reference_.start(volumes_of_all_ranks());
 }
 
 /// The reference of the next sums: the hydrostatic slope of now, and the level that is known.
 void FluidStep::subtract_reference(double t) {
-    passes_.subtract(whole_.pressure(particles_, body_force_.hydrostatic(t)));
+    passes_.subtract(reference_.pressure(particles_, body_force_.hydrostatic(t)));
 }
 
 VolumeSums FluidStep::volumes_here() const {
@@ -284,7 +284,7 @@ void FluidStep::change_bodies(const BodyChange& change) {
     if (!turning.empty()) solidify_particles(particles_, turning, bodies_ahead_, neighbours_.list());
     springs_.change(change, particles_.space());
     springs_.number_particles(particles_);
-    whole_.count(particles_, ranks_);
+    reference_.count(particles_, ranks_);
     neighbours_.forget();
     refresh_neighbours();
 }
@@ -304,7 +304,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
     std::vector<ExactSum> sums;
     for (std::size_t axis = 0; axis < axes; ++axis)
         sums.push_back(total_force(particles_.of(PartKind::rigid), static_cast<int>(axis), !viscosity_));
-    if (whole_.subtracts()) {
+    if (reference_.subtracts()) {
         const VolumeSums volumes = volumes_here();
         sums.push_back(volumes.volume);
         sums.push_back(volumes.pressure);
@@ -321,7 +321,7 @@ void FluidStep::add_up(double t, double dt, const ExactSum& fourth_powers_of_spe
         // The walls hold what the reference pressure exerts on fluid and bodies.
         impulses_.of_fixed[axis] -= dt * (sums[axis].value() + passes_.subtracted().slope[axis] * volume);
     }
-    if (whole_.subtracts()) whole_.update({sums[axes], sums[axes + 1]});
+    if (reference_.subtracts()) reference_.update({sums[axes], sums[axes + 1]});
     if (shifts_by_speed())
         quartic_mean_speed_ = std::sqrt(std::sqrt(sums[axes].value() / std::max(1.0, sums[axes + 1].value())));
 }
@@ -352,14 +352,14 @@ void FluidStep::drift_to_end_of_step(double dt) {
 FluidExtremes FluidStep::shift_particles(double dt) {
     ParticleGroup& fluid = particles_.fluid();
     const double largest_momentum = settings_.density.largest * particle_volume() * largest_speed_;
-    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum, whole_.density_excess());
+    auto shifted = passes_.shift(particles_, dt / 2, shift_step(dt), largest_momentum, reference_.density_excess());
     std::array<double, 3> largest{shifted.extremes.longest_shift, -shifted.extremes.density_low,
                                   shifted.extremes.density_high};
     ranks_.largest(largest);
-    if (settings_.shifting > 0 && whole_.mass() > 0) {  // velocities interpolated anew keep the fluid's momentum
+    if (settings_.shifting > 0 && reference_.mass() > 0) {  // velocities interpolated anew keep the fluid's momentum
         ranks_.sum(shifted.momentum);
         std::array<double, 3> change{};
-        for (int axis = 0; axis < 3; ++axis) change[axis] = -shifted.momentum[axis].value() / whole_.mass();
+        for (int axis = 0; axis < 3; ++axis) change[axis] = -shifted.momentum[axis].value() / reference_.mass();
         passes_.add_to_velocities(fluid, change);
     }
     neighbours_.moved_besides(largest[0]);
@@ -388,7 +388,7 @@ void FluidStep::archive(Archive& file) {
     file("fluid/largest_speed", largest_speed_);
     if (settings_.repulsion_strength > 0) file("fluid/contact_rate", contact_rate_);
     if (settings_.corrected) {
-        whole_.archive(file);
+        reference_.archive(file);
         file("fluid/bodies_shown", bodies_shown_);
     }
     file("fluid/impulse_of_body_forces", impulses_.of_body_forces);

@@ -85,7 +85,7 @@ class FluidStep {
     [[nodiscard]] const SpeciesTransport* species() const { return species_ ? &*species_ : nullptr; }
     [[nodiscard]] const Driving& driving() const { return driving_; }
     [[nodiscard]] const BodyForce& body_force() const { return body_force_; }
-    [[nodiscard]] const FluidReference& whole() const { return whole_; }
+    [[nodiscard]] const FluidReference& reference() const { return reference_; }
 
   private:
     void renew_list();
@@ -135,7 +135,7 @@ class FluidStep {
     Driving driving_;
     Neighbours neighbours_;
     BodyForce body_force_;
-    FluidReference whole_;
+    FluidReference reference_;
     double driven_mass_;      ///< of liquid and elastic solids, of all ranks [kg]
     bool by_volume_ = false;  ///< whether pressures that are not summed over pairs act in this step
     ExactSum driven_volume_;  ///< on which they act, of this rank [m^3]
