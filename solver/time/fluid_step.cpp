@@ -49,7 +49,7 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       neighbours_(ranks, particles.space(), settings.support, settings.threads),
       body_force_(scene, set, particles),
       reference_(settings.subtracts_level, !walls_.moves() && scene.moving_shapes.empty(), rest_density_, particles,
-             ranks) {
+                 ranks) {
     if (settings.gradient_correction)
         force_fields_.insert(force_fields_.end(), {Field::correction, Field::correction_off_diagonal});
     if (settings.corrected)
