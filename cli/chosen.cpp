@@ -29,24 +29,29 @@ class Origins {
 
 std::string sound_speed_text(const Scene& scene, const Plan& plan) {
     const Origins origin_text(scene);
-    const bool automatic = *scene.numerics.sound_speed == 0;
-    if (automatic && plan.sound.pressure_rules) {
-        const std::string pressure = plan.sound.pressure_is_estimated
-                                         ? "by the body acceleration over the fluid's extent"
-                                         : origin_text(scene.flow.largest_pressure, "flow.largest_pressure");
+    const std::string c0 = quantity_text(plan.sound_speed, "m/s");
+    const auto by_pressure = [&](const std::string& source) {
         return fmt::format(
             "{}   (sqrt(p / rho) / Mach {:.3g} of the largest pressure expected, {}, {}; "
             "numerics.sound_speed = \"auto\")",
-            quantity_text(plan.sound_speed, "m/s"), *scene.numerics.mach_number,
-            quantity_text(plan.sound.largest_pressure, "Pa"), pressure);
+            c0, *scene.numerics.mach_number, quantity_text(plan.sound.largest_pressure, "Pa"), source);
+    };
+    switch (plan.sound.origin) {
+        case SoundSpeed::Origin::scene:
+            return fmt::format("{}   ({})", c0, origin_text(scene.numerics.sound_speed, "numerics.sound_speed"));
+        case SoundSpeed::Origin::largest_speed:
+            return fmt::format(
+                "{}   (the largest speed expected, {}, over Mach {:.3g}; numerics.sound_speed = \"auto\"; {})", c0,
+                quantity_text(plan.largest_speed, "m/s"), *scene.numerics.mach_number,
+                origin_text(scene.numerics.mach_number, "numerics.mach_number"));
+        case SoundSpeed::Origin::given_pressure:
+            return by_pressure(origin_text(scene.flow.largest_pressure, "flow.largest_pressure"));
+        case SoundSpeed::Origin::column_pressure:
+            return by_pressure("by the body acceleration over the fluid's extent");
+        case SoundSpeed::Origin::viscous_pressure:
+            return by_pressure("by the viscosity at the largest speed over 4 spacings");
     }
-    return fmt::format("{}   {}", quantity_text(plan.sound_speed, "m/s"),
-                       automatic
-                           ? fmt::format("(the largest speed expected, {}, over Mach {:.3g}; numerics.sound_speed = "
-                                         "\"auto\"; {})",
-                                         quantity_text(plan.largest_speed, "m/s"), *scene.numerics.mach_number,
-                                         origin_text(scene.numerics.mach_number, "numerics.mach_number"))
-                           : "(" + origin_text(scene.numerics.sound_speed, "numerics.sound_speed") + ")");
+    return "";
 }
 
 std::string contact_text(const Scene& scene) {
@@ -71,14 +76,16 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", to_string(*numerics.kernel),
                                    origin_text(numerics.kernel, "numerics.kernel"), *numerics.support,
                                    origin_text(numerics.support, "numerics.support")));
-    list.add("walls", fmt::format("{} ({})", to_string(*numerics.walls), origin_text(numerics.walls, "numerics.walls")));
+    list.add("walls",
+             fmt::format("{} ({})", to_string(*numerics.walls), origin_text(numerics.walls, "numerics.walls")));
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         const std::string key = "part." + *part->name + ".layers";
         list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
     }
-    list.add("liquid", fmt::format("{} equation of state ({}), density by {} ({})", to_string(*numerics.equation_of_state),
-                                   origin_text(numerics.equation_of_state, "numerics.equation_of_state"),
-                                   to_string(*numerics.density), origin_text(numerics.density, "numerics.density")));
+    list.add("liquid",
+             fmt::format("{} equation of state ({}), density by {} ({})", to_string(*numerics.equation_of_state),
+                         origin_text(numerics.equation_of_state, "numerics.equation_of_state"),
+                         to_string(*numerics.density), origin_text(numerics.density, "numerics.density")));
     list.add("viscosity",
              fmt::format("{} ({}), {} mean between fluids ({})", to_string(*numerics.viscous_law),
                          origin_text(numerics.viscous_law, "numerics.viscous_law"), to_string(*numerics.viscosity_mean),
@@ -116,11 +123,11 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                      origin_text(numerics.spring_step_factor, "numerics.spring_step_factor")));
     }
     for (const Solidify& rule : scene.solidify)
-        list.add("solidify " + *rule.name,
-                 fmt::format("{} ({}), seeds active {} ({}), bonds to {} ({})", to_string(*rule.rule),
-                             origin_text(rule.rule, "rule"), to_string(*rule.active), origin_text(rule.active, "active"),
-                             *rule.bond_to == BondTo::seed ? "the seed" : "neighbours",
-                             origin_text(rule.bond_to, "bond_to")));
+        list.add("solidify " + *rule.name, fmt::format("{} ({}), seeds active {} ({}), bonds to {} ({})",
+                                                       to_string(*rule.rule), origin_text(rule.rule, "rule"),
+                                                       to_string(*rule.active), origin_text(rule.active, "active"),
+                                                       *rule.bond_to == BondTo::seed ? "the seed" : "neighbours",
+                                                       origin_text(rule.bond_to, "bond_to")));
     list.add("contact", contact_text(scene));
     for (const auto& note : origin.notes) list.add("note", note);
     return Style(Stream::output).strong("What will run") + "\n" + list.text();

@@ -146,7 +146,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         if (!(speed_of(fluid, i) <= 1.5 * expected)) ++fast;
     const bool all_fast = 5 * fast > fluid.owned();
     causes.emplace_back(all_fast ? 5 : 1,
-                        numerics.sound_speed > 0
+                        numerics.sound_speed.given()
                             ? setting("numerics.sound_speed", numerics.sound_speed) +
                                   " m/s is not ten times the speed that the drive produces"
                             : setting("flow.largest_speed", scene_.flow.largest_speed) +

@@ -30,10 +30,17 @@ struct ModelUse {
 /// rest density (Ma = numerics.mach_number) if c0 >= U / Ma (the dynamic pressure rho U^2, Monaghan 1994) and c0^2 >=
 /// p / (Ma^2 rho) (any other pressure; Morris, Fox & Zhu 1997, eq. 9).
 struct SoundSpeed {
-    double value = 0;                    ///< c0 [m/s]
-    double largest_pressure = 0;         ///< expected, from flow.largest_pressure or the estimate [Pa]
-    bool pressure_is_estimated = false;  ///< from the body acceleration and the fluid's extent
-    bool pressure_rules = false;         ///< the pressure determines c0; otherwise the largest speed or the scene does
+    enum class Origin {
+        scene,            ///< numerics.sound_speed
+        largest_speed,    ///< flow.largest_speed
+        given_pressure,   ///< flow.largest_pressure
+        column_pressure,  ///< of the fluid's extent under the body acceleration
+        viscous_pressure  ///< next to a body of a few spacings that moves at flow.largest_speed
+    };
+    [[nodiscard]] bool is_from_pressure() const { return origin != Origin::scene && origin != Origin::largest_speed; }
+    double value = 0;             ///< c0 [m/s]
+    double largest_pressure = 0;  ///< expected, given or estimated [Pa]
+    Origin origin = Origin::scene;
 };
 
 /// A setting of the scene that has no effect, or one that is missing.

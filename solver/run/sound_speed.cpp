@@ -37,33 +37,47 @@ double column_pressure(const Scene& scene, const ParticleSet& set, double densit
     return pressure;
 }
 
+/// mu U / l of the most viscous fluid. 0 with the plain scheme, whose answer depends on the speed of sound, and with
+/// implicit viscosity, whose long steps it would cut.
+double viscous_pressure(const Scene& scene) {
+    double viscosity = 0;
+    if (*scene.numerics.scheme == FluidScheme::plain) return 0;
+    if (*scene.numerics.viscosity_stepping == ViscosityStepping::implicitly) return 0;
+    for (const Part* part : scene.parts_of(PartKind::fluid)) viscosity = std::max(viscosity, part->viscosity.value);
+    return viscosity * scene.flow.largest_speed / (4 * scene.particles.spacing);
+}
+
+SoundSpeed expected_pressure(const Scene& scene, const ParticleSet& set, double density) {
+    if (*scene.flow.largest_pressure > 0)
+        return {.largest_pressure = scene.flow.largest_pressure, .origin = SoundSpeed::Origin::given_pressure};
+    const double column = column_pressure(scene, set, density), viscous = viscous_pressure(scene);
+    if (viscous > column) return {.largest_pressure = viscous, .origin = SoundSpeed::Origin::viscous_pressure};
+    return {.largest_pressure = column, .origin = SoundSpeed::Origin::column_pressure};
+}
+
 }  // namespace
 
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
-    SoundSpeed chosen;
-    if (*scene.numerics.sound_speed > 0) {
-        chosen.value = scene.numerics.sound_speed;
-        return chosen;
-    }
+    if (*scene.numerics.sound_speed > 0) return {.value = scene.numerics.sound_speed};
     double heaviest = 0, lightest = std::numeric_limits<double>::infinity();
     for (const Part* part : scene.parts_of(PartKind::fluid)) {
         heaviest = std::max(heaviest, part->density.value);
         lightest = std::min(lightest, part->density.value);
     }
     const double mach = scene.numerics.mach_number;
-    chosen.value = scene.flow.largest_speed / mach;
-    if (heaviest == 0) return chosen;
-    chosen.pressure_is_estimated = *scene.flow.largest_pressure == 0;
-    chosen.largest_pressure =
-        chosen.pressure_is_estimated ? column_pressure(scene, set, heaviest) : scene.flow.largest_pressure.value;
-    const double by_pressure = std::sqrt(chosen.largest_pressure / lightest) / mach;
-    chosen.pressure_rules = by_pressure > chosen.value;
-    chosen.value = std::max(chosen.value, by_pressure);
+    const double by_speed = scene.flow.largest_speed / mach;
+    if (heaviest == 0) return {.value = by_speed, .origin = SoundSpeed::Origin::largest_speed};
+    SoundSpeed chosen = expected_pressure(scene, set, heaviest);
+    chosen.value = std::sqrt(chosen.largest_pressure / lightest) / mach;
+    if (by_speed >= chosen.value) {
+        chosen.value = by_speed;
+        chosen.origin = SoundSpeed::Origin::largest_speed;
+    }
     return chosen;
 }
 
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen) {
-    if (chosen.pressure_rules) scene.numerics.sound_speed = Value<double>(chosen.value);
+    if (chosen.is_from_pressure()) scene.numerics.sound_speed = Value<double>(chosen.value);
     return scene;
 }
 

@@ -128,21 +128,40 @@ TEST(SoundSpeed, follows_from_the_largest_speed_or_the_pressure_of_the_column) {
     const double settled = 9.81 * (1 - std::exp(-4 / 0.3));  // gravity at the end
     EXPECT_NEAR(chosen(made).largest_pressure, 1000 * settled * 1, 1e-6);
     EXPECT_NEAR(chosen(made).value, 10 * std::sqrt(settled * 1), 1e-9);
-    EXPECT_TRUE(chosen(made).pressure_rules);
-    EXPECT_TRUE(chosen(made).pressure_is_estimated);
+    EXPECT_EQ(chosen(made).origin, SoundSpeed::Origin::column_pressure);
 
     made.scene.flow.largest_speed = 4.0;
     EXPECT_EQ(chosen(made).value, 40);
-    EXPECT_FALSE(chosen(made).pressure_rules);
+    EXPECT_EQ(chosen(made).origin, SoundSpeed::Origin::largest_speed);
 
     made.scene.flow.largest_pressure = 40000.0;
     EXPECT_DOUBLE_EQ(chosen(made).value, std::sqrt(40000 / 10.0));
-    EXPECT_FALSE(chosen(made).pressure_is_estimated);
-    EXPECT_TRUE(chosen(made).pressure_rules);
+    EXPECT_EQ(chosen(made).origin, SoundSpeed::Origin::given_pressure);
 
     made.scene.numerics.sound_speed = 7.0;
     EXPECT_EQ(chosen(made).value, 7);
-    EXPECT_FALSE(chosen(made).pressure_rules);
+    EXPECT_EQ(chosen(made).origin, SoundSpeed::Origin::scene);
+}
+
+TEST(SoundSpeed, of_a_viscous_fluid_keeps_the_density_of_slow_flow) {
+    SceneAndParticles made = endless_water("50");
+    made.scene.parts[0].viscosity = 20000.0;  // Pa s, at 1 m/s
+    const SoundSpeed viscous = choose_sound_speed(made.scene, made.particles);
+    EXPECT_EQ(viscous.origin, SoundSpeed::Origin::viscous_pressure);
+    EXPECT_DOUBLE_EQ(viscous.largest_pressure, 20000 * 1 / (4 * made.scene.particles.spacing.value));
+    EXPECT_DOUBLE_EQ(viscous.value, 10 * std::sqrt(viscous.largest_pressure / 1000));
+    // The step is then that of the viscosity.
+    const Plan plan = Simulation(made.scene, made.particles, 1).plan();
+    EXPECT_EQ(plan.sound_speed, viscous.value);
+    EXPECT_EQ(plan.limits.front().model, "sound");
+    EXPECT_GT(plan.limits.front().dt, 4 * plan.dt);
+
+    for (const auto& leave_out : {+[](Scene& s) { s.numerics.scheme = FluidScheme::plain; },
+                                  +[](Scene& s) { s.numerics.viscosity_stepping = ViscosityStepping::implicitly; }}) {
+        Scene scene = made.scene;
+        leave_out(scene);
+        EXPECT_EQ(choose_sound_speed(scene, made.particles).origin, SoundSpeed::Origin::largest_speed);
+    }
 }
 
 TEST(SoundSpeed, of_a_fluid_driven_along_a_periodic_axis_is_ten_times_its_speed) {
