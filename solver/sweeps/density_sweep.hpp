@@ -63,6 +63,13 @@ class DensitySweep {
         L divergence;
         typename Species::Sum species;
     };
+    [[nodiscard]] Sum start(const Cluster& cluster) const {
+        Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(cluster)};
+        rounding_.rate.start(sum.rate);
+        rounding_.shift.start(sum.shift);
+        rounding_.divergence.start(sum.divergence);
+        return sum;
+    }
 
     void fluid(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
@@ -84,7 +91,7 @@ class DensitySweep {
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(near.cluster)};
+        Sum sum = start(near.cluster);
         for (const std::int32_t index : near.of(PartKind::fluid)) add<true>(i, fluid_(index), sum, index);
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             if constexpr (Solid::needs_motion) {
@@ -95,23 +102,26 @@ class DensitySweep {
             }
         }
         for (const std::int32_t index : near.of(PartKind::elastic)) add<false>(i, springs_(index), sum);
+        sum.rate = rounding_.rate.total(sum.rate);
+        sum.shift = rounding_.shift.total(sum.shift);
         if constexpr (with.shifting && with.hydrostatic)
-            sum.shift = Shifting<Kernel>::template kept<D>(sum.divergence) * sum.shift;
+            sum.shift = Shifting<Kernel>::template kept<D>(rounding_.divergence.total(sum.divergence)) * sum.shift;
         return sum;
     }
 
     template <class Reader>
     [[nodiscard, gnu::flatten]] L rate_of_solid(const Neighbourhood& near, const Reader& read) const {
         const auto i = read(near.cluster);
-        L rate = 0.0;
+        L rate;
+        rounding_.rate.start(rate);
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
             const auto separation = i.position - j.position;
             const L distance = sqrt(dot(separation, separation));
-            rate +=
-                rounding_.rate(kernel_.slope(distance) * ContinuityRate::law(Pair{i, j, separation, distance, 1.0}));
+            ReproducibleSum::add(rate, kernel_.slope(distance),
+                                 L(ContinuityRate::law(Pair{i, j, separation, distance, 1.0})));
         }
-        return rate;
+        return rounding_.rate.total(rate);
     }
 
     static void store_rate(const L& rate, ParticleGroup& group, const Cluster& cluster) {
@@ -129,11 +139,11 @@ class DensitySweep {
             if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
             if constexpr (BothFluid && with.diffusion && with.hydrostatic) rate += hydrostatic_.law(pair);
             if constexpr (BothFluid && with.diffusion && !with.hydrostatic) rate += diffusion_.law(pair);
-            sum.rate += rounding_.rate(slope * rate);
+            ReproducibleSum::add(sum.rate, slope, rate);
         }
-        if constexpr (with.shifting) sum.shift += rounding_.shift(slope * shifting_.law(pair, kernel_));
+        if constexpr (with.shifting) ReproducibleSum::add(sum.shift, slope, shifting_.law(pair, kernel_));
         if constexpr (with.shifting && with.hydrostatic)
-            sum.divergence += rounding_.divergence(slope * Shifting<Kernel>::divergence(pair));
+            ReproducibleSum::add(sum.divergence, slope, L(Shifting<Kernel>::divergence(pair)));
         if constexpr (BothFluid && with.species)
             species_.add(i.volume * j.volume, index, separation, slope, sum.species);
     }

@@ -47,14 +47,15 @@ class ForceSweep {
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Force force = Force::zero();
+        Force force;
+        rounding_.start(force);
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
-            force += rounding_(fluid_pair(i, j, i.position - j.position));
+            add_pair(1.0, i, j, i.position - j.position, force);
         }
-        for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, rigid_(index));
-        for (const std::int32_t index : near.of(PartKind::elastic)) force += force_by<false>(i, springs_(index));
-        return force + contact_(near, PartKind::rigid, Field::contact_range) +
+        for (const std::int32_t index : near.of(PartKind::rigid)) add_force_by<true>(1.0, i, rigid_(index), force);
+        for (const std::int32_t index : near.of(PartKind::elastic)) add_force_by<false>(1.0, i, springs_(index), force);
+        return rounding_.total(force) + contact_(near, PartKind::rigid, Field::contact_range) +
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
@@ -67,14 +68,15 @@ class ForceSweep {
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
-    /// Force on a fluid particle by a solid particle, which the wall model replaces by a fluid particle.
+    /// Adds the force, times `sign`, on a fluid particle by a solid particle, which the wall model replaces by a fluid
+    /// particle.
     template <bool IsRigid, class F, class S>
-    [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
+    void add_force_by(double sign, const F& fluid, const S& solid, Force& force) const {
         const auto separation = fluid.position - solid.position;
         if constexpr (IsRigid) {
-            return rounding_(fluid_pair(fluid, solid_.rigid(fluid, solid, separation), separation));
+            add_pair(sign, fluid, solid_.rigid(fluid, solid, separation), separation, force);
         } else {
-            return rounding_(fluid_pair(fluid, solid_.springs(fluid, solid, separation), separation));
+            add_pair(sign, fluid, solid_.springs(fluid, solid, separation), separation, force);
         }
     }
 
@@ -82,16 +84,18 @@ class ForceSweep {
     template <bool IsRigid, class Reader>
     [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);
-        Force force = contact_(near, PartKind::fluid, Field::contact_range);
-        for (const std::int32_t index : near.of(PartKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
-        return force;
+        Force force;
+        rounding_.start(force);
+        for (const std::int32_t index : near.of(PartKind::fluid))
+            add_force_by<IsRigid>(-1.0, fluid_(index), solid, force);
+        return rounding_.total(force) + contact_(near, PartKind::fluid, Field::contact_range);
     }
 
     template <class I, class J>
-    [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
+    void add_pair(double sign, const I& i, const J& j, const Vector<L, D>& separation, Force& force) const {
         const L distance = sqrt(dot(separation, separation));
         const Pair pair{i, j, separation, distance, 1.0};
-        return kernel_.slope(distance) * (PressureForce::law(pair) + viscosity_.law(pair));
+        ReproducibleSum::add(force, L(sign * kernel_.slope(distance)), PressureForce::law(pair) + viscosity_.law(pair));
     }
 
     ParticleStore& particles_;
