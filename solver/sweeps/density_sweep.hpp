@@ -63,13 +63,6 @@ class DensitySweep {
         L divergence;
         typename Species::Sum species;
     };
-    [[nodiscard]] Sum start(const Cluster& cluster) const {
-        Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(cluster)};
-        rounding_.rate.start(sum.rate);
-        rounding_.shift.start(sum.shift);
-        rounding_.divergence.start(sum.divergence);
-        return sum;
-    }
 
     void fluid(ClusterChoice choice) {
         ParticleGroup& group = particles_.fluid();
@@ -91,7 +84,7 @@ class DensitySweep {
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Sum around_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Sum sum = start(near.cluster);
+        Sum sum{0.0, Vector<L, D>::zero(), 0.0, species_.around(near.cluster)};
         for (const std::int32_t index : near.of(PartKind::fluid)) add<true>(i, fluid_(index), sum, index);
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             if constexpr (Solid::needs_motion) {
@@ -102,26 +95,23 @@ class DensitySweep {
             }
         }
         for (const std::int32_t index : near.of(PartKind::elastic)) add<false>(i, springs_(index), sum);
-        sum.rate = rounding_.rate.total(sum.rate);
-        sum.shift = rounding_.shift.total(sum.shift);
         if constexpr (with.shifting && with.hydrostatic)
-            sum.shift = Shifting<Kernel>::template kept<D>(rounding_.divergence.total(sum.divergence)) * sum.shift;
+            sum.shift = Shifting<Kernel>::template kept<D>(sum.divergence) * sum.shift;
         return sum;
     }
 
     template <class Reader>
     [[nodiscard, gnu::flatten]] L rate_of_solid(const Neighbourhood& near, const Reader& read) const {
         const auto i = read(near.cluster);
-        L rate;
-        rounding_.rate.start(rate);
+        L rate = 0.0;
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
             const auto separation = i.position - j.position;
             const L distance = sqrt(dot(separation, separation));
-            ReproducibleSum::add(rate, kernel_.slope(distance),
-                                 L(ContinuityRate::law(Pair{i, j, separation, distance, 1.0})));
+            rate +=
+                rounding_.rate(kernel_.slope(distance) * ContinuityRate::law(Pair{i, j, separation, distance, 1.0}));
         }
-        return rounding_.rate.total(rate);
+        return rate;
     }
 
     static void store_rate(const L& rate, ParticleGroup& group, const Cluster& cluster) {
@@ -139,11 +129,11 @@ class DensitySweep {
             if constexpr (!BothFluid) rate = Solid::approach_weight * rate;
             if constexpr (BothFluid && with.diffusion && with.hydrostatic) rate += hydrostatic_.law(pair);
             if constexpr (BothFluid && with.diffusion && !with.hydrostatic) rate += diffusion_.law(pair);
-            ReproducibleSum::add(sum.rate, slope, rate);
+            sum.rate += rounding_.rate(slope * rate);
         }
-        if constexpr (with.shifting) ReproducibleSum::add(sum.shift, slope, shifting_.law(pair, kernel_));
+        if constexpr (with.shifting) sum.shift += rounding_.shift(slope * shifting_.law(pair, kernel_));
         if constexpr (with.shifting && with.hydrostatic)
-            ReproducibleSum::add(sum.divergence, slope, L(Shifting<Kernel>::divergence(pair)));
+            sum.divergence += rounding_.divergence(slope * Shifting<Kernel>::divergence(pair));
         if constexpr (BothFluid && with.species)
             species_.add(i.volume * j.volume, index, separation, slope, sum.species);
     }

@@ -47,15 +47,14 @@ class ForceSweep {
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Force force;
-        rounding_.start(force);
+        Force force = Force::zero();
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
-            add_pair(1.0, i, j, i.position - j.position, force);
+            force += rounding_(fluid_pair(i, j, i.position - j.position));
         }
-        for (const std::int32_t index : near.of(PartKind::rigid)) add_force_by<true>(1.0, i, rigid_(index), force);
-        for (const std::int32_t index : near.of(PartKind::elastic)) add_force_by<false>(1.0, i, springs_(index), force);
-        return rounding_.total(force) + contact_(near, PartKind::rigid, Field::contact_range) +
+        for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, rigid_(index));
+        for (const std::int32_t index : near.of(PartKind::elastic)) force += force_by<false>(i, springs_(index));
+        return force + contact_(near, PartKind::rigid, Field::contact_range) +
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
@@ -68,15 +67,14 @@ class ForceSweep {
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
-    /// Adds the force, times `sign`, on a fluid particle by a solid particle, which the wall model replaces by a fluid
-    /// particle.
+    /// Force on a fluid particle by a solid particle, which the wall model replaces by a fluid particle.
     template <bool IsRigid, class F, class S>
-    void add_force_by(double sign, const F& fluid, const S& solid, Force& force) const {
+    [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
         const auto separation = fluid.position - solid.position;
         if constexpr (IsRigid) {
-            add_pair(sign, fluid, solid_.rigid(fluid, solid, separation), separation, force);
+            return rounding_(fluid_pair(fluid, solid_.rigid(fluid, solid, separation), separation));
         } else {
-            add_pair(sign, fluid, solid_.springs(fluid, solid, separation), separation, force);
+            return rounding_(fluid_pair(fluid, solid_.springs(fluid, solid, separation), separation));
         }
     }
 
@@ -84,18 +82,16 @@ class ForceSweep {
     template <bool IsRigid, class Reader>
     [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);
-        Force force;
-        rounding_.start(force);
-        for (const std::int32_t index : near.of(PartKind::fluid))
-            add_force_by<IsRigid>(-1.0, fluid_(index), solid, force);
-        return rounding_.total(force) + contact_(near, PartKind::fluid, Field::contact_range);
+        Force force = contact_(near, PartKind::fluid, Field::contact_range);
+        for (const std::int32_t index : near.of(PartKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
+        return force;
     }
 
     template <class I, class J>
-    void add_pair(double sign, const I& i, const J& j, const Vector<L, D>& separation, Force& force) const {
+    [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
         const L distance = sqrt(dot(separation, separation));
         const Pair pair{i, j, separation, distance, 1.0};
-        ReproducibleSum::add(force, L(sign * kernel_.slope(distance)), PressureForce::law(pair) + viscosity_.law(pair));
+        return kernel_.slope(distance) * (PressureForce::law(pair) + viscosity_.law(pair));
     }
 
     ParticleStore& particles_;
