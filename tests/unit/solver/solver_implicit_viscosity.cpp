@@ -195,8 +195,8 @@ TEST(ImplicitViscosity, goes_on_from_a_checkpoint_as_if_it_had_not_stopped) {
     expect_that_it_goes_on_as_if_it_had_not_stopped(mucus_over_water(20, 0.4));
 }
 
-/// Densities differ by percents over 1 mm here: rounded as if it were per metre, the density's diffusion would leave
-/// the range in which sums are exact.
+/// Densities differ by percents over 1 mm here, so that the sums of the density's diffusion are many times as large as
+/// the term that their rounding expects.
 TEST(ImplicitViscosity, goes_on_from_a_checkpoint_where_densities_differ_much) {
     SceneAndParticles made = mucus_over_water(20, 0.4);
     made.scene.numerics.sound_speed = 0.02;
