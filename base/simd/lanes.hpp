@@ -54,6 +54,17 @@ class BasicLanes {
         for (std::size_t k = 0; k < width; ++k) root.raw_[k] = root_of(a.raw_[k]);
         return root;
     }
+    /// a b + c, rounded once.
+    friend BasicLanes multiply_add(BasicLanes a, BasicLanes b, BasicLanes c) {
+#if defined(__AVX512F__)
+        if constexpr (width == 8 && sizeof(Real) == 8) return BasicLanes(_mm512_fmadd_pd(a.raw_, b.raw_, c.raw_));
+#endif
+#if defined(__FMA__)
+        if constexpr (width == 4 && sizeof(Real) == 8) return BasicLanes(_mm256_fmadd_pd(a.raw_, b.raw_, c.raw_));
+#endif
+        for (std::size_t k = 0; k < width; ++k) c.raw_[k] = multiply_add(a.raw_[k], b.raw_[k], c.raw_[k]);
+        return c;
+    }
     /// a where x < y, else b.
     friend BasicLanes where_less(BasicLanes x, BasicLanes y, BasicLanes a, BasicLanes b) {
         return BasicLanes(x.raw_ < y.raw_ ? a.raw_ : b.raw_);
@@ -95,6 +106,8 @@ class BasicLanes {
 #endif
         return BasicLanes(a > b ? a : b);
     }
+    static double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+    static float multiply_add(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
     static double root_of(double value) { return __builtin_sqrt(value); }
     static float root_of(float value) { return __builtin_sqrtf(value); }
 
@@ -112,6 +125,7 @@ inline constexpr std::size_t vector_bytes = 16;
 
 using Lanes = BasicLanes<double, vector_bytes>;
 
+inline double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
 inline double where_less(double x, double y, double a, double b) { return x < y ? a : b; }
 
 }  // namespace dmp::simd

@@ -23,13 +23,11 @@ struct DensityDiffusion {
 /// The same less what a smooth density field has (Antuono, Colagrossi, Marrone & Molteni 2010): zero where the density
 /// is linear, so that neither waves nor a hydrostatic density are worn down:
 ///   drho_i/dt = 2 delta h c0 SUM_j V_j [(rho_i - rho_j) - (g_i + g_j) . x_ij / 2] (1/r dW/dr)
-/// with the corrected gradient g of the density among particles of one fluid. The law is the term of the sum but for
-/// the coefficient.
+/// with the corrected gradient g of the density among particles of one fluid. The law is the bracket.
 struct SmoothDensityDiffusion {
-    template <class Weight, class Difference, class G, class X>
-    static auto law(const Weight& weight, const Difference& difference, const G& sum_of_gradients,
-                    const X& separation) {
-        return weight * (difference - 0.5 * dot(sum_of_gradients, separation));
+    template <class Difference, class G, class X>
+    static auto law(const Difference& difference, const G& sum_of_gradients, const X& separation) {
+        return difference - 0.5 * dot(sum_of_gradients, separation);
     }
 };
 

@@ -59,6 +59,8 @@ class Sweeps final : public PairSweeps {
           correction_rounding_{density_rounding_.divergence, force_rounding_, density_rounding_.rate},
           gradient_rounding_{density_rounding_.divergence, ReproducibleSum(volume() * steepest_ * settings.sound_speed),
                              ReproducibleSum(settings.density.largest * volume() * steepest_),
+                             // 1/r dW/dr at r = 0 is 3.2 times the steepest dW/dr over dx (WendlandC2).
+                             ReproducibleSum(4 * settings.density.largest * volume() * steepest_ / settings.spacing),
                              density_rounding_.shift} {}
 
     void forces(ParticleStore& particles, const ClusterList& list, const ForceSums& sums,

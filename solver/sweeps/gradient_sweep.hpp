@@ -13,7 +13,7 @@ namespace dmp::solver {
 
 /// Rounding of the sums of a gradient sweep.
 struct GradientRounding {
-    ReproducibleSum moment, velocity, density, shift;
+    ReproducibleSum moment, velocity, density, diffusion, shift;
 };
 
 /// The density sweep of the corrected scheme, L of a cluster's particles at a time: from one visit of each neighbour
@@ -58,39 +58,79 @@ class GradientSweep {
     using Rows = Vector<Vec, D>;
     using Matrix = Symmetric<L, D>;
 
+    // A factor that may be a number of few digits, such as a separation on a lattice, is multiplied by `full` (see
+    // ReproducibleSum::add).
+    static constexpr double full = ReproducibleSum::full_mantissa, per_square = 1 / (full * full);
+
     struct Moments {
-        Matrix moment{Vec::zero(), Vector<L, Matrix::off_diagonals>::zero()};  ///< M
-        Rows velocity = Rows::zero();                                          ///< - A
+        Matrix moment;  ///< M
+        Rows velocity;  ///< A
     };
     struct Sum {
-        Moments all, of_one_fluid;   ///< the second only of `Several`
-        Rows excess = Rows::zero();  ///< - A of the density rate, less that of the velocity gradient
-        Vec density = Vec::zero();   ///< SUM_j V_j (1/r dW/dr) (rho_i - rho_j) x_ij, that is - M g
-        L diffusion = 0.0;
-        Vec shift = Vec::zero();
+        Moments all, of_one_fluid;  ///< the second only of `Several`
+        Rows excess;                ///< A of the density rate, less that of the velocity gradient
+        Vec density;                ///< - SUM_j V_j (1/r dW/dr) (rho_i - rho_j) x_ij, that is M g
+        L less_diffusion;           ///< minus the density's diffusion
+        Vec less_shift;             ///< minus the shifting vector
     };
+    void start(Moments& sum) const {
+        rounding_.moment.start(sum.moment.diagonal);
+        rounding_.moment.start(sum.moment.off);
+        rounding_.velocity.start(sum.velocity);
+    }
+    [[nodiscard]] Sum start() const {
+        Sum sum;
+        start(sum.all);
+        start(sum.of_one_fluid);
+        rounding_.velocity.start(sum.excess);
+        rounding_.density.start(sum.density);
+        rounding_.diffusion.start(sum.less_diffusion);
+        rounding_.shift.start(sum.less_shift);
+        return sum;
+    }
+    [[nodiscard]] Moments total(const Moments& sum) const {
+        return {{per_square * rounding_.moment.total(sum.moment.diagonal),
+                 per_square * rounding_.moment.total(sum.moment.off)},
+                rows(rounding_.velocity.total(sum.velocity))};
+    }
+    [[nodiscard]] Sum total(const Sum& sum) const {
+        return {total(sum.all),
+                total(sum.of_one_fluid),
+                rows(rounding_.velocity.total(sum.excess)),
+                (1 / full) * rounding_.density.total(sum.density),
+                rounding_.diffusion.total(sum.less_diffusion),
+                per_square * rounding_.shift.total(sum.less_shift)};
+    }
+    static Rows rows(Rows sum) {
+        for (int row = 0; row < D; ++row) sum[row] = per_square * sum[row];
+        return sum;
+    }
 
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Sum sums_around(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         const Vec own_gradient = load_vector<L, D>(density_gradient_, near.cluster);
         const L own_number = Several ? load<L>(fluid_number_, near.cluster) : L(0.0);
-        Sum sum;
+        Sum sum = start();
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
             const Vec separation = i.position - j.position, past = i.velocity - j.velocity;
             const L distance = sqrt(dot(separation, separation));
-            L weight = j.volume * kernel_.slope(distance);
-            add_moments(weight, separation, past, sum.all);
-            add_shift(weight, distance, separation, sum.shift);
+            L weight = -1.0 * j.volume * kernel_.slope(distance);
+            Vec weighted = weight * (full * separation);
+            add_moments(weighted, separation, past, sum.all);
+            add_shift(distance, weighted, sum.less_shift);
             if constexpr (Several) {
-                weight = equal(own_number, fluid_number_[index]) * weight;
-                add_moments(weight, separation, past, sum.of_one_fluid);
+                const L same = equal(own_number, fluid_number_[index]);
+                weight = same * weight;
+                weighted = same * weighted;
+                add_moments(weighted, separation, past, sum.of_one_fluid);
             }
             const L difference = i.density - j.density;
-            sum.density += rounding_.density((weight * difference) * separation);
-            sum.diffusion += rounding_.density(SmoothDensityDiffusion::law(
-                weight, difference, own_gradient + load_vector<L, D>(density_gradient_, index), separation));
+            ReproducibleSum::add(sum.density, difference, weighted);
+            const Vec gradients = own_gradient + load_vector<L, D>(density_gradient_, index);
+            ReproducibleSum::add(sum.less_diffusion, weight,
+                                 SmoothDensityDiffusion::law(difference, gradients, separation));
         }
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);
@@ -100,15 +140,16 @@ class GradientSweep {
             const auto body = elastic_(index);
             add_solid(i, elastic_image(i, body), body.velocity, sum);
         }
-        return sum;
+        return total(sum);
     }
 
-    // The weight of a neighbour is V_j (1/r) dW/dr. Passed one by one: a struct of lanes goes through memory.
-    void add_moments(const L& weight, const Vec& separation, const Vec& past, Moments& sum) const {
-        const Matrix term = GradientCorrection::term(weight, separation);
-        sum.moment.diagonal += rounding_.moment(term.diagonal);
-        sum.moment.off += rounding_.moment(term.off);
-        for (int row = 0; row < D; ++row) sum.velocity[row] += rounding_.velocity((weight * past[row]) * separation);
+    /// `weighted`: `full` times the separation times -V_j (1/r) dW/dr.
+    static void add_moments(const Vec& weighted, const Vec& separation, const Vec& past, Moments& sum) {
+        const Vec x = full * separation;
+        for (int a = 0; a < D; ++a) ReproducibleSum::add(sum.moment.diagonal[a], weighted[a], x[a]);
+        for (int k = 0; k < Matrix::off_diagonals; ++k)
+            ReproducibleSum::add(sum.moment.off[k], weighted[k], x[(k + 1) % D]);
+        for (int row = 0; row < D; ++row) ReproducibleSum::add(sum.velocity[row], full * past[row], weighted);
     }
 
     /// `approached`: the solid's velocity in the density rate, where it counts twice (VelocityGradient).
@@ -116,14 +157,14 @@ class GradientSweep {
     void add_solid(const I& i, const Image& image, const Velocity& approached, Sum& sum) const {
         const Vec separation = i.position - image.position, past = i.velocity - image.velocity;
         const L distance = sqrt(dot(separation, separation));
-        const L weight = image.volume * kernel_.slope(distance);
-        add_moments(weight, separation, past, sum.all);
-        if constexpr (Several) add_moments(weight, separation, past, sum.of_one_fluid);
+        const Vec weighted = (-1.0 * image.volume * kernel_.slope(distance)) * (full * separation);
+        add_moments(weighted, separation, past, sum.all);
+        if constexpr (Several) add_moments(weighted, separation, past, sum.of_one_fluid);
         const Vec beyond = Solid::approach_weight * (i.velocity - approached) - past;
-        for (int row = 0; row < D; ++row) sum.excess[row] += rounding_.velocity((weight * beyond[row]) * separation);
+        for (int row = 0; row < D; ++row) ReproducibleSum::add(sum.excess[row], full * beyond[row], weighted);
         const L difference = (i.pressure - image.pressure) * (1 / (options_.sound_speed * options_.sound_speed));
-        sum.density += rounding_.density((weight * difference) * separation);
-        add_shift(weight, distance, separation, sum.shift);
+        ReproducibleSum::add(sum.density, L(difference), weighted);
+        add_shift(distance, weighted, sum.less_shift);
     }
 
     /// An elastic particle moves as itself; the pressure continues to it as to a wall.
@@ -134,8 +175,8 @@ class GradientSweep {
         return image;
     }
 
-    void add_shift(const L& weight, const L& distance, const Vec& separation, Vec& sum) const {
-        if (options_.shifts) sum += rounding_.shift((weight * shifting_.factor(distance, kernel_)) * separation);
+    void add_shift(const L& distance, const Vec& weighted, Vec& sum) const {
+        if (options_.shifts) ReproducibleSum::add(sum, full * shifting_.factor(distance, kernel_), weighted);
     }
 
     static L equal(const L& a, double b) {
@@ -146,20 +187,22 @@ class GradientSweep {
     void finish(const Sum& sum, const Cluster& cluster) const {
         ParticleGroup& group = particles_.fluid();
         const Matrix inverse = GradientCorrection::inverse(sum.all.moment, VelocityGradient::smallest_determinant);
-        const Rows gradient = gradient_of(sum.all, inverse);
+        const Rows gradient = VelocityGradient::corrected(sum.all.velocity, inverse);
         // At a free surface only the force's exact partner, B = 1, is stable.
         const L divergence =
             options_.free_surface
-                ? -1.0 * (VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess))
-                : VelocityGradient::divergence(gradient) -
+                ? VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess)
+                : VelocityGradient::divergence(gradient) +
                       VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
-        const L rate = options_.diffusion * sum.diffusion - load<L>(group.data(Field::density), cluster) * divergence;
+        const L rate = -1.0 * (options_.diffusion * sum.less_diffusion) -
+                       load<L>(group.data(Field::density), cluster) * divergence;
         store_scalar(rate, Field::density_rate, cluster);
         store_scalar(VelocityGradient::mean(inverse), Field::mean_correction, cluster);
         if constexpr (Several) {
             const Matrix of_one = GradientCorrection::inverse(sum.of_one_fluid.moment,
                                                               VelocityGradient::smallest_determinant_of_one_fluid);
-            store_gradients(gradient_of(sum.of_one_fluid, of_one), of_one * sum.density, cluster);
+            store_gradients(VelocityGradient::corrected(sum.of_one_fluid.velocity, of_one), of_one * sum.density,
+                            cluster);
         } else {
             store_gradients(gradient, inverse * sum.density, cluster);
         }
@@ -167,21 +210,15 @@ class GradientSweep {
         L trace = sum.all.moment.diagonal[0];
         for (int axis = 1; axis < D; ++axis) trace = trace + sum.all.moment.diagonal[axis];
         const L kept = options_.free_surface ? Shifting<Kernel>::template kept<D>(trace) : L(1.0);
-        solver::store<L, D>(kept * sum.shift, group, Field::shift, cluster);
+        solver::store<L, D>((-1.0 * kept) * sum.less_shift, group, Field::shift, cluster);
     }
 
-    static Rows gradient_of(const Moments& sum, const Matrix& inverse) {
-        Rows a;
-        for (int row = 0; row < D; ++row) a[row] = -1.0 * sum.velocity[row];
-        return VelocityGradient::corrected(a, inverse);
-    }
-
-    void store_gradients(const Rows& of_velocity, const Vec& less_of_density, const Cluster& cluster) const {
+    void store_gradients(const Rows& of_velocity, const Vec& of_density, const Cluster& cluster) const {
         ParticleGroup& group = particles_.fluid();
         for (int k = 0; k < D * D; ++k)
             of_velocity[k / D][k % D].store(group.data(Field::velocity_gradient, k) + cluster.first,
                                             static_cast<std::size_t>(cluster.count));
-        solver::store<L, D>(-1.0 * less_of_density, group, Field::next_density_gradient, cluster);
+        solver::store<L, D>(of_density, group, Field::next_density_gradient, cluster);
     }
     void store_scalar(const L& value, Field field, const Cluster& cluster) const {
         value.store(particles_.fluid().data(field) + cluster.first, static_cast<std::size_t>(cluster.count));

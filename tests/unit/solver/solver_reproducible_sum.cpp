@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <random>
 #include <string>
 #include <tuple>
@@ -96,6 +97,82 @@ TEST(ReproducibleSum, rounds_vectors_and_lanes_as_numbers) {
     const auto rounded = rounding(wide);
     for (std::size_t k = 0; k < Lanes::width; ++k)
         for (int axis = 0; axis < 2; ++axis) EXPECT_EQ(rounded[axis][k], rounding(terms[2 * k + axis]));
+}
+
+/// `sign` times the sum of products of one term and the next.
+double running_sum(const std::vector<double>& terms, const std::vector<std::size_t>& order, double sign) {
+    const ReproducibleSum rounding(largest_term * largest_term);
+    double sum = 0;
+    rounding.start(sum);
+    for (const std::size_t k : order) ReproducibleSum::add(sum, sign * terms[k], terms[k + 1]);
+    return rounding.total(sum);
+}
+
+TEST(ReproducibleSum, running_sums_of_products_are_the_same_bits_in_any_order_and_cancel) {
+    const double quantum = ReproducibleSum(largest_term * largest_term).quantum();
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        const std::vector<double> terms = some_terms(seed);
+        std::vector<std::size_t> order(terms.size() - 1);
+        std::iota(order.begin(), order.end(), 0U);
+        const double sum = running_sum(terms, order, 1);
+        long double exact = 0;
+        for (const std::size_t k : order) exact += static_cast<long double>(terms[k]) * terms[k + 1];
+        EXPECT_LT(std::abs(static_cast<double>(sum - exact)), 0.51 * static_cast<double>(order.size()) * quantum);
+        std::mt19937 random(seed);
+        for (int k = 0; k < 200; ++k) {
+            std::shuffle(order.begin(), order.end(), random);
+            EXPECT_EQ(running_sum(terms, order, 1), sum);
+            EXPECT_EQ(running_sum(terms, order, -1), -sum);
+        }
+    }
+}
+
+/// Of `factor` times each term.
+double running_sum_of(double factor, const std::vector<double>& terms) {
+    const ReproducibleSum rounding(largest_term);
+    double sum = 0;
+    rounding.start(sum);
+    for (const double term : terms) ReproducibleSum::add(sum, factor, term);
+    return rounding.total(sum);
+}
+
+TEST(ReproducibleSum, running_sums_with_a_factor_of_few_digits_need_its_mantissa_filled) {
+    std::mt19937 random(4);
+    int unlike = 0;
+    for (const double factor : {1.0, 0.5, -0.75}) {
+        std::vector<double> terms = some_terms(5);
+        for (double& term : terms) term /= 3;
+        const double as_it_is = running_sum_of(factor, terms);
+        const double filled = running_sum_of(ReproducibleSum::full_mantissa * factor, terms);
+        EXPECT_NEAR(filled / ReproducibleSum::full_mantissa, as_it_is, 1e-10);
+        for (int k = 0; k < 200; ++k) {
+            std::shuffle(terms.begin(), terms.end(), random);
+            EXPECT_EQ(running_sum_of(ReproducibleSum::full_mantissa * factor, terms), filled);
+            unlike += running_sum_of(factor, terms) == as_it_is ? 0 : 1;
+        }
+    }
+    EXPECT_GT(unlike, 100) << "products that are never half-way between two multiples show nothing";
+}
+
+TEST(ReproducibleSum, running_sums_of_vectors_and_lanes_are_those_of_numbers) {
+    const ReproducibleSum rounding(largest_term * largest_term);
+    const std::vector<double> terms = some_terms(6, 2 * Lanes::width);
+    Lanes factor = 0.0;
+    Vector<Lanes, 2> wide{}, sum{};
+    for (std::size_t k = 0; k < Lanes::width; ++k) {
+        factor.set(k, terms[k]);
+        for (int axis = 0; axis < 2; ++axis) wide[axis].set(k, terms[2 * k + axis]);
+    }
+    rounding.start(sum);
+    for (int times = 0; times < 3; ++times) ReproducibleSum::add(sum, factor, wide);
+    const auto total = rounding.total(sum);
+    for (std::size_t k = 0; k < Lanes::width; ++k)
+        for (int axis = 0; axis < 2; ++axis) {
+            double one = 0;
+            rounding.start(one);
+            for (int times = 0; times < 3; ++times) ReproducibleSum::add(one, terms[k], terms[2 * k + axis]);
+            EXPECT_EQ(total[axis][k], rounding.total(one));
+        }
 }
 
 using Variant = std::tuple<int, WallModel, bool>;  ///< the last: with what is off by default
