@@ -17,8 +17,10 @@ namespace dmp::mesher {
 
 namespace {
 
-/// A wall particle nearer than this to a body's node would stand in its place [spacings].
-constexpr double wall_clearance = 0.75;
+/// A wall particle this near to a body's node would stand in its place [spacings]: half a spacing. A node that moves is
+/// also kept out of reach of the wall's repulsion. With as much room around nodes that do not move, such as a leaflet's
+/// root, fluid finds a hole between them and the wall.
+constexpr double place_of_a_node = 0.5 + 1e-6, clearance_of_moving_node = 0.75;
 
 bool is_beyond_a_plane(const ParticleSet& set, const Vec& point) {
     for (int axis = 0; axis < set.dimension; ++axis)
@@ -219,7 +221,10 @@ void ParticleBuilder::add_walls(const Part& part) {
         ++candidates_;
         if (fluid_at(point) != nullptr || is_in_a_solid(point) || is_beyond_a_plane(result_.particles, point)) continue;
         const auto [owner, surface] = wall_at(point);
-        if (owner != own || nodes_.any_near(point, wall_clearance * spacing_)) continue;
+        if (owner != own || nodes_.any_near(point, place_of_a_node * spacing_)) continue;
+        if (nodes_.any_near(point, clearance_of_moving_node * spacing_,
+                            [](const auto& node) { return !node.anchored; }))
+            continue;
         const Vec to_surface = surface.point - point;
         const Vec normal = surface.distance > 1e-6 * spacing_ ? Vec(to_surface.normalized()) : normal_on_surface(point);
         add_particle(number, {point, volume, volume * density, -1, true, normal, surface.distance});
@@ -279,7 +284,7 @@ bool ParticleBuilder::is_in_a_solid(const Vec& point) const {
 
 bool ParticleBuilder::clear_of_bodies(const Vec& point) const {
     if (body_curves_.nearest(point).distance < spacing_) return false;
-    return !nodes_.any_near(point, keep_from_nodes * spacing_, true);
+    return !nodes_.any_near(point, keep_from_nodes * spacing_, [](const auto& node) { return node.of_a_solid; });
 }
 
 MeshResult ParticleBuilder::finish() {

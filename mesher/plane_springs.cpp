@@ -58,7 +58,9 @@ void ParticleBuilder::claim_solids() {
         if (solid.points.size() < there)
             result_.report.notes.push_back(part->name.value + ": " + std::to_string(there - solid.points.size()) +
                                            " lattice points in it belong to no whole cell of springs and are left out");
-        for (const Vec& point : solid.points) nodes_.add(point, true);
+        const std::vector<bool> anchored = anchored_nodes(*part, solid.points);
+        for (std::size_t n = 0; n < solid.points.size(); ++n)
+            nodes_.add(solid.points[n], {.of_a_solid = true, .anchored = anchored[n]});
         nodes_.sort(spacing_);
     }
 }
@@ -183,7 +185,7 @@ void ParticleBuilder::add_ladder(const Part& part, int part_number, const Polyli
     for (std::size_t n = 0; n < ladder.nodes.size(); ++n) {
         add_particle(part_number,
                      {ladder.nodes[n], spacing_ * ladder.along, mass, body, anchored[n / 2], Vec::Zero(), 0});
-        nodes_.add(ladder.nodes[n], false);
+        nodes_.add(ladder.nodes[n], {.of_a_solid = false, .anchored = anchored[n / 2]});
     }
     nodes_.sort(spacing_);
 

@@ -283,6 +283,22 @@ TEST(DoubleVeinValveMesh, HasSoundPartsOnBothSidesOfItsWalls) {
     EXPECT_GT(nearest, 3 * set.spacing);
 }
 
+TEST(DoubleVeinValveMesh, LeavesNoHoleBetweenALeafletsRootAndTheWallBeforeIt) {
+    const ParticleSet set = mesh_case("double_vein_valve", {"particles.spacing=0.4 mm"}).particles;
+    int roots = 0;
+    for (const std::size_t node : all_of(set, PartKind::elastic)) {
+        const Vec& root = set.position[node];
+        if (set.fixed[node] == 0 || !set.parts[set.part[node]].name.starts_with("leaflets") || std::abs(root[1]) < 4e-3)
+            continue;  // only nodes behind the wall's surface
+        ++roots;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const std::size_t wall : all_of(set, PartKind::rigid))
+            if (set.position[wall][0] < root[0]) nearest = std::min(nearest, (set.position[wall] - root).norm());
+        EXPECT_LT(nearest, 0.75 * set.spacing) << "before the root at " << root.transpose();
+    }
+    EXPECT_EQ(roots, 4);
+}
+
 TEST(CiliaMesh, SixCellsToAPitch) {
     const Meshed meshed = mesh_case("cilia");
     const ParticleSet& set = meshed.particles;
