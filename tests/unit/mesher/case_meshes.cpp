@@ -246,8 +246,8 @@ TEST(HeartValveMesh, AtAQuarterHasTheParticlesOfThePublishedOne) {
     EXPECT_NEAR(static_cast<double>(set.count(PartKind::fluid)) / 49224, 1, 0.03);
     EXPECT_EQ(set.count(PartKind::elastic), 272U);
     EXPECT_NEAR(line_of(meshed, "blood").kernel_sum_mean, 1, 0.01);
-    EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 4.4e-5, 1, 1e-12);
-    EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 1400, 1, 1e-12);
+    EXPECT_NEAR(meshed.report.springs.at(0).bending_stiffness / 3.0e-4, 1, 1e-12);
+    EXPECT_NEAR(meshed.report.springs.at(0).axial_stiffness / 9600, 1, 1e-12);
 }
 
 TEST(DoubleVeinValveMesh, HasSoundPartsOnBothSidesOfItsWalls) {
