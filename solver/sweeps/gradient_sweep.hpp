@@ -91,17 +91,17 @@ class GradientSweep {
     [[nodiscard]] Moments total(const Moments& sum) const {
         return {{per_square * rounding_.moment.total(sum.moment.diagonal),
                  per_square * rounding_.moment.total(sum.moment.off)},
-                rows(rounding_.velocity.total(sum.velocity))};
+                unscaled(rounding_.velocity.total(sum.velocity))};
     }
     [[nodiscard]] Sum total(const Sum& sum) const {
         return {total(sum.all),
                 total(sum.of_one_fluid),
-                rows(rounding_.velocity.total(sum.excess)),
+                unscaled(rounding_.velocity.total(sum.excess)),
                 (1 / full) * rounding_.density.total(sum.density),
                 rounding_.diffusion.total(sum.less_diffusion),
                 per_square * rounding_.shift.total(sum.less_shift)};
     }
-    static Rows rows(Rows sum) {
+    static Rows unscaled(Rows sum) {
         for (int row = 0; row < D; ++row) sum[row] = per_square * sum[row];
         return sum;
     }

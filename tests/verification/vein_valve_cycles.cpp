@@ -31,11 +31,8 @@ Strokes second_cycle(const MeasureSeries& series) {
     return strokes;
 }
 
-/// The scheme with which the table of cases/vein_valve/README.md was measured.
-const std::vector<std::string> plain{"numerics.scheme=plain"};
-
 TEST(VeinValve, OpensClosesAndPumps) {
-    const RunSummary run = run_case("vein_valve", plain, 2 * period);
+    const RunSummary run = run_case("vein_valve", {}, 2 * period);
     const MeasureSeries& series = run.measures;
 
     Record record("vein_valve", "second of two cycles", run);
@@ -65,10 +62,9 @@ TEST(VeinValve, OpensClosesAndPumps) {
 
 TEST(VeinValve, WithoutLeafletsHardlyAnythingIsPumped) {
     // A cosine starts at the flow's own phase, so no mean flow is left from the start.
-    const RunSummary run = run_case("vein_valve",
-                                    {plain.front(), "part.leaflets.enabled=false",
-                                     "flow.pressure_gradient=[\"-77.09 Pa/m * cos(2*pi*t / 4 s)\", 0]"},
-                                    2 * period);
+    const RunSummary run = run_case(
+        "vein_valve",
+        {"part.leaflets.enabled=false", "flow.pressure_gradient=[\"-77.09 Pa/m * cos(2*pi*t / 4 s)\", 0]"}, 2 * period);
     const Strokes strokes = second_cycle(run.measures);
     Record("vein_valve", "without leaflets", run)
         .percent("net over forward volume", strokes.net / strokes.forward, 0.1);
