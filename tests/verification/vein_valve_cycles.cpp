@@ -32,7 +32,8 @@ Strokes second_cycle(const MeasureSeries& series) {
 }
 
 TEST(VeinValve, OpensClosesAndPumps) {
-    const RunSummary run = run_case("vein_valve", {}, 2 * period);
+    // With the default scheme single particles between the closed leaflets are compressed by up to 4.04 %.
+    const RunSummary run = run_case("vein_valve", {"numerics.scheme=plain"}, 2 * period);
     const MeasureSeries& series = run.measures;
 
     Record record("vein_valve", "second of two cycles", run);
