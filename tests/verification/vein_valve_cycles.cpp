@@ -32,7 +32,7 @@ Strokes second_cycle(const MeasureSeries& series) {
 }
 
 TEST(VeinValve, OpensClosesAndPumps) {
-    // With the default scheme single particles between the closed leaflets are compressed by up to 4.04 %.
+    // With the default scheme single particles between the closed leaflets are compressed by up to 4.75 %.
     const RunSummary run = run_case("vein_valve", {"numerics.scheme=plain"}, 2 * period);
     const MeasureSeries& series = run.measures;
 
