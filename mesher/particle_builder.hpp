@@ -82,7 +82,8 @@ class ParticleBuilder {
     struct SpringSolid {
         const Part* part;
         InsideTest region;
-        std::vector<Vec> points;  ///< of the lattice that belong to whole cells
+        std::vector<Vec> points;     ///< of the lattice that belong to whole cells
+        std::vector<bool> anchored;  ///< of each point
     };
 
     int add_part(const Part& part, PartKind kind);
@@ -91,8 +92,7 @@ class ParticleBuilder {
     [[nodiscard]] bool is_in_a_solid(const Vec& point) const;
     void claim_solids();
     void add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
-    void add_unbonded(const SpringSolid& solid, int part_number, const std::vector<bool>& clamped,
-                      MeshReport::SpringLine& line);
+    void add_unbonded(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line);
     [[nodiscard]] std::vector<bool> anchored_nodes(const Part& part, const std::vector<Vec>& nodes) const;
     [[nodiscard]] Vec lattice_step() const { return {lattice_.step()[0], lattice_.step()[1], 0}; }
     void add_ladder(const Part& part, int part_number, const Polyline& curve, MeshReport::SpringLine& line);

@@ -32,7 +32,7 @@ void ParticleBuilder::claim_solids() {
                 scene_.particles.arrangement.location,
                 "'" + part->name.value + "' is a solid of springs, whose cells are built on the square lattice only",
                 "write particles.arrangement = \"square\", or give the part bonds_within");
-        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}});
+        SpringSolid& solid = solids_.emplace_back(SpringSolid{part, InsideTest(*region), {}, {}});
         // Of points on the border those on its low sides: as many rows as spacings.
         const Vec a_little = 1e-6 * spacing_ * Vec(1, 0.618, 0);
         const auto is_in = [&](const Vec& point) {
@@ -58,17 +58,16 @@ void ParticleBuilder::claim_solids() {
         if (solid.points.size() < there)
             result_.report.notes.push_back(part->name.value + ": " + std::to_string(there - solid.points.size()) +
                                            " lattice points in it belong to no whole cell of springs and are left out");
-        const std::vector<bool> anchored = anchored_nodes(*part, solid.points);
+        solid.anchored = anchored_nodes(*part, solid.points);
         for (std::size_t n = 0; n < solid.points.size(); ++n)
-            nodes_.add(solid.points[n], {.of_a_solid = true, .anchored = anchored[n]});
+            nodes_.add(solid.points[n], {.of_a_solid = true, .anchored = solid.anchored[n]});
         nodes_.sort(spacing_);
     }
 }
 
 void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line) {
-    const std::vector<bool> clamped = anchored_nodes(*solid.part, solid.points);
-    line.anchored = static_cast<std::size_t>(std::ranges::count(clamped, true));
-    if (solid.part->bonds_within.given()) return add_unbonded(solid, part_number, clamped, line);
+    line.anchored = static_cast<std::size_t>(std::ranges::count(solid.anchored, true));
+    if (solid.part->bonds_within.given()) return add_unbonded(solid, part_number, line);
     const SolidBody body = solid_body(*solid.part, solid.points, lattice_step(), 2);
     line.cells = {body.constants, body.stiffened};
     line.particle_mass = body.mass.front();
@@ -76,20 +75,19 @@ void ParticleBuilder::add_solid(const SpringSolid& solid, int part_number, MeshR
     const int bodies_before = bodies_;
     const std::vector<int> piece = pieces_of(body.lattice, bodies_);
     for (std::size_t node = 0; node < solid.points.size(); ++node)
-        add_particle(part_number, {solid.points[node], body.volume[node], body.mass[node], piece[node], clamped[node],
-                                   Vec::Zero(), 0});
+        add_particle(part_number, {solid.points[node], body.volume[node], body.mass[node], piece[node],
+                                   solid.anchored[node], Vec::Zero(), 0});
     line.bodies = bodies_ - bodies_before;
     add_elastic_of(body.lattice, first, result_.particles, line);
 }
 
 /// Nodes that bond_solids() is to bond once they are where they stay.
-void ParticleBuilder::add_unbonded(const SpringSolid& solid, int part_number, const std::vector<bool>& clamped,
-                                   MeshReport::SpringLine& line) {
+void ParticleBuilder::add_unbonded(const SpringSolid& solid, int part_number, MeshReport::SpringLine& line) {
     const double volume = lattice_.cell_area();
     line.particle_mass = volume * solid.part->density;
     for (std::size_t node = 0; node < solid.points.size(); ++node)
         add_particle(part_number,
-                     {solid.points[node], volume, line.particle_mass, bodies_, clamped[node], Vec::Zero(), 0});
+                     {solid.points[node], volume, line.particle_mass, bodies_, solid.anchored[node], Vec::Zero(), 0});
     ++bodies_;
 }
 
