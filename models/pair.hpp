@@ -26,6 +26,8 @@ struct SolidPoint {
     T depth;                                           ///< rigid walls: distance behind the surface; otherwise 0 [m]
     T slip = T(0.0);                                   ///< rigid walls: 1 where the fluid slips; otherwise 0
     Vector<T, D> acceleration = Vector<T, D>::zero();  ///< of moving rigid walls; otherwise 0 [m/s^2]
+    Vector<T, D> motion = Vector<T, D>::zero();        ///< rigid walls: of the particle itself; otherwise 0 [m/s]
+    T sliding = T(0.0);  ///< rigid walls: 1 where the surface slides or the fluid slips; otherwise 0
 };
 
 /// Two interacting particles; a law returns its effect on i. Every pair law is proportional to `slope`. The sweeps

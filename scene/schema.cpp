@@ -121,7 +121,8 @@ std::vector<Key<Part>> part_keys() {
         {"layers", rigid, &Part::layers, integer(at_least(1)), ByQuality{"3", "3", "4"},
          "Rows of wall particles; the wall must be as thick as the kernel's support."},
         {"surface_velocity", rigid, &Part::surface_velocity, formulas("1 m/s"), "[0, 0]",
-         "Velocity of the wall's surface along itself, as of a lid or a belt, as formulas of t, x, y, z."},
+         "Velocity of the wall's surface along itself, as of a lid or a belt, as formulas of t and of the place x, y, z "
+         "on the surface."},
         {"slip", rigid, &Part::slip, boolean(), "false",
          "true: the fluid slips along the wall without shear stress; false: no slip."},
         {"velocity", rigid, &Part::velocity, formulas("0.1 m/s"), "[0, 0]",

@@ -86,8 +86,9 @@ struct ExtrapolatedSolid {
         return image_fluid_of<D>(body, fluid);
     }
 
-    /// The state used in the density rate for a wall that may let the fluid slip: there, the wall particles move with
-    /// the fluid, v_w + (v_i - v_w) - n n . (v_i - v_w). Otherwise sliding past them would act like a rough surface.
+    /// The state used in the density rate: the wall particle with its own motion v_w, also where its surface slides
+    /// along itself. Where the fluid slips, the wall particles move with the fluid, v_w + (v_i - v_w) - n n . (v_i -
+    /// v_w). Otherwise sliding past them would act like a rough surface.
     template <class F, class S>
     [[nodiscard]] static auto approached(const F& fluid, const S& wall) {
         using T = Wider<decltype(fluid.density), decltype(wall.volume)>;
@@ -95,11 +96,11 @@ struct ExtrapolatedSolid {
             Vector<T, D> position, velocity;
             T volume;
         } seen;
-        const auto past_wall = fluid.velocity - wall.velocity;
+        const auto past_wall = fluid.velocity - wall.motion;
         const T towards_fluid = dot(past_wall, wall.normal);
         for (int a = 0; a < D; ++a) {
             seen.position[a] = wall.position[a];
-            seen.velocity[a] = wall.velocity[a] + wall.slip * (past_wall[a] - towards_fluid * wall.normal[a]);
+            seen.velocity[a] = wall.motion[a] + wall.slip * (past_wall[a] - towards_fluid * wall.normal[a]);
         }
         seen.volume = wall.volume;
         return seen;

@@ -32,6 +32,10 @@ double integral(const Expression& rate, double t, double dt) {
     return dt / 18 * (5 * rate(middle - offset) + 8 * rate(middle) + 5 * rate(middle + offset));
 }
 
+void clear(ParticleGroup& walls, Field vector) {
+    for (int axis = 0; axis < walls.dimension(); ++axis) std::fill_n(walls.data(vector, axis), walls.owned(), 0.0);
+}
+
 template <class Visit>
 void for_each_of(const ParticleGroup& walls, std::uint16_t part, const Visit& visit) {
     for (std::size_t i = 0; i < walls.owned(); ++i)
@@ -123,38 +127,49 @@ void WallMotion::add_motion(Of what, const Moving& part, ParticleGroup& walls, c
     });
 }
 
+/// Of the nearest point of the surface, at time t.
+void WallMotion::show_surface_velocities(ParticleGroup& walls, WallPose Moving::*pose, double t) const {
+    clear(walls, Field::velocity);
+    for (const Moving& part : moving_) add_motion(Of::surface, part, walls, part.*pose, t, Field::velocity, 1);
+    for (const Sliding& part : sliding_)
+        for_each_of(walls, part.part, [&](std::size_t i) {
+            const Vec x =
+                at(walls, Field::position, i) + walls.data(Field::wall_distance)[i] * at(walls, Field::wall_normal, i);
+            for (int axis = 0; axis < walls.dimension(); ++axis)
+                walls.data(Field::velocity, axis)[i] += part.velocity[axis](t, x[0], x[1], x[2]);
+        });
+}
+
 FieldList WallMotion::show_surfaces(ParticleStore& particles) const {
     if (moving_.empty() && sliding_.empty()) return {};
     ParticleGroup& walls = particles.of(PartKind::rigid);
     const bool continues_pressure = walls.has(Field::wall_acceleration);
-    for (int axis = 0; axis < walls.dimension(); ++axis) {
-        std::fill_n(walls.data(Field::velocity, axis), walls.owned(), 0.0);
-        if (continues_pressure) std::fill_n(walls.data(Field::wall_acceleration, axis), walls.owned(), 0.0);
+    show_surface_velocities(walls, &Moving::start, t_);
+    if (continues_pressure) {
+        clear(walls, Field::wall_acceleration);
+        for (const Moving& part : moving_) {
+            add_motion(Of::surface, part, walls, part.end, t_ + dt_, Field::wall_acceleration, 1 / dt_);
+            add_motion(Of::surface, part, walls, part.start, t_, Field::wall_acceleration, -1 / dt_);
+        }
     }
-    for (const Moving& part : moving_) {
-        add_motion(Of::surface, part, walls, part.start, t_, Field::velocity, 1);
-        if (!continues_pressure) continue;
-        add_motion(Of::surface, part, walls, part.end, t_ + dt_, Field::wall_acceleration, 1 / dt_);
-        add_motion(Of::surface, part, walls, part.start, t_, Field::wall_acceleration, -1 / dt_);
-    }
-    for (const Sliding& part : sliding_)
-        for_each_of(walls, part.part, [&](std::size_t i) {
-            const Vec x = at(walls, Field::position, i);
-            for (int axis = 0; axis < walls.dimension(); ++axis)
-                walls.data(Field::velocity, axis)[i] += part.velocity[axis](t_, x[0], x[1], x[2]);
-        });
     FieldList changed{Field::velocity};
     if (continues_pressure) changed.push_back(Field::wall_acceleration);
     if (moves()) changed.push_back(Field::wall_normal);
     return changed;
 }
 
-void WallMotion::show_velocities(ParticleStore& particles) const {
-    if (moving_.empty() && sliding_.empty()) return;
+FieldList WallMotion::show_velocities(ParticleStore& particles) const {
+    if (moving_.empty() && sliding_.empty()) return {};
     ParticleGroup& walls = particles.of(PartKind::rigid);
-    for (int axis = 0; axis < walls.dimension(); ++axis)
-        std::fill_n(walls.data(Field::velocity, axis), walls.owned(), 0.0);
-    for (const Moving& part : moving_) add_motion(Of::particles, part, walls, part.end, t_ + dt_, Field::velocity, 1);
+    const bool both = walls.has(Field::wall_motion);
+    const Field of_particles = both ? Field::wall_motion : Field::velocity;
+    if (both) show_surface_velocities(walls, &Moving::end, t_ + dt_);
+    clear(walls, of_particles);
+    for (const Moving& part : moving_) add_motion(Of::particles, part, walls, part.end, t_ + dt_, of_particles, 1);
+    FieldList changed;
+    if (both) changed.push_back(Field::wall_motion);
+    if (both && moves()) changed.push_back(Field::wall_normal);
+    return changed;
 }
 
 double WallMotion::largest_speed(double t) const {

@@ -24,8 +24,9 @@ struct WallPose {
 /// the part's velocity and spin (three-point Gauss rule in each half step), c its centre. So its place depends on
 /// nothing but the part's pose, which is part of a checkpoint, and walls keep their shape for any number of steps.
 ///
-/// `velocity` of the walls' particles is that of the nearest point of the surface while forces are summed, for
-/// viscosity; in the density rate it is how the particles move, so that the end of a lid is no source of liquid. The
+/// `velocity` of the walls' particles is that of the nearest point of the surface, for viscosity and the velocity
+/// gradient. In the density rate it is how the particles move (`wall_motion`; with the plain scheme `velocity` is that
+/// then), so that the end of a lid is no source of liquid. The
 /// surface's mean acceleration over a step goes into the pressure behind it. Momentum that the fluid is given is the
 /// reaction of the walls' forces, as it is at walls at rest.
 ///
@@ -47,8 +48,9 @@ class WallMotion {
     /// The surfaces' velocities at the start of the step and the accelerations, of owned particles. Returns the fields
     /// that copies have yet to be given.
     [[nodiscard]] FieldList show_surfaces(ParticleStore& particles) const;
-    /// The velocities of the particles themselves at the end of the step.
-    void show_velocities(ParticleStore& particles) const;
+    /// The velocities of the particles themselves at the end of the step, and with the corrected scheme those of the
+    /// surfaces. Returns the fields, beside velocity, that copies have yet to be given.
+    [[nodiscard]] FieldList show_velocities(ParticleStore& particles) const;
 
     /// Of all walls and their surfaces at time t [m/s]; surfaces that slide by formulas of place are left out.
     [[nodiscard]] double largest_speed(double t) const;
@@ -77,6 +79,7 @@ class WallMotion {
     };
 
     [[nodiscard]] double move(ParticleStore& particles, WallPose Moving::*pose);
+    void show_surface_velocities(ParticleGroup& walls, WallPose Moving::*pose, double t) const;
     enum class Of { particles, surface };
     void add_motion(Of what, const Moving& part, ParticleGroup& walls, const WallPose& pose, double t, Field to,
                     double factor) const;

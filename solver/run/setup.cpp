@@ -103,6 +103,7 @@ PairSettings pair_settings(const Scene& scene, const Resources& resources) {
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         settings.walls.slip = settings.walls.slip || part->slip;
         settings.walls.moving = settings.walls.moving || part->moves();
+        settings.walls.sliding = settings.walls.sliding || part->slides();
     }
     settings.threads = resources.threads > 0 ? resources.threads : omp_get_num_procs();
     settings.vector_unit = resources.vector_unit;
@@ -145,9 +146,11 @@ std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
     const std::vector<double> densities = rest_densities(scene, set);
     const std::vector<double> fluids = fluid_numbers(scene, set);
-    std::vector<double> viscosities, slips;
+    std::vector<double> viscosities, slips, slides;
     for (const auto& part : set.parts) {
-        slips.push_back(part.kind == PartKind::rigid && scene.part_of_particles(part.name).slip ? 1 : 0);
+        const bool is_wall = part.kind == PartKind::rigid;
+        slips.push_back(is_wall && scene.part_of_particles(part.name).slip ? 1 : 0);
+        slides.push_back(is_wall && scene.part_of_particles(part.name).slides() ? 1 : slips.back());
         viscosities.push_back(part.kind == PartKind::fluid ? scene.part_of_particles(part.name).viscosity.value : 0);
     }
     const double range = scene.contact.range * scene.particles.spacing;
@@ -166,6 +169,7 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
         fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
         fill(Field::wall_slip, 0, [&](std::size_t part, std::size_t) { return slips[part]; });
+        fill(Field::wall_sliding, 0, [&](std::size_t part, std::size_t) { return slides[part]; });
         for (int axis = 0; axis < set.dimension; ++axis) {
             for (const Field normal : {Field::wall_normal, Field::initial_normal})
                 fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });

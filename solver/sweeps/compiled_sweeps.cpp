@@ -74,7 +74,7 @@ class Sweeps final : public PairSweeps {
             if (settings_.walls.model == WallModel::plain) {
                 run(PlainSolid<D>{});
             } else {
-                with_flag(settings_.walls.slip || settings_.walls.moving, [&](auto motion) {
+                with_flag(!settings_.walls.at_rest(), [&](auto motion) {
                     auto solid = extrapolated<decltype(motion)::value>(sums.body_acceleration);
                     solid.subtracted = narrowed(sums.subtracted);
                     run(solid);
@@ -141,7 +141,7 @@ class Sweeps final : public PairSweeps {
     void gradients(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
                    ClusterChoice choice) const override {
         with_flag(settings_.several_fluids, [&](auto several) {
-            with_flag(settings_.walls.slip || settings_.walls.moving, [&](auto motion) {
+            with_flag(!settings_.walls.at_rest(), [&](auto motion) {
                 const auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
                 GradientSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(several)::value>(
                     particles, list, kernel_, solid, shifting_, gradient_rounding_,
@@ -293,7 +293,7 @@ class Sweeps final : public PairSweeps {
             if (settings_.walls.model == WallModel::plain) {
                 run_with(PlainSolid<D>{});
             } else {
-                with_flag(settings_.walls.slip || settings_.walls.moving,
+                with_flag(!settings_.walls.at_rest(),
                           [&](auto motion) { run_with(extrapolated<decltype(motion)::value>({})); });
             }
         });

@@ -46,6 +46,7 @@ class GradientSweep {
           rigid_(particles.of(PartKind::rigid)),
           elastic_(particles.of(PartKind::elastic)),
           density_gradient_(axes_of<D>(particles.fluid(), Field::density_gradient)),
+          velocity_gradient_(axes_of<D * D>(particles.fluid(), Field::velocity_gradient)),
           fluid_number_(Several ? particles.fluid().data(Field::fluid_number) : nullptr) {}
 
     void run(ClusterChoice choice) {
@@ -110,6 +111,7 @@ class GradientSweep {
     [[nodiscard, gnu::flatten]] Sum sums_around(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
         const Vec own_gradient = load_vector<L, D>(density_gradient_, near.cluster);
+        const Rows own_velocity_gradient = velocity_gradient_of(near.cluster);
         const L own_number = Several ? load<L>(fluid_number_, near.cluster) : L(0.0);
         Sum sum = start();
         for (const std::int32_t index : near.of(PartKind::fluid)) {
@@ -134,11 +136,14 @@ class GradientSweep {
         }
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);
-            add_solid(i, solid_.rigid(i, wall, i.position - wall.position), Solid::approached(i, wall).velocity, sum);
+            const Vec separation = i.position - wall.position;
+            add_solid(i, solid_.rigid(i, wall, separation), past_wall(i, own_velocity_gradient, wall, separation), sum);
         }
         for (const std::int32_t index : near.of(PartKind::elastic)) {
             const auto body = elastic_(index);
-            add_solid(i, elastic_image(i, body), body.velocity, sum);
+            const Vec separation = i.position - body.position, past = i.velocity - body.velocity;
+            add_solid(i, elastic_image(i, body), VelocityGradient::past_solid(past, own_velocity_gradient, separation),
+                      sum);
         }
         return total(sum);
     }
@@ -152,19 +157,32 @@ class GradientSweep {
         for (int row = 0; row < D; ++row) ReproducibleSum::add(sum.velocity[row], full * past[row], weighted);
     }
 
-    /// `approached`: the solid's velocity in the density rate, where it counts twice (VelocityGradient).
-    template <class I, class Image, class Velocity>
-    void add_solid(const I& i, const Image& image, const Velocity& approached, Sum& sum) const {
+    /// `past_in_rate`: v_ij of the density rate.
+    template <class I, class Image>
+    void add_solid(const I& i, const Image& image, const Vec& past_in_rate, Sum& sum) const {
         const Vec separation = i.position - image.position, past = i.velocity - image.velocity;
         const L distance = sqrt(dot(separation, separation));
         const Vec weighted = (-1.0 * image.volume * kernel_.slope(distance)) * (full * separation);
         add_moments(weighted, separation, past, sum.all);
         if constexpr (Several) add_moments(weighted, separation, past, sum.of_one_fluid);
-        const Vec beyond = Solid::approach_weight * (i.velocity - approached) - past;
+        const Vec beyond = past_in_rate - past;
         for (int row = 0; row < D; ++row) ReproducibleSum::add(sum.excess[row], full * beyond[row], weighted);
         const L difference = (i.pressure - image.pressure) * (1 / (options_.sound_speed * options_.sound_speed));
         ReproducibleSum::add(sum.density, L(difference), weighted);
         add_shift(distance, weighted, sum.less_shift);
+    }
+
+    /// v_ij of the density rate for a wall.
+    template <class I, class Wall>
+    [[nodiscard]] Vec past_wall(const I& i, const Rows& own_velocity_gradient, const Wall& wall,
+                                const Vec& separation) const {
+        if (options_.free_surface) return 2.0 * (i.velocity - Solid::approached(i, wall).velocity);
+        const Vec past = i.velocity - wall.motion;
+        const Vec plain = VelocityGradient::past_solid(past, own_velocity_gradient, separation);
+        if constexpr (!Solid::needs_motion) return plain;
+        return (1.0 - wall.sliding) * plain +
+               wall.sliding *
+                   VelocityGradient::past_sliding_wall(past, own_velocity_gradient, separation, wall.normal, wall.slip);
     }
 
     /// An elastic particle moves as itself; the pressure continues to it as to a wall.
@@ -173,6 +191,14 @@ class GradientSweep {
         auto image = solid_.springs(i, body, i.position - body.position);
         image.pressure = image.pressure - i.density * dot(solid_.acceleration, i.position - body.position);
         return image;
+    }
+
+    /// Of the step before; 0 with a free surface, where the density rate is that of the pressure force alone.
+    [[nodiscard]] Rows velocity_gradient_of(const Cluster& cluster) const {
+        Rows gradient;
+        for (int k = 0; k < D * D; ++k)
+            gradient[k / D][k % D] = options_.free_surface ? L(0.0) : load<L>(velocity_gradient_[k], cluster);
+        return gradient;
     }
 
     void add_shift(const L& distance, const Vec& weighted, Vec& sum) const {
@@ -236,6 +262,7 @@ class GradientSweep {
     SolidReader<L, D, Solid::needs_state, Solid::needs_surface, Solid::needs_motion> rigid_;
     SolidReader<L, D, Solid::needs_state, false> elastic_;
     std::array<const double*, D> density_gradient_;
+    std::array<const double*, D * D> velocity_gradient_;
     const double* fluid_number_;
 };
 

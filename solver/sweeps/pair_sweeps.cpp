@@ -34,6 +34,9 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         group.declare({Field::wall_normal, Field::wall_distance});
         if (settings.walls.slip) group.declare({Field::wall_slip});
         if (settings.walls.moving && !plain) group.declare({Field::wall_acceleration});
+        if (settings.corrected && (settings.walls.moving || settings.walls.sliding))
+            group.declare({Field::wall_motion});
+        if (settings.corrected && (settings.walls.slip || settings.walls.sliding)) group.declare({Field::wall_sliding});
     }
 }
 

@@ -53,8 +53,11 @@ struct PairSettings {
 
     struct {
         WallModel model = WallModel::extrapolated;
-        bool slip = false;    ///< some walls have slip
-        bool moving = false;  ///< some walls move
+        bool slip = false;     ///< some walls have slip
+        bool moving = false;   ///< some walls move
+        bool sliding = false;  ///< the surface of some walls slides along itself
+
+        [[nodiscard]] bool at_rest() const { return !slip && !moving && !sliding; }
     } walls{};
 
     double repulsion_strength = 0;  ///< K [J]; 0: none

@@ -81,8 +81,8 @@ class FluidReader {
 };
 
 /// Reads particles of walls and elastic bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
-/// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also the wall's slip and
-/// acceleration, if the scene has them.
+/// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also the wall's slip,
+/// acceleration, motion and sliding, if the scene has them.
 template <class L, int D, bool WithState, bool WithSurface, bool WithMotion = false>
 class SolidReader {
   public:
@@ -95,9 +95,13 @@ class SolidReader {
           pressure_(solid.data(Field::pressure)),
           depth_(solid.data(Field::wall_distance)),
           slip_(solid.data(Field::wall_slip)),
+          sliding_(solid.data(Field::wall_sliding)),
           acceleration_(axes_of<D>(solid, Field::wall_acceleration)),
+          motion_(axes_of<D>(solid, Field::wall_motion)),
           slips_(solid.has(Field::wall_slip)),
-          accelerates_(solid.has(Field::wall_acceleration)) {}
+          accelerates_(solid.has(Field::wall_acceleration)),
+          moves_(solid.has(Field::wall_motion)),
+          slides_(solid.has(Field::wall_sliding)) {}
 
     template <class Index>
     [[nodiscard]] auto operator()(const Index& at) const {
@@ -110,7 +114,10 @@ class SolidReader {
                                Vector<T, D>::zero(),
                                T(0.0),
                                T(0.0),
-                               Vector<T, D>::zero()};
+                               Vector<T, D>::zero(),
+                               Vector<T, D>::zero(),
+                               T(0.0)};
+        point.motion = point.velocity;
         if constexpr (WithState) {
             point.density = load<L>(density_, at);
             point.pressure = load<L>(pressure_, at);
@@ -122,15 +129,17 @@ class SolidReader {
         if constexpr (WithMotion) {
             if (slips_) point.slip = load<L>(slip_, at);
             if (accelerates_) point.acceleration = load_vector<L, D>(acceleration_, at);
+            if (moves_) point.motion = load_vector<L, D>(motion_, at);
+            if (slides_) point.sliding = load<L>(sliding_, at);
         }
         return point;
     }
 
   private:
     std::array<const double*, D> position_, velocity_, normal_;
-    const double *volume_, *density_, *pressure_, *depth_, *slip_;
-    std::array<const double*, D> acceleration_;
-    bool slips_, accelerates_;
+    const double *volume_, *density_, *pressure_, *depth_, *slip_, *sliding_;
+    std::array<const double*, D> acceleration_, motion_;
+    bool slips_, accelerates_, moves_, slides_;
 };
 
 }  // namespace dmp::solver

@@ -114,9 +114,8 @@ FluidExtremes FluidStep::advance_plain(double t, double dt) {
 
 /// Gradients and density rates at the end of the step with the new velocities, and the diffusion of species.
 void FluidStep::sum_gradients(double t, double dt) {
-    walls_.show_velocities(particles_);
-    FieldList fields{Field::position, Field::velocity, Field::density_gradient};
-    if (walls_.moves()) fields.push_back(Field::wall_normal);
+    FieldList fields = walls_.show_velocities(particles_);
+    fields.insert(fields.end(), {Field::position, Field::velocity, Field::density_gradient});
     if (species_ && dt > 0) {
         timer_.timed("species", [&] { species_->show(particles_, t); });
         fields.push_back(Field::concentration);
@@ -188,8 +187,8 @@ void FluidStep::add_outside_forces(double t, double dt) {
 
 /// Density rates with the new velocities, and the diffusion of species: in the same sweep where that is possible.
 void FluidStep::sum_density_rates(double t, double dt) {
-    walls_.show_velocities(particles_);
-    FieldList fields{Field::velocity};
+    FieldList fields = walls_.show_velocities(particles_);
+    fields.push_back(Field::velocity);
     std::optional<SpeciesSums> fused;
     if (species_) {
         timer_.timed("species", [&] { species_->show(particles_, t); });

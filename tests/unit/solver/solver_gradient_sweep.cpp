@@ -9,6 +9,7 @@
 #include "arranged_crowd.hpp"
 #include "models/sph/kernels.hpp"
 #include "models/sph/shifting.hpp"
+#include "models/sph/velocity_gradient.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests::solver_gradient_sweep_tests {
@@ -22,6 +23,9 @@ PairSettings corrected_settings(const ParticleSet& set, bool several) {
     settings.several_fluids = several;
     return settings;
 }
+
+/// The velocity gradient of the step before, as the sums below find it.
+double gradient_before(std::size_t id, int k) { return 0.3 * k - 0.2 * static_cast<double>(id % 7); }
 
 /// What the sweep leaves of a fluid particle.
 struct Found {
@@ -104,8 +108,21 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
             sum.diffusion += same * weight * (difference - 0.5 * slopes.dot(p.separation));
         } else {
             difference = of(Field::density, p.i) * g.dot(p.separation) / (c0 * c0);
-            past_in_rate *= 2;                       // as in the pressure force, where p_j = p_i
-            if (set.kind(p.j) == PartKind::rigid) {  // the velocity on the line through the fluid's and the wall's
+            Matrix before = Matrix::Zero();
+            for (int k = 0; k < set.dimension * set.dimension; ++k)
+                before(k / set.dimension, k % set.dimension) = gradient_before(p.i, k);
+            const bool is_wall = set.kind(p.j) == PartKind::rigid, slides = settings.walls.sliding && is_wall;
+            if (slides) past_in_rate = by_id.vector(Field::velocity, p.i) - by_id.vector(Field::wall_motion, p.j);
+            past_in_rate *= 2;  // as in the pressure force, where p_j = p_i
+            if (slides && of(Field::wall_sliding, p.j) == 1) {
+                const Vec normal = by_id.vector(Field::wall_normal, p.j);
+                const Matrix across = normal * normal.transpose(), along = Matrix::Identity() - across;
+                past_in_rate =
+                    across * (past_in_rate - before * along * p.separation) + along * before * across * p.separation;
+            } else {
+                past_in_rate -= 0.5 * (before - before.transpose()) * p.separation;
+            }
+            if (is_wall) {  // the velocity on the line through the fluid's and the wall's
                 const double depth = of(Field::wall_distance, p.j);
                 const double distance =
                     std::max(by_id.vector(Field::wall_normal, p.j).dot(p.separation) - depth, 0.5 * settings.spacing);
@@ -145,15 +162,21 @@ class GradientSweepIn : public testing::TestWithParam<std::tuple<int, bool>> {
     const int dimension = std::get<0>(GetParam());
     const bool several = std::get<1>(GetParam());
     const ParticleSet set = crowd(dimension, {true, false, dimension == 3}, 3);
-    const PairSettings settings = corrected_settings(set, several);
+    PairSettings settings = corrected_settings(set, several);
+
+    void expect_the_sums_of_all_pairs() const;
 };
 
-TEST_P(GradientSweepIn, sums_are_those_of_all_pairs) {
+void GradientSweepIn::expect_the_sums_of_all_pairs() const {
     for (const VectorUnit unit : available_vector_units()) {
         SCOPED_TRACE(to_string(unit));
         Gradients gradients(set, settings, {.vector_unit = unit});
         gradients.fill(Field::density_gradient,
                        [](std::size_t id, int axis) { return 3.0 * axis - static_cast<double>(id % 5); });
+        gradients.fill(Field::velocity_gradient, gradient_before);
+        gradients.fill(Field::wall_sliding, [](std::size_t id, int) { return static_cast<double>(id % 2); });
+        gradients.fill(Field::wall_motion,
+                       [](std::size_t id, int axis) { return 0.1 * axis + 0.01 * static_cast<double>(id % 3); });
         const std::vector<Found> found = gradients.sweep(), expected = of_all_pairs(gradients, set, settings);
         for (std::size_t id = 0; id < found.size(); ++id) {
             SCOPED_TRACE(id);
@@ -169,9 +192,17 @@ TEST_P(GradientSweepIn, sums_are_those_of_all_pairs) {
     }
 }
 
+TEST_P(GradientSweepIn, sums_are_those_of_all_pairs) { expect_the_sums_of_all_pairs(); }
+
+TEST_P(GradientSweepIn, sums_are_those_of_all_pairs_where_walls_slide) {
+    settings.walls.sliding = true;
+    expect_the_sums_of_all_pairs();
+}
+
 TEST_P(GradientSweepIn, has_the_same_bits_in_any_arrangement) {
     const auto bits = [&](const Arrangement& arrangement) {
         Gradients gradients(set, settings, arrangement);
+        gradients.fill(Field::velocity_gradient, gradient_before);
         std::vector<double> all;
         for (const Found& of : gradients.sweep()) {
             all.insert(all.end(), of.velocity_gradient.data(), of.velocity_gradient.data() + 9);
@@ -191,6 +222,50 @@ INSTANTIATE_TEST_SUITE_P(Variants, GradientSweepIn, testing::Combine(testing::Va
                              return std::to_string(std::get<0>(variant.param)) + "d_" +
                                     (std::get<1>(variant.param) ? "several_fluids" : "one_fluid");
                          });
+
+// The velocity differences that count in the density rate at solids (models/sph/velocity_gradient.hpp).
+
+using Plane = simd::Vector<double, 2>;
+using Gradient = simd::Vector<Plane, 2>;
+
+Plane plane(double x, double y) {
+    Plane v;
+    v[0] = x;
+    v[1] = y;
+    return v;
+}
+Gradient rows(const Plane& x, const Plane& y) {
+    Gradient g;
+    g[0] = x;
+    g[1] = y;
+    return g;
+}
+void expect_near(const Plane& found, double x, double y) {
+    EXPECT_NEAR(found[0], x, 1e-15);
+    EXPECT_NEAR(found[1], y, 1e-15);
+}
+
+TEST(VelocityPastSolids, of_a_rigid_rotation_is_that_of_the_rotation) {
+    const Plane x = plane(0.3, -0.2), past = plane(-2 * x[1], 2 * x[0]), normal = plane(0.6, 0.8);
+    const Gradient g = rows(plane(0, -2), plane(2, 0));
+    expect_near(models::VelocityGradient::past_solid(past, g, x), past[0], past[1]);
+    expect_near(models::VelocityGradient::past_sliding_wall(past, g, x, normal, 0.0), past[0], past[1]);
+}
+
+TEST(VelocityPastSolids, of_a_shear_along_a_sliding_wall_is_that_of_the_shear) {
+    const Plane x = plane(0.3, 0.2), normal = plane(0, 1);
+    const Gradient g = rows(plane(0, 5), plane(0, 0));
+    const Plane past = plane(7, 0);  // the wall's particles rest
+    expect_near(models::VelocityGradient::past_sliding_wall(past, g, x, normal, 0.0), 5 * x[1], 0);
+    expect_near(models::VelocityGradient::past_sliding_wall(past, g, x, normal, 1.0), 0, 0);
+}
+
+TEST(VelocityPastSolids, counts_an_approach_twice) {
+    const Plane x = plane(0.3, 0.2), normal = plane(0, 1), past = plane(0, -1);
+    const Gradient g = rows(plane(0, 0), plane(0, -4));
+    expect_near(models::VelocityGradient::past_solid(past, g, x), 0, -2);
+    expect_near(models::VelocityGradient::past_sliding_wall(past, g, x, normal, 0.0), 0, -2);
+}
 
 /// Fluid alone, shaken by a third of a spacing; inside, all gradients of linear fields must be exact.
 class LinearFields : public testing::TestWithParam<int> {

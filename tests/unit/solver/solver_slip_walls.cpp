@@ -120,6 +120,7 @@ struct Meeting {
         for (int a = 0; a < D; ++a) {
             fluid.velocity[a] = 1 + a;
             wall.velocity[a] = 0.25 * (a + 1);
+            wall.motion[a] = 0.25 * (a + 1);
         }
     }
 };
