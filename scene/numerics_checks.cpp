@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/numerics_checks.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "base/errors.hpp"
@@ -29,6 +30,20 @@ void need_what_implicit_viscosity_solves(const Scene& scene) {
             "write spring_stepping = \"implicit\"");
 }
 
+/// Beyond a ratio of 10 the lighter fluid is thrown about by the smallest compressions of the heavier one.
+void need_fluids_of_like_density(const Scene& scene) {
+    constexpr double largest_ratio = 10;
+    const auto fluids = scene.parts_of(PartKind::fluid);
+    if (fluids.empty()) return;
+    const auto [light, heavy] = std::ranges::minmax(fluids, {}, [](const Part* fluid) { return *fluid->density; });
+    if (*heavy->density <= largest_ratio * *light->density) return;
+    throw InputError(
+        light->density.location,
+        "'" + *heavy->name + "' is more than 10 times as dense as '" + *light->name +
+            "': numerics.scheme = \"corrected\" is unstable there",
+        "leave out the lighter fluid, so that the other one has a free surface, or give it a higher density");
+}
+
 /// What only one of the fluid's schemes can do.
 void need_what_the_scheme_supports(const Scene& scene) {
     const auto& numerics = scene.numerics;
@@ -44,6 +59,7 @@ void need_what_the_scheme_supports(const Scene& scene) {
     const bool needs_gradient = numerics.viscous_law->visit([]<class Law>() { return models::needs_gradient<Law>(); });
     switch (*numerics.scheme) {
         case FluidScheme::corrected:
+            need_fluids_of_like_density(scene);
             if (*numerics.density == DensityModel::summation)
                 refuse(numerics.density.location, "density = \"summation\"");
             if (*numerics.transport_velocity) refuse(numerics.transport_velocity.location, "transport_velocity = true");

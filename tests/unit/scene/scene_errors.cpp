@@ -321,6 +321,11 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:33:9: numerics.walls = \"plain\" integrates the density of wall particles, which "
               "numerics.gradient_correction = true does not support\n"
               "  leave walls out, or gradient_correction"},
+        Fault{"corrected_scheme_of_a_liquid_and_a_gas", "[run]",
+              "[[part]]\nname = \"air\"\nkind = \"fluid\"\ndensity = \"1 kg/m^3\"\nviscosity = \"0.02 mPa*s\"\n[run]",
+              "scene.toml:33:11: 'blood' is more than 10 times as dense as 'air': numerics.scheme = \"corrected\" is "
+              "unstable there\n"
+              "  leave out the lighter fluid, so that the other one has a free surface, or give it a higher density"},
         Fault{"corrected_scheme_of_a_summed_density", "[run]",
               "[numerics]\nscheme = \"corrected\"\ndensity = \"summation\"\n[run]",
               "scene.toml:32:11: numerics.scheme = \"corrected\" does not support numerics.density = \"summation\"\n"
