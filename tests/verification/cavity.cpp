@@ -18,5 +18,12 @@ TEST(Cavity, AtReynolds100) {
                    {"particles.spacing=10 mm", "output.every=0.25 s", "output.fields=[\"velocity\"]"}, 25, 0.01);
 }
 
+TEST(Cavity, AtReynolds400) {
+    compare_cavity(400, "Re 400, 100 x 100",
+                   {"particles.spacing=10 mm", "part.liquid.viscosity=2.5 mPa*s", "output.every=0.5 s",
+                    "output.fields=[\"velocity\"]"},
+                   40, 0.02);
+}
+
 }  // namespace
 }  // namespace dmp::tests::cavity_tests
