@@ -52,7 +52,7 @@ TEST(ReadScene, vein_valve_whole) {
     EXPECT_FALSE(scene.flow.periodic[1]);
     EXPECT_FALSE(scene.flow.periodic[2]);
     EXPECT_EQ(*scene.flow.largest_speed, 0.1);
-    EXPECT_EQ(*scene.numerics.sound_speed, 2.5);
+    EXPECT_EQ(*scene.numerics.sound_speed, 3);
     EXPECT_EQ(*scene.run.duration, 4);
     EXPECT_EQ(*scene.output.every, 0.04);
     EXPECT_EQ(*scene.output.measure_every, 0.01);
