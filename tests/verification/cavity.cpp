@@ -15,7 +15,7 @@ TEST(Cavity, StationsAreThoseOfTheTable) {
 
 TEST(Cavity, AtReynolds100) {
     compare_cavity(100, "Re 100, 100 x 100",
-                   {"particles.spacing=10 mm", "output.every=0.25 s", "output.fields=[\"velocity\"]"}, 25, 0.01);
+                   {"particles.spacing=10 mm", "output.every=0.25 s", "output.fields=[\"velocity\"]"}, 25, 0.007);
 }
 
 TEST(Cavity, AtReynolds400) {

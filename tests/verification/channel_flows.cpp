@@ -116,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(StartUp, ChannelFlow,
                                          Setting{"20 across, Re 100", "poiseuille", "0.05 mm", fast, 0.003},
                                          Setting{"40 across, Re 100", "poiseuille", "0.025 mm", fast, 0.0015},
                                          Setting{"20 across, Re 0.0125", "couette", "0.05 mm", slow, 0.0015},
-                                         Setting{"20 across, Re 100", "couette", "0.05 mm", fast, 0.01},
-                                         Setting{"40 across, Re 100", "couette", "0.025 mm", fast, 0.01}));
+                                         Setting{"20 across, Re 100", "couette", "0.05 mm", fast, 0.005},
+                                         Setting{"40 across, Re 100", "couette", "0.025 mm", fast, 0.0015}));
 
 }  // namespace
 }  // namespace dmp::tests::channel_flows_tests
