@@ -1,5 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // A pressure gradient that oscillates between two plates, from rest (Womersley 1955, plane).
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
