@@ -15,6 +15,7 @@ struct FluidPoint {
     /// Of the corrected scheme (velocity_gradient.hpp); other schemes leave it as here.
     T correction = T(1.0);                                               ///< b = tr B / D [-]
     Vector<Vector<T, D>, D> gradient = Vector<Vector<T, D>, D>::zero();  ///< G, [a][b] = dv_a/dx_b [1/s]
+    Vector<T, D> velocity_by_gradient = Vector<T, D>::zero();  ///< images of solids: what G adds to velocity [m/s]
 };
 
 /// A particle of a wall or an elastic body. Density and pressure are its own (only plain walls use them).
@@ -28,6 +29,8 @@ struct SolidPoint {
     Vector<T, D> acceleration = Vector<T, D>::zero();  ///< of moving rigid walls; otherwise 0 [m/s^2]
     Vector<T, D> motion = Vector<T, D>::zero();        ///< rigid walls: of the particle itself; otherwise 0 [m/s]
     T sliding = T(0.0);  ///< rigid walls: 1 where the surface slides or the fluid slips; otherwise 0
+    /// Rigid walls: of the surface's velocity, [a][b] = dv_a/dx_b [1/s].
+    Vector<Vector<T, D>, D> surface_gradient = Vector<Vector<T, D>, D>::zero();
 };
 
 /// Two interacting particles; a law returns its effect on i. Every pair law is proportional to `slope`. The sweeps

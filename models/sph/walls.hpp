@@ -33,7 +33,9 @@ auto image_fluid_of(const S& solid, const F& fluid) {
 /// Walls with velocity and pressure extrapolated into them, pair by pair; no-slip by default.
 ///
 /// Rigid walls: the velocity is extrapolated linearly from the fluid particle's through the wall's at its surface
-/// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), where d are the distances to the surface; the
+/// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), where d are the distances to the surface. Nearer than
+/// half a spacing this would be too stiff; there d_i is half a spacing, and v_i the velocity at that distance by the
+/// fluid particle's velocity gradient, v_i + G_i n (dx / 2 - d_i); G = 0 in schemes without it. The
 /// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j - x_i).
 ///
 /// Elastic bodies are thin and have fluid on both sides: they use their own velocity, and the pressure of the fluid
@@ -43,7 +45,9 @@ auto image_fluid_of(const S& solid, const F& fluid) {
 /// continues with rho_i (g - a_j) . (x_j - x_i) (Adami, Hu & Adams 2012). Where the fluid slips, only the normal part
 /// of v_i - v_w is extrapolated, and the tangential part is the fluid's own: no shear stress, v_j = v_i - (1 + d_j /
 /// d_i) n n . (v_i - v_w). There, g excludes its component along both the wall and a periodic axis: no pressure can
-/// balance it, it drives the fluid.
+/// balance it, it drives the fluid. v_w is that of the surface in front of the wall particle; in front of the fluid
+/// particle, a way s along the surface from there, it is v_w + S s with the gradient S of the surface's velocity, where
+/// the scheme gives one (a wall that turns: S s is the spin times s).
 template <int D, bool WithMotion = false>
 struct ExtrapolatedSolid {
     static constexpr bool needs_surface = true, needs_state = false, needs_motion = WithMotion;
@@ -61,21 +65,32 @@ struct ExtrapolatedSolid {
     [[nodiscard]] auto rigid(const F& fluid, const S& wall, const Separation& from_wall) const {
         auto liquid = image_fluid_of<D>(wall, fluid);
         using T = decltype(liquid.density);
-        const T distance = max_of(T(dot(from_wall, wall.normal) - wall.depth), T(nearest));
+        const T above = dot(from_wall, wall.normal);
+        const T actual = max_of(T(above - wall.depth), T(0.0));
+        const T distance = max_of(actual, T(nearest));
         const T ratio = wall.depth / distance;
-        for (int a = 0; a < D; ++a)
-            liquid.velocity[a] = liquid.velocity[a] - ratio * (fluid.velocity[a] - wall.velocity[a]);
+        // How the fluid moves past the surface in front of it, and what more it does at `distance`.
+        Vector<T, D> past_surface, farther;
+        for (int a = 0; a < D; ++a) {
+            past_surface[a] = fluid.velocity[a] - wall.velocity[a];
+            farther[a] = (distance - actual) * dot(fluid.gradient[a], wall.normal);
+        }
         if constexpr (WithMotion) {
             const auto past_wall = fluid.velocity - wall.velocity;
-            const T slip = wall.slip * (T(1.0) + ratio);
-            const T towards_fluid = dot(past_wall, wall.normal);
-            for (int a = 0; a < D; ++a)
-                liquid.velocity[a] = liquid.velocity[a] + slip * (past_wall[a] - towards_fluid * wall.normal[a]);
+            const auto beside = from_wall - above * wall.normal;
+            for (int a = 0; a < D; ++a) past_surface[a] = past_surface[a] - dot(wall.surface_gradient[a], beside);
+            const auto along = [&wall](const auto& v) { return v - dot(v, wall.normal) * wall.normal; };
+            liquid.velocity += wall.slip * (along(past_wall) + ratio * along(past_surface));
+            farther -= wall.slip * along(farther);
             const T unheld = dot(driven, from_wall) - dot(driven, wall.normal) * dot(from_wall, wall.normal);
             liquid.pressure = liquid.pressure - fluid.density * (dot(acceleration, from_wall) - wall.slip * unheld -
                                                                  dot(wall.acceleration, from_wall));
         } else {
             liquid.pressure = liquid.pressure - fluid.density * dot(acceleration, from_wall);
+        }
+        for (int a = 0; a < D; ++a) {
+            liquid.velocity[a] = liquid.velocity[a] - ratio * past_surface[a];
+            liquid.velocity_by_gradient[a] = -1.0 * (ratio * farther[a]);
         }
         liquid.pressure = liquid.pressure + dot(subtracted, from_wall);
         return liquid;

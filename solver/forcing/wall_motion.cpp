@@ -32,8 +32,19 @@ double integral(const Expression& rate, double t, double dt) {
     return dt / 18 * (5 * rate(middle - offset) + 8 * rate(middle) + 5 * rate(middle + offset));
 }
 
-void clear(ParticleGroup& walls, Field vector) {
-    for (int axis = 0; axis < walls.dimension(); ++axis) std::fill_n(walls.data(vector, axis), walls.owned(), 0.0);
+void clear(ParticleGroup& walls, Field field) {
+    for (int k = 0; k < arrays_of(field, walls.dimension()); ++k) std::fill_n(walls.data(field, k), walls.owned(), 0.0);
+}
+
+/// Derivative of `velocity` along `axis`: of the differences to both sides over `step`, the smaller one; 0 where they
+/// differ in sign, as at the end of a lid.
+double derivative(const Expression& velocity, double t, const Vec& x, int axis, double step) {
+    const Vec before = x - step * Vec::Unit(axis), after = x + step * Vec::Unit(axis);
+    const double here = velocity(t, x[0], x[1], x[2]);
+    const double back = (here - velocity(t, before[0], before[1], before[2])) / step;
+    const double forth = (velocity(t, after[0], after[1], after[2]) - here) / step;
+    if (back * forth <= 0) return 0;
+    return std::abs(back) < std::abs(forth) ? back : forth;
 }
 
 template <class Visit>
@@ -44,7 +55,7 @@ void for_each_of(const ParticleGroup& walls, std::uint16_t part, const Visit& vi
 
 }  // namespace
 
-WallMotion::WallMotion(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
+WallMotion::WallMotion(const Scene& scene, const ParticleSet& set, ParticleStore& particles) : spacing_(set.spacing) {
     for (const Part* part : scene.parts_of(PartKind::rigid))
         for (std::size_t p = 0; p < set.parts.size(); ++p) {
             if (set.parts[p].name != *part->name) continue;
@@ -130,14 +141,38 @@ void WallMotion::add_motion(Of what, const Moving& part, ParticleGroup& walls, c
 /// Of the nearest point of the surface, at time t.
 void WallMotion::show_surface_velocities(ParticleGroup& walls, WallPose Moving::*pose, double t) const {
     clear(walls, Field::velocity);
-    for (const Moving& part : moving_) add_motion(Of::surface, part, walls, part.*pose, t, Field::velocity, 1);
+    if (walls.has(Field::surface_gradient)) clear(walls, Field::surface_gradient);
+    for (const Moving& part : moving_) {
+        add_motion(Of::surface, part, walls, part.*pose, t, Field::velocity, 1);
+        if (part.turns && walls.has(Field::surface_gradient)) add_spin(part, walls, part.spin(t));
+    }
     for (const Sliding& part : sliding_)
         for_each_of(walls, part.part, [&](std::size_t i) {
             const Vec x =
                 at(walls, Field::position, i) + walls.data(Field::wall_distance)[i] * at(walls, Field::wall_normal, i);
             for (int axis = 0; axis < walls.dimension(); ++axis)
                 walls.data(Field::velocity, axis)[i] += part.velocity[axis](t, x[0], x[1], x[2]);
+            if (walls.has(Field::surface_gradient)) add_gradient(part, walls, i, x, t);
         });
+}
+
+/// The gradient of a rotation about z.
+void WallMotion::add_spin(const Moving& part, ParticleGroup& walls, double spin) {
+    const int dimension = walls.dimension();
+    for_each_of(walls, part.part, [&](std::size_t i) {
+        walls.data(Field::surface_gradient, 1)[i] -= spin;          // dv_x/dy
+        walls.data(Field::surface_gradient, dimension)[i] += spin;  // dv_y/dx
+    });
+}
+
+void WallMotion::add_gradient(const Sliding& part, ParticleGroup& walls, std::size_t i, const Vec& x, double t) const {
+    const int dimension = walls.dimension();
+    for (int row = 0; row < dimension; ++row) {
+        if (!part.velocity[row].depends_on_position()) continue;
+        for (int axis = 0; axis < dimension; ++axis)
+            walls.data(Field::surface_gradient, row * dimension + axis)[i] +=
+                derivative(part.velocity[row], t, x, axis, spacing_);
+    }
 }
 
 FieldList WallMotion::show_surfaces(ParticleStore& particles) const {
@@ -153,6 +188,7 @@ FieldList WallMotion::show_surfaces(ParticleStore& particles) const {
         }
     }
     FieldList changed{Field::velocity};
+    if (walls.has(Field::surface_gradient)) changed.push_back(Field::surface_gradient);
     if (continues_pressure) changed.push_back(Field::wall_acceleration);
     if (moves()) changed.push_back(Field::wall_normal);
     return changed;
@@ -167,7 +203,7 @@ FieldList WallMotion::show_velocities(ParticleStore& particles) const {
     clear(walls, of_particles);
     for (const Moving& part : moving_) add_motion(Of::particles, part, walls, part.end, t_ + dt_, of_particles, 1);
     FieldList changed;
-    if (both) changed.push_back(Field::wall_motion);
+    if (both) changed.insert(changed.end(), {Field::wall_motion, Field::surface_gradient});
     if (both && moves()) changed.push_back(Field::wall_normal);
     return changed;
 }

@@ -26,9 +26,10 @@ struct WallPose {
 ///
 /// `velocity` of the walls' particles is that of the nearest point of the surface, for viscosity and the velocity
 /// gradient. In the density rate it is how the particles move (`wall_motion`; with the plain scheme `velocity` is that
-/// then), so that the end of a lid is no source of liquid. The
-/// surface's mean acceleration over a step goes into the pressure behind it. Momentum that the fluid is given is the
-/// reaction of the walls' forces, as it is at walls at rest.
+/// then), so that the end of a lid is no source of liquid. `surface_gradient` is the gradient of the surface's
+/// velocity, by which it differs in front of fluid beside a particle. The surface's mean acceleration over a step goes
+/// into the pressure behind it. Momentum that the fluid is given is the reaction of the walls' forces, as it is at
+/// walls at rest.
 ///
 /// Scenes in 3-D turn about an axis along z.
 class WallMotion {
@@ -83,9 +84,12 @@ class WallMotion {
     enum class Of { particles, surface };
     void add_motion(Of what, const Moving& part, ParticleGroup& walls, const WallPose& pose, double t, Field to,
                     double factor) const;
+    static void add_spin(const Moving& part, ParticleGroup& walls, double spin);
+    void add_gradient(const Sliding& part, ParticleGroup& walls, std::size_t i, const Vec& x, double t) const;
 
     std::vector<Moving> moving_;
     std::vector<Sliding> sliding_;
+    double spacing_;
     double t_ = 0, dt_ = 0;  ///< of the step
 };
 

@@ -109,9 +109,9 @@ class GradientSweep {
 
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Sum sums_around(const Neighbourhood& near) const {
-        const auto i = fluid_(near.cluster);
+        auto i = fluid_(near.cluster);
+        i.gradient = velocity_gradient_of(near.cluster);
         const Vec own_gradient = load_vector<L, D>(density_gradient_, near.cluster);
-        const Rows own_velocity_gradient = velocity_gradient_of(near.cluster);
         const L own_number = Several ? load<L>(fluid_number_, near.cluster) : L(0.0);
         Sum sum = start();
         for (const std::int32_t index : near.of(PartKind::fluid)) {
@@ -137,13 +137,12 @@ class GradientSweep {
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);
             const Vec separation = i.position - wall.position;
-            add_solid(i, solid_.rigid(i, wall, separation), past_wall(i, own_velocity_gradient, wall, separation), sum);
+            add_solid(i, solid_.rigid(i, wall, separation), past_wall(i, wall, separation), sum);
         }
         for (const std::int32_t index : near.of(PartKind::elastic)) {
             const auto body = elastic_(index);
             const Vec separation = i.position - body.position, past = i.velocity - body.velocity;
-            add_solid(i, elastic_image(i, body), VelocityGradient::past_solid(past, own_velocity_gradient, separation),
-                      sum);
+            add_solid(i, elastic_image(i, body), VelocityGradient::past_solid(past, i.gradient, separation), sum);
         }
         return total(sum);
     }
@@ -160,7 +159,8 @@ class GradientSweep {
     /// `past_in_rate`: v_ij of the density rate.
     template <class I, class Image>
     void add_solid(const I& i, const Image& image, const Vec& past_in_rate, Sum& sum) const {
-        const Vec separation = i.position - image.position, past = i.velocity - image.velocity;
+        const Vec separation = i.position - image.position;
+        const Vec past = i.velocity - (image.velocity + image.velocity_by_gradient);
         const L distance = sqrt(dot(separation, separation));
         const Vec weighted = (-1.0 * image.volume * kernel_.slope(distance)) * (full * separation);
         add_moments(weighted, separation, past, sum.all);
@@ -174,15 +174,13 @@ class GradientSweep {
 
     /// v_ij of the density rate for a wall.
     template <class I, class Wall>
-    [[nodiscard]] Vec past_wall(const I& i, const Rows& own_velocity_gradient, const Wall& wall,
-                                const Vec& separation) const {
+    [[nodiscard]] Vec past_wall(const I& i, const Wall& wall, const Vec& separation) const {
         if (options_.free_surface) return 2.0 * (i.velocity - Solid::approached(i, wall).velocity);
         const Vec past = i.velocity - wall.motion;
-        const Vec plain = VelocityGradient::past_solid(past, own_velocity_gradient, separation);
-        if constexpr (!Solid::needs_motion) return plain;
-        return (1.0 - wall.sliding) * plain +
-               wall.sliding *
-                   VelocityGradient::past_sliding_wall(past, own_velocity_gradient, separation, wall.normal, wall.slip);
+        const Vec at_rest = VelocityGradient::past_solid(past, i.gradient, separation);
+        if constexpr (!Solid::needs_motion) return at_rest;
+        return (1.0 - wall.sliding) * at_rest +
+               wall.sliding * VelocityGradient::past_sliding_wall(past, i.gradient, separation, wall.normal, wall.slip);
     }
 
     /// An elastic particle moves as itself; the pressure continues to it as to a wall.

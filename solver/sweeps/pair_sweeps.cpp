@@ -35,7 +35,7 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (settings.walls.slip) group.declare({Field::wall_slip});
         if (settings.walls.moving && !plain) group.declare({Field::wall_acceleration});
         if (settings.corrected && (settings.walls.moving || settings.walls.sliding))
-            group.declare({Field::wall_motion});
+            group.declare({Field::wall_motion, Field::surface_gradient});
         if (settings.corrected && (settings.walls.slip || settings.walls.sliding)) group.declare({Field::wall_sliding});
     }
 }

@@ -82,7 +82,7 @@ class FluidReader {
 
 /// Reads particles of walls and elastic bodies. `WithState`: also density and pressure (plain walls). `WithSurface`:
 /// also the wall's normal and depth (rigid particles of extrapolated walls). `WithMotion`: also the wall's slip,
-/// acceleration, motion and sliding, if the scene has them.
+/// acceleration, motion, sliding and gradient of the surface's velocity, if the scene has them.
 template <class L, int D, bool WithState, bool WithSurface, bool WithMotion = false>
 class SolidReader {
   public:
@@ -98,6 +98,7 @@ class SolidReader {
           sliding_(solid.data(Field::wall_sliding)),
           acceleration_(axes_of<D>(solid, Field::wall_acceleration)),
           motion_(axes_of<D>(solid, Field::wall_motion)),
+          surface_gradient_(axes_of<D * D>(solid, Field::surface_gradient)),
           slips_(solid.has(Field::wall_slip)),
           accelerates_(solid.has(Field::wall_acceleration)),
           moves_(solid.has(Field::wall_motion)),
@@ -129,7 +130,11 @@ class SolidReader {
         if constexpr (WithMotion) {
             if (slips_) point.slip = load<L>(slip_, at);
             if (accelerates_) point.acceleration = load_vector<L, D>(acceleration_, at);
-            if (moves_) point.motion = load_vector<L, D>(motion_, at);
+            if (moves_) {
+                point.motion = load_vector<L, D>(motion_, at);
+                for (int k = 0; k < D * D; ++k)
+                    point.surface_gradient[k / D][k % D] = load<L>(surface_gradient_[k], at);
+            }
             if (slides_) point.sliding = load<L>(sliding_, at);
         }
         return point;
@@ -139,6 +144,7 @@ class SolidReader {
     std::array<const double*, D> position_, velocity_, normal_;
     const double *volume_, *density_, *pressure_, *depth_, *slip_, *sliding_;
     std::array<const double*, D> acceleration_, motion_;
+    std::array<const double*, D * D> surface_gradient_;
     bool slips_, accelerates_, moves_, slides_;
 };
 

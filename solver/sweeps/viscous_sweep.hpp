@@ -82,6 +82,7 @@ class ViscousSweep {
         return [this](const auto& at) {
             auto point = rigid_(at);
             point.velocity = wall_motion_ * point.velocity;
+            for (int a = 0; a < D; ++a) point.surface_gradient[a] = wall_motion_ * point.surface_gradient[a];
             return point;
         };
     }
@@ -139,7 +140,11 @@ class ViscousSweep {
 
     template <class P>
     static P at_rest(P point) {
-        for (int axis = 0; axis < D; ++axis) point.velocity[axis] = 0.0;
+        for (int axis = 0; axis < D; ++axis) {
+            point.velocity[axis] = 0.0;
+            if constexpr (requires { point.surface_gradient; })
+                point.surface_gradient[axis] = std::decay_t<decltype(point.velocity)>::zero();
+        }
         return point;
     }
     template <class P>

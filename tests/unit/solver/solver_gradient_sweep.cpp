@@ -93,6 +93,12 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
     const Vec g(ArrangedCrowd::body_acceleration[0], ArrangedCrowd::body_acceleration[1],
                 set.dimension == 3 ? ArrangedCrowd::body_acceleration[2] : 0);
     const double c0 = settings.sound_speed;
+    const auto surface_gradient = [&](std::size_t id) {
+        Matrix gradient = Matrix::Zero();
+        for (int k = 0; k < set.dimension * set.dimension; ++k)
+            gradient(k / set.dimension, k % set.dimension) = by_id.value(Field::surface_gradient, id, k);
+        return gradient;
+    };
     for_all_pairs(gradients.particles(), settings.support, [&](const Meeting& p) {
         if (!gradients.is_fluid(p.i)) return;
         const auto of = [&](Field field, std::size_t id) { return by_id.value(field, id); };
@@ -122,11 +128,13 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
             } else {
                 past_in_rate -= 0.5 * (before - before.transpose()) * p.separation;
             }
-            if (is_wall) {  // the velocity on the line through the fluid's and the wall's
-                const double depth = of(Field::wall_distance, p.j);
-                const double distance =
-                    std::max(by_id.vector(Field::wall_normal, p.j).dot(p.separation) - depth, 0.5 * settings.spacing);
-                past *= 1 + depth / distance;
+            if (is_wall) {  // the velocity on the line through the fluid's, half a spacing off or more, and the wall's
+                const Vec normal = by_id.vector(Field::wall_normal, p.j);
+                const double depth = of(Field::wall_distance, p.j), above = normal.dot(p.separation);
+                const double actual = std::max(above - depth, 0.0), distance = std::max(actual, 0.5 * settings.spacing);
+                Vec past_surface = past + (distance - actual) * before * normal;
+                if (slides) past_surface -= surface_gradient(p.j) * (p.separation - above * normal);
+                past += depth / distance * past_surface;
             }
         }
         sum.m -= weight * p.separation * p.separation.transpose();
@@ -175,6 +183,8 @@ void GradientSweepIn::expect_the_sums_of_all_pairs() const {
                        [](std::size_t id, int axis) { return 3.0 * axis - static_cast<double>(id % 5); });
         gradients.fill(Field::velocity_gradient, gradient_before);
         gradients.fill(Field::wall_sliding, [](std::size_t id, int) { return static_cast<double>(id % 2); });
+        gradients.fill(Field::surface_gradient,
+                       [](std::size_t id, int k) { return 0.2 * k - 0.1 * static_cast<double>(id % 4); });
         gradients.fill(Field::wall_motion,
                        [](std::size_t id, int axis) { return 0.1 * axis + 0.01 * static_cast<double>(id % 3); });
         const std::vector<Found> found = gradients.sweep(), expected = of_all_pairs(gradients, set, settings);

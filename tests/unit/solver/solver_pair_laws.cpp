@@ -333,6 +333,44 @@ TEST(ExtrapolatedSolid, continues_a_linear_shear_exactly) {
     EXPECT_EQ(ghost.viscosity, fluid.viscosity);
 }
 
+TEST(ExtrapolatedSolid, continues_a_linear_shear_exactly_from_close_to_the_wall_by_its_gradient) {
+    const ExtrapolatedSolid<2> law{{{0, 0}}, 0.05};
+    Point fluid = particle_i;
+    fluid.position = {{0, 0.01}};  // nearer than 0.05
+    fluid.velocity = {{0.07, 0}};
+    fluid.gradient[0][1] = 7;
+    const Solid wall{{{0.02, -0.15}}, {{0, 0}}, 1, 0, 0, {{0, 1}}, 0.15};
+    const auto image = law.rigid(fluid, wall, fluid.position - wall.position);
+    expect_near(image.velocity + image.velocity_by_gradient, {{7 * -0.15, 0}}, 1e-14);
+    expect_near(image.velocity, {{-0.07 * 0.15 / 0.05, 0}}, 1e-15);  // the part proportional to the velocities
+    // The viscous force is that between the fluid and the whole image.
+    const NewtonianViscosity viscosity;
+    const V2 apart = fluid.position - wall.position;
+    const Pair pair{fluid, image, apart, 1.0, 1.0};
+    const double weight = fluid.volume * wall.volume * 2;
+    const V2 transposed{{0, 7 * apart[0]}};
+    expect_near(viscosity.law(pair, 2.0), weight * (V2{{7 * apart[1], 0}} + transposed), 1e-13);
+    expect_near(NewtonianViscosity::law_of_velocities(pair, 2.0) + NewtonianViscosity::law_of_gradients(pair, 2.0),
+                viscosity.law(pair, 2.0), 1e-13);
+}
+
+TEST(ExtrapolatedSolid, continues_a_rotation_exactly_beside_a_wall_that_turns) {
+    const auto turning = [](const V2& x) { return V2{{-3 * x[1], 3 * x[0]}}; };
+    const ExtrapolatedSolid<2, true> law{{{0, 0}}, 0.05};
+    SolidPoint<double, 2> wall{{{0.02, -0.15}}, turning({{0.02, 0}}), 1, 0, 0, {{0, 1}}, 0.15};
+    wall.surface_gradient[0][1] = -3;
+    wall.surface_gradient[1][0] = 3;
+    Point fluid = particle_i;
+    fluid.gradient[0][1] = -3;
+    fluid.gradient[1][0] = 3;
+    for (const V2 position : {V2{{0.3, 0.4}}, V2{{-0.1, 0.01}}}) {
+        fluid.position = position;
+        fluid.velocity = turning(position);
+        const auto image = law.rigid(fluid, wall, position - wall.position);
+        expect_near(image.velocity + image.velocity_by_gradient, turning(wall.position), 1e-14);
+    }
+}
+
 TEST(ExtrapolatedSolid, continues_hydrostatic_pressure_exactly) {
     const V2 g{{1.5, -9.81}};
     const ExtrapolatedSolid<2> law{g, 0.05};
