@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "small_scenes.hpp"
-#include "solver/run/model_costs.hpp"
+#include "solver/model_costs.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests::solver_model_costs_tests {

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/run/model_costs.hpp"
+#include "solver/model_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
