@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "scene/law_lists.hpp"
 #include "scene/quantity.hpp"
 
 namespace dmp::scene {
@@ -238,7 +239,8 @@ void check_adhesion(const ContactPair& pair) {
             throw InputError(value.location, of_pair(pair) + ": " + name + " does not go with " + laws, advice);
     };
     if (!model.is_adhesive()) {
-        const std::string advice = R"(write adhesion = "bradley" or "dmt", or normal = "jkr", or leave it out)";
+        const std::string advice = "write adhesion = " + adhesive_laws<AdhesionLaw>() +
+                                   ", or normal = " + adhesive_laws<NormalLaw>() + ", or leave it out";
         refuse(pair.work_of_adhesion, "work_of_adhesion", advice);
         refuse(pair.pull_off_force, "pull_off_force", advice);
     } else if (pair.work_of_adhesion.given() == pair.pull_off_force.given()) {
@@ -252,7 +254,9 @@ void check_adhesion(const ContactPair& pair) {
         refuse(pair.equilibrium_distance, "equilibrium_distance", "leave it out");
         refuse(pair.adhesion_cutoff, "adhesion_cutoff", "leave it out");
     } else if (!pair.equilibrium_distance.given()) {
-        throw InputError(at, of_pair(pair) + ": equilibrium_distance is missing, which Bradley's law needs",
+        throw InputError(at,
+                         of_pair(pair) + ": equilibrium_distance is missing, which adhesion = \"" +
+                             to_string(*pair.adhesion) + "\" needs",
                          R"(add equilibrium_distance = "0.4 nm")");
     } else if (pair.adhesion_cutoff.given() && *pair.adhesion_cutoff <= *pair.equilibrium_distance) {
         throw InputError(
