@@ -6,6 +6,7 @@
 
 #include "base/nearest_name.hpp"
 #include "scene/law_lists.hpp"
+#include "scene/measure_subject.hpp"
 #include "scene/quantity.hpp"
 
 namespace dmp::scene {
@@ -318,10 +319,9 @@ void check_spheres(const Scene& scene, const TomlNode& document) {
 
 void check_sphere_measure(const Scene& scene, const Measure& measure) {
     const MeasureKind kind = measure.kind;
-    if (kind == MeasureKind::largest_speed || kind == MeasureKind::kinetic_energy) return;
+    if (subject_of(kind) == MeasureSubject::any) return;
     const bool has_spheres = !scene.parts_of(PartKind::spheres).empty();
-    const bool of_spheres = kind == MeasureKind::velocity || kind == MeasureKind::spin ||
-                            kind == MeasureKind::wall_force || kind == MeasureKind::detached;
+    const bool of_spheres = subject_of(kind) == MeasureSubject::spheres;
     if (of_spheres != has_spheres)
         throw InputError(measure.kind.location,
                          "measure '" + *measure.name + "': '" + to_string(kind) + "' is for " +

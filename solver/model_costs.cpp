@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/wall_clock.hpp"
-#include "solver/output/species_measures.hpp"
+#include "scene/measure_subject.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::solver {

@@ -3,9 +3,9 @@
 """Checks what docs/architecture.md says of the source tree.
 
 Includes: a module includes only the modules that it may, the folders of solver/ and models/ and the files beside them
-include each other in one direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may. Words: names, keys, texts
-and docs do without the words that CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary
-lies at the root.
+include each other in one direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may.
+Choices: a switch over an enumeration lists its values. Words: names, keys, texts and docs do without the words that
+CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary lies at the root.
 """
 import pathlib
 import re
@@ -31,6 +31,11 @@ LIBRARIES = {  # header pattern: the only folders that may include it
     r"<mpi\.h": ["solver/parallel", "solver/domain"],
     r"<zoltan": ["solver/domain"],
     r"<hdf5": ["base"],
+}
+DEFAULT_ALLOWED_IN = {  # switches with a `default:`, which a new value of an enumeration would fall into in silence
+    "geometry/surface_intersections.cpp",  # over a number
+    "solver/spheres/wall_law.cpp",  # which vector units there are depends on the processor
+    "solver/sweeps/pair_sweeps.cpp",  # the same
 }
 # Word boundaries are those of identifiers and of English.
 OLD_WORDS = [
@@ -149,6 +154,17 @@ class Includes(unittest.TestCase):
                     if re.match(pattern, included) and not any(name.startswith(folder + "/") for folder in folders):
                         wrong.append(f"{name} includes {included[1:]}")
         self.assertEqual(wrong, [])
+
+
+class Choices(unittest.TestCase):
+    def test_switches_name_every_value(self):
+        found = [
+            name
+            for path, name in sources(".hpp", ".cpp")
+            if name.split("/")[0] in MODULES and re.search(r"^\s*default:", path.read_text(), flags=re.M)
+        ]
+        self.assertEqual(sorted(set(found) - DEFAULT_ALLOWED_IN), [], "list the values instead (-Wswitch)")
+        self.assertEqual(sorted(DEFAULT_ALLOWED_IN - set(found)), [], "no longer has one")
 
 
 class Texts(unittest.TestCase):
