@@ -15,7 +15,7 @@
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "scene/read_scene.hpp"
-#include "solver/run/model_costs.hpp"
+#include "solver/model_costs.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::cli {

@@ -80,10 +80,12 @@ function(dmp_use_test_headers target)
   endif()
 endfunction()
 
-# dmp_test_program(NAME SOURCES a.cpp ... LIBRARIES library... [LABEL l] [TIMEOUT seconds] [PROPERTIES ctest's...]): one
-# GoogleTest program test_NAME from source files in the current folder; each of its tests is a test of ctest.
+# dmp_test_program(NAME SOURCES a.cpp ... LIBRARIES library... [LABEL l] [QUICK [SLOW pattern...]] [TIMEOUT seconds]
+# [PROPERTIES ctest's...]): one GoogleTest program test_NAME from source files in the current folder; each of its tests is
+# a test of ctest. QUICK: `./dmp test --quick` builds it (target quick_tests) and runs it as a whole, as many of the
+# programs take longer to start than a test, without the tests that match a pattern of SLOW.
 function(dmp_test_program name)
-  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;LIBRARIES;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(TEST "QUICK" "LABEL;TIMEOUT" "SOURCES;LIBRARIES;SLOW;PROPERTIES" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 3000)  # ten times what a busy machine needs
   endif()
@@ -102,6 +104,12 @@ function(dmp_test_program name)
   set(properties TIMEOUT ${TEST_TIMEOUT} ${TEST_PROPERTIES})
   if(TEST_LABEL)  # an empty value would take the next property's name for its own
     list(APPEND properties LABELS ${TEST_LABEL})
+  endif()
+  if(TEST_QUICK)
+    list(JOIN TEST_SLOW ":" slow)
+    add_dependencies(quick_tests test_${name})
+    add_test(NAME quick.${name} COMMAND test_${name} --gtest_brief=1 "--gtest_filter=*-${slow}")
+    set_tests_properties(quick.${name} PROPERTIES LABELS quick_program TIMEOUT ${TEST_TIMEOUT} ${TEST_PROPERTIES})
   endif()
   gtest_discover_tests(test_${name} PROPERTIES ${properties} DISCOVERY_TIMEOUT 600 NO_PRETTY_VALUES)
 endfunction()

@@ -44,12 +44,16 @@ std::size_t InsideTest::band_of(double y) const {
     return std::min(static_cast<std::size_t>((y - low_) * bands_per_length_), most_bands - 1);
 }
 
-Side InsideTest::side_of(const Vec& point) const {
-    if (!(point.y() >= low_ && point.y() <= high_)) return Side::outside;
+std::span<const InsideTest::Segment> InsideTest::segments_near(const Vec& point) const {
+    if (!(point.y() >= low_ && point.y() <= high_)) return {};
     const std::size_t band = band_of(point.y());
+    return std::span(segments_).subspan(begin_[band], begin_[band + 1] - begin_[band]);
+}
+
+Side InsideTest::side_of(const Vec& point) const {
     bool inside = false;
-    for (std::size_t i = begin_[band]; i < begin_[band + 1]; ++i) {
-        const RayMeeting meeting = meet_ray(point, segments_[i].a, segments_[i].b);
+    for (const auto& [a, b] : segments_near(point)) {
+        const RayMeeting meeting = meet_ray(point, a, b);
         if (meeting == RayMeeting::starts_on) return Side::on_edge;
         inside = inside != (meeting == RayMeeting::crosses);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/geometry.hpp"
@@ -17,11 +18,16 @@ class InsideTest {
 
     [[nodiscard]] Side side_of(const Vec& point) const;
 
+    /// How many segments side_of() compares the point with, unless it finds it on one of them.
+    [[nodiscard]] std::size_t candidates(const Vec& point) const { return segments_near(point).size(); }
+
   private:
     struct Segment {
         Vec a, b;
     };
 
+    /// The segments of the point's band; none above and below all of them.
+    [[nodiscard]] std::span<const Segment> segments_near(const Vec& point) const;
     [[nodiscard]] std::size_t band_of(double y) const;
 
     double low_, high_;               ///< range of the boundary in y [m]

@@ -72,15 +72,19 @@ NearestCurve::NearestCurve(const CurveSet& curves, double largest_distance) : la
 std::size_t NearestCurve::column(double x) const { return cell_index(x, box_.low.x(), cell_, columns_); }
 std::size_t NearestCurve::row(double y) const { return cell_index(y, box_.low.y(), cell_, rows_); }
 
-std::optional<Projection> NearestCurve::nearest(const Vec& point) const {
-    if (segments_.empty()) return std::nullopt;
+std::span<const std::size_t> NearestCurve::entries_near(const Vec& point) const {
+    if (segments_.empty()) return {};
     const bool in_box = point.x() >= box_.low.x() && point.x() <= box_.high.x() && point.y() >= box_.low.y() &&
                         point.y() <= box_.high.y();
-    if (!in_box) return std::nullopt;
+    if (!in_box) return {};
     const std::size_t cell = row(point.y()) * columns_ + column(point.x());
+    return std::span(entries_).subspan(begin_[cell], begin_[cell + 1] - begin_[cell]);
+}
+
+std::optional<Projection> NearestCurve::nearest(const Vec& point) const {
     Projection best{.distance = std::numeric_limits<double>::infinity()};
-    for (std::size_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-        const auto& [a, b] = segments_[entries_[i]];
+    for (const std::size_t entry : entries_near(point)) {
+        const auto& [a, b] = segments_[entry];
         keep_nearest(best, point, a, b);
     }
     if (!(best.distance <= largest_distance_)) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/geometry.hpp"
@@ -20,11 +21,16 @@ class NearestCurve {
     /// The nearest point of the curves; nothing when all are further than the largest distance.
     [[nodiscard]] std::optional<Projection> nearest(const Vec& point) const;
 
+    /// How many segments nearest() compares the point with.
+    [[nodiscard]] std::size_t candidates(const Vec& point) const { return entries_near(point).size(); }
+
   private:
     struct Segment {
         Vec a, b;
     };
 
+    /// The segments of the point's cell; none outside the box.
+    [[nodiscard]] std::span<const std::size_t> entries_near(const Vec& point) const;
     [[nodiscard]] std::size_t column(double x) const;
     [[nodiscard]] std::size_t row(double y) const;
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/length_text.hpp"
+#include "base/unlisted_value.hpp"
 #include "mesher/searchable_particles.hpp"
 #include "mesher/uses.hpp"
 #include "models/sph/kernels.hpp"
@@ -85,6 +86,8 @@ Surroundings surroundings(const ParticleSet& set, const Scene& scene, const Kern
 template <int D>
 Surroundings surroundings(const ParticleSet& set, const Scene& scene, double support) {
     switch (*scene.numerics.kernel) {
+        case KernelKind::wendland_c2:
+            return surroundings(set, scene, WendlandC2<D>(support), support);
         case KernelKind::wendland_c4:
             return surroundings(set, scene, WendlandC4<D>(support), support);
         case KernelKind::lucy:
@@ -93,9 +96,8 @@ Surroundings surroundings(const ParticleSet& set, const Scene& scene, double sup
             return surroundings(set, scene, CubicSpline<D>(support), support);
         case KernelKind::quintic_spline:
             return surroundings(set, scene, QuinticSpline<D>(support), support);
-        default:
-            return surroundings(set, scene, WendlandC2<D>(support), support);
     }
+    unlisted_value(*scene.numerics.kernel);
 }
 
 Surroundings surroundings(const ParticleSet& set, const Scene& scene) {

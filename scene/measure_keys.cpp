@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/measure_keys.hpp"
 
+#include "scene/measure_subject.hpp"
+
 namespace dmp::scene {
 
 namespace {
@@ -49,7 +51,7 @@ std::vector<Key<Measure>> measure_keys() {
     const Kinds all, flux = {"flux"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"};
     const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
-    const Kinds of_species = {"amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet"};
+    const Kinds of_species = measures_of(MeasureSubject::species);
     return {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,

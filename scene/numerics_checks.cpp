@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "scene/checks.hpp"
+#include "scene/law_lists.hpp"
 #include "scene/quantity.hpp"
 
 namespace dmp::scene {
@@ -16,12 +17,16 @@ namespace {
 void need_what_implicit_viscosity_solves(const Scene& scene) {
     const auto& numerics = scene.numerics;
     if (*numerics.viscosity_stepping != ViscosityStepping::implicitly) return;
-    if (!numerics.viscous_law->visit([]<class Law>() { return Law::linear; }))
+    if (!numerics.viscous_law->visit([]<class Law>() { return Law::linear; })) {
+        const bool has_gradient = *numerics.scheme == FluidScheme::corrected;
+        const std::string linear = laws_with<ViscousLaw>(
+            [&]<class Law>() { return Law::linear && (has_gradient || !models::needs_gradient<Law>()); });
         throw InputError(first_known(scene, {&numerics.viscous_law.location}),
                          "numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the velocities; "
                          "numerics.viscous_law = \"" +
                              to_string(*numerics.viscous_law) + "\" is not",
-                         "write viscous_law = \"monaghan\" or \"morris\"");
+                         "write viscous_law = " + linear);
+    }
     if (*numerics.spring_stepping == SpringStepping::subcycled && scene.may_have_elastic())
         throw InputError(
             first_known(scene, {&numerics.spring_stepping.location, &numerics.viscosity_stepping.location}),

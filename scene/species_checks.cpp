@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/nearest_name.hpp"
+#include "scene/measure_subject.hpp"
 
 namespace dmp::scene {
 
@@ -95,12 +96,6 @@ std::vector<std::string> names_of(const std::vector<Species>& all) {
     return names;
 }
 
-bool is_about_species(MeasureKind kind) {
-    using enum MeasureKind;
-    return kind == amount || kind == mean_concentration || kind == profile || kind == spread || kind == wall_flux ||
-           kind == peclet;
-}
-
 void need_species(const Scene& scene, const Measure& measure) {
     const std::string what = "measure '" + *measure.name + "'";
     const auto names = names_of(scene.species);
@@ -153,11 +148,10 @@ void check_species_measure(const Scene& scene, const Measure& measure) {
         throw InputError(measure.field.location,
                          "the probe '" + *measure.name + "' reads a concentration, and the scene has no species",
                          "add a [[species]], or read another field");
-    if (!is_about_species(*measure.kind)) return;
+    if (!is_of_species(*measure.kind)) return;
     need_species(scene, measure);
     if (*measure.kind == wall_flux) check_wall_flux(scene, measure);
-    if (*measure.kind == mean_concentration || *measure.kind == profile || *measure.kind == spread)
-        check_box(scene, measure);
+    check_box(scene, measure);
     if (scene.dimension == 2 && *measure.axis == Axis::z)
         throw InputError(measure.axis.location, "measure '" + *measure.name + "': a scene in 2-D has no axis 'z'",
                          "take x or y");

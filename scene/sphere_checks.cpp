@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "scene/law_lists.hpp"
+#include "scene/measure_subject.hpp"
 #include "scene/quantity.hpp"
 
 namespace dmp::scene {
@@ -238,7 +240,8 @@ void check_adhesion(const ContactPair& pair) {
             throw InputError(value.location, of_pair(pair) + ": " + name + " does not go with " + laws, advice);
     };
     if (!model.is_adhesive()) {
-        const std::string advice = R"(write adhesion = "bradley" or "dmt", or normal = "jkr", or leave it out)";
+        const std::string advice = "write adhesion = " + adhesive_laws<AdhesionLaw>() +
+                                   ", or normal = " + adhesive_laws<NormalLaw>() + ", or leave it out";
         refuse(pair.work_of_adhesion, "work_of_adhesion", advice);
         refuse(pair.pull_off_force, "pull_off_force", advice);
     } else if (pair.work_of_adhesion.given() == pair.pull_off_force.given()) {
@@ -252,7 +255,9 @@ void check_adhesion(const ContactPair& pair) {
         refuse(pair.equilibrium_distance, "equilibrium_distance", "leave it out");
         refuse(pair.adhesion_cutoff, "adhesion_cutoff", "leave it out");
     } else if (!pair.equilibrium_distance.given()) {
-        throw InputError(at, of_pair(pair) + ": equilibrium_distance is missing, which Bradley's law needs",
+        throw InputError(at,
+                         of_pair(pair) + ": equilibrium_distance is missing, which adhesion = \"" +
+                             to_string(*pair.adhesion) + "\" needs",
                          R"(add equilibrium_distance = "0.4 nm")");
     } else if (pair.adhesion_cutoff.given() && *pair.adhesion_cutoff <= *pair.equilibrium_distance) {
         throw InputError(
@@ -314,10 +319,9 @@ void check_spheres(const Scene& scene, const TomlNode& document) {
 
 void check_sphere_measure(const Scene& scene, const Measure& measure) {
     const MeasureKind kind = measure.kind;
-    if (kind == MeasureKind::largest_speed || kind == MeasureKind::kinetic_energy) return;
+    if (subject_of(kind) == MeasureSubject::any) return;
     const bool has_spheres = !scene.parts_of(PartKind::spheres).empty();
-    const bool of_spheres = kind == MeasureKind::velocity || kind == MeasureKind::spin ||
-                            kind == MeasureKind::wall_force || kind == MeasureKind::detached;
+    const bool of_spheres = subject_of(kind) == MeasureSubject::spheres;
     if (of_spheres != has_spheres)
         throw InputError(measure.kind.location,
                          "measure '" + *measure.name + "': '" + to_string(kind) + "' is for " +

@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/sphere_keys.hpp"
 
+#include "scene/law_lists.hpp"
+
 namespace dmp::scene {
 
 // Columns as in schema.cpp.
@@ -95,7 +97,7 @@ std::vector<Key<ContactPair>> contact_pair_keys() {
          "Damping of the rolling spring, as a fraction of critical damping."},
         {"adhesion", &ContactPair::adhesion, one_of<AdhesionLaw>(), "none",
          "Attraction in addition to the normal force: " + meanings<AdhesionLaw>() +
-          "; not with normal = \"jkr\", which is adhesive itself."},
+          "; not with normal = " + adhesive_laws<NormalLaw>() + ", which is adhesive itself."},
         {"work_of_adhesion", &ContactPair::work_of_adhesion, quantity("0.0172 J/m^2", positive), not_given,
          "Work of adhesion per area of the two surfaces, for equal materials twice the surface energy; or give "
          "pull_off_force."},

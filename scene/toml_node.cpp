@@ -7,6 +7,8 @@
 
 #include <toml++/toml.h>
 
+#include "base/unlisted_value.hpp"
+
 namespace dmp::scene {
 
 namespace {
@@ -157,9 +159,13 @@ std::string TomlNode::shown() const {
             return "a list";
         case Kind::text:
             return toml_quoted(text.text);
-        default:
+        case Kind::integer:
+        case Kind::number:
+        case Kind::boolean:
+        case Kind::date:
             return written;
     }
+    unlisted_value(kind);
 }
 
 TomlNode parse_toml(std::string_view text, const std::string& file) {

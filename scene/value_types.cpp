@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/unlisted_value.hpp"
 #include "scene/formula.hpp"
 #include "scene/renamed.hpp"
 
@@ -30,9 +31,11 @@ std::string in_words(TomlNode::Kind kind) {
             return " (true or false)";
         case TomlNode::Kind::date:
             return " (a date)";
-        default:
+        case TomlNode::Kind::table:
+        case TomlNode::Kind::array:
             return "";
     }
+    unlisted_value(kind);
 }
 
 void need_in_range(double value, const TomlNode& node, const std::string& path, const Range& range) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/unlisted_value.hpp"
 #include "particles/periodic_images.hpp"
 #include "solver/uses.hpp"
 
@@ -27,9 +28,25 @@ ScheduleWindow window_of(const Driver& driver) {
 }
 
 ShapeSide side_of(PushedSide side) {
-    return side == PushedSide::both     ? ShapeSide::both
-           : side == PushedSide::inside ? ShapeSide::inside
-                                        : ShapeSide::outside;
+    switch (side) {
+        case PushedSide::both:
+            return ShapeSide::both;
+        case PushedSide::inside:
+            return ShapeSide::inside;
+        case PushedSide::outside:
+            return ShapeSide::outside;
+    }
+    unlisted_value(side);
+}
+
+bool is_total(ForceAmount amount) {
+    switch (amount) {
+        case ForceAmount::total:
+            return true;
+        case ForceAmount::per_particle:
+            return false;
+    }
+    unlisted_value(amount);
 }
 
 }  // namespace
@@ -45,7 +62,7 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
     }
     for (const ForceOnPart& force : scene.forces) {
         const int part = number_of(set, force.part);
-        const PartForce law{*force.amount == ForceAmount::total, counts_[static_cast<std::size_t>(part)]};
+        const PartForce law{is_total(force.amount), counts_[static_cast<std::size_t>(part)]};
         const bool by_position = std::ranges::any_of(*force.force, &Expression::depends_on_position);
         forces_.push_back({part, force.force, law, window_of(force), by_position});
     }
@@ -57,10 +74,14 @@ Driving::Driving(const Scene& scene, const ParticleSet& set, const ParticleSpace
                    {shape.strength, shape.range},
                    infinity,
                    window_of(shape)};
-        if (*shape.kind == ShapeKind::parabola)
-            made.curve = ParabolaArc{shape.half_width, shape.height, side};
-        else
-            made.curve = Circle{shape.radius, side};
+        switch (*shape.kind) {
+            case ShapeKind::parabola:
+                made.curve = ParabolaArc{shape.half_width, shape.height, side};
+                break;
+            case ShapeKind::circle:
+                made.curve = Circle{shape.radius, side};
+                break;
+        }
         for (const std::string& name : *shape.parts) {
             const auto part = static_cast<std::size_t>(number_of(set, name));
             made.felt_by[part] = 1;

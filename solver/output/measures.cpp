@@ -2,6 +2,7 @@
 #include "solver/output/measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,7 +11,6 @@
 #include "solver/elastic/body_change.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
-#include "solver/output/species_measures.hpp"
 
 namespace dmp::solver {
 
@@ -78,44 +78,89 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
 
 }  // namespace
 
+struct Measures::Rows {
+    using Columns = std::vector<MeasureColumn>;
+    using Values = std::vector<double>;
+
+    static constexpr auto all = std::to_array<MeasureRow<Measures, FluidMoment>>({
+        {MeasureKind::flux,
+         [](const Measures&, const Measure& measure) {
+             return Columns{{measure.name, "m^3/s"}};
+         },
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             return Values{self.flux(measure, moment.particles)};
+         }},
+        {MeasureKind::gap,
+         [](const Measures&, const Measure& measure) {
+             return Columns{{measure.name, "m"}};
+         },
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             return Values{self.gaps_.at(&measure).smallest(moment.step.springs())};
+         }},
+        {MeasureKind::largest_speed,
+         [](const Measures&, const Measure& measure) {
+             return Columns{{measure.name, "m/s"}};
+         },
+         [](const Measures&, const Measure&, const FluidMoment& moment) {
+             return Values{moment.step.extremes().largest_speed};
+         }},
+        {MeasureKind::density,
+         [](const Measures&, const Measure& measure) {
+             return Columns{{*measure.name + "_low", "1"}, {*measure.name + "_high", "1"}};
+         },
+         [](const Measures&, const Measure&, const FluidMoment& moment) {
+             const FluidExtremes extremes = moment.step.extremes();
+             return Values{extremes.density_low, extremes.density_high};
+         }},
+        {MeasureKind::kinetic_energy,
+         [](const Measures&, const Measure& measure) {
+             return Columns{{measure.name, "J"}};
+         },
+         [](const Measures& self, const Measure&, const FluidMoment& moment) {
+             return Values{self.kinetic_energy(moment.particles.fluid())};
+         }},
+        {MeasureKind::aggregate,
+         [](const Measures&, const Measure& measure) {
+             Columns columns;
+             for (const AggregateColumn& each : aggregate_columns())
+                 columns.push_back({*measure.name + "_" + each.ending, each.unit});
+             return columns;
+         },
+         [](const Measures&, const Measure& measure, const FluidMoment& moment) {
+             const SpringBodies& springs = moment.step.springs();
+             const auto origin = std::ranges::find(springs.names(), *measure.part) - springs.names().begin();
+             const Aggregate aggregate = aggregate_of(springs, static_cast<int>(origin));
+             Values values;
+             for (const AggregateColumn& each : aggregate_columns()) values.push_back(each.value(aggregate));
+             return values;
+         }},
+        {MeasureKind::probe,
+         [](const Measures& self, const Measure& measure) {
+             Columns columns;
+             for (const std::string& ending : column_endings(self.scene_, measure.field, self.space_.dimension))
+                 columns.push_back(
+                     {*measure.name + ending, unit_of_column(self.scene_, measure.field, columns.size())});
+             return columns;
+         },
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             return self.probe(measure, moment);
+         }},
+    });
+};
+
 Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks)
     : scene_(scene), space_(static_cast<const ParticleSpace&>(set)), settings_(settings), ranks_(ranks) {
-    const auto column = [&](const std::string& name, const std::string& unit) {
-        series_.names.push_back(name);
-        series_.units.push_back(unit);
-    };
+    static_assert(has_row_for_each(Rows::all, {MeasureSubject::any, MeasureSubject::flow}));
     for (const Measure& measure : scene.measures) {
         if (!is_about_enabled_parts(scene, measure)) continue;  // the part was left out, and so is what is asked of it
         measures_.push_back(&measure);
-        const std::string& name = measure.name;
-        switch (measure.kind.value) {
-            case MeasureKind::flux:
-                column(name, "m^3/s");
-                break;
-            case MeasureKind::gap:
-                gaps_.try_emplace(&measure, measure, set);
-                column(name, "m");
-                break;
-            case MeasureKind::largest_speed:
-                column(name, "m/s");
-                break;
-            case MeasureKind::density:
-                column(name + "_low", "1");
-                column(name + "_high", "1");
-                break;
-            case MeasureKind::kinetic_energy:
-                column(name, "J");
-                break;
-            case MeasureKind::aggregate:
-                for (const AggregateColumn& each : aggregate_columns()) column(name + "_" + each.ending, each.unit);
-                break;
-            case MeasureKind::probe:
-                for (std::size_t k = 0; const std::string& ending : column_endings(scene, measure.field, set.dimension))
-                    column(name + ending, unit_of_column(scene, measure.field, k++));
-                break;
-            default:
-                for (const auto& [of_species, unit] : SpeciesMeasures(scene, space_, ranks).columns(measure))
-                    column(of_species, unit);
+        if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
+        const std::vector<MeasureColumn> columns = is_of_species(measure.kind)
+                                                       ? SpeciesMeasures(scene, space_, ranks).columns(measure)
+                                                       : row_of(Rows::all, measure.kind).columns(*this, measure);
+        for (const auto& [name, unit] : columns) {
+            series_.names.push_back(name);
+            series_.units.push_back(unit);
         }
     }
 }
@@ -123,46 +168,11 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
 void Measures::take(double time, const ParticleStore& particles, const FluidStep& fluid) {
     std::vector<double> row;
     for (const Measure* measure : measures_) {
-        switch (measure->kind.value) {
-            case MeasureKind::flux:
-                row.push_back(flux(*measure, particles));
-                break;
-            case MeasureKind::gap:
-                row.push_back(gaps_.at(measure).smallest(fluid.springs()));
-                break;
-            case MeasureKind::largest_speed:
-                row.push_back(fluid.extremes().largest_speed);
-                break;
-            case MeasureKind::density: {
-                const FluidExtremes extremes = fluid.extremes();
-                row.push_back(extremes.density_low);
-                row.push_back(extremes.density_high);
-                break;
-            }
-            case MeasureKind::kinetic_energy:
-                row.push_back(kinetic_energy(particles.fluid()));
-                break;
-            case MeasureKind::aggregate: {
-                const auto& names = fluid.springs().names();
-                const auto origin = std::ranges::find(names, *measure->part) - names.begin();
-                const Aggregate aggregate = aggregate_of(fluid.springs(), static_cast<int>(origin));
-                for (const AggregateColumn& each : aggregate_columns()) row.push_back(each.value(aggregate));
-                break;
-            }
-            case MeasureKind::probe: {
-                const auto values = probe(*measure, particles, fluid);
-                if (series_.rows.empty() && std::isnan(values[0]))
-                    throw InputError(measure->point.location,
-                                     "the probe '" + measure->name.value + "' stands where there is no fluid",
-                                     "move its point into the fluid: no particle is within the kernel's support of it");
-                row.insert(row.end(), values.begin(), values.end());
-                break;
-            }
-            default:
-                for (const double value : SpeciesMeasures(scene_, space_, ranks_)
-                                              .values(*measure, time, particles, fluid, series_, row.size()))
-                    row.push_back(value);
-        }
+        const FluidMoment moment{time, particles, fluid, series_, row.size()};
+        const std::vector<double> values = is_of_species(measure->kind)
+                                               ? SpeciesMeasures(scene_, space_, ranks_).values(*measure, moment)
+                                               : row_of(Rows::all, measure->kind).values(*this, *measure, moment);
+        row.insert(row.end(), values.begin(), values.end());
     }
     series_.time.push_back(time);
     series_.rows.push_back(std::move(row));
@@ -224,8 +234,8 @@ bool Measures::need_neighbours() const {
     });
 }
 
-std::vector<double> Measures::probe(const Measure& measure, const ParticleStore& particles,
-                                    const FluidStep& step) const {
+std::vector<double> Measures::probe(const Measure& measure, const FluidMoment& moment) const {
+    const auto& [time, particles, step, series, first] = moment;
     const ParticleGroup& fluid = particles.fluid();
     ExactSum weights;
     std::vector<std::pair<std::size_t, double>> near;  // particle and weight
@@ -236,6 +246,9 @@ std::vector<double> Measures::probe(const Measure& measure, const ParticleStore&
         weights.add(near.back().second);
     });
     const double all_weights = over_all_ranks(weights);
+    if (series.rows.empty() && !(all_weights > 0))
+        throw InputError(measure.point.location, "the probe '" + *measure.name + "' stands where there is no fluid",
+                         "move its point into the fluid: no particle is within the kernel's support of it");
     std::vector<double> values;
     for (const FluidValues& array : FluidFields(scene_, particles, step).of(measure.field)) {
         const auto components = static_cast<std::size_t>(array.components);

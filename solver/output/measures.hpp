@@ -7,6 +7,7 @@
 #include "scene/scene.hpp"
 #include "solver/output/gap_measure.hpp"
 #include "solver/output/measure_series.hpp"
+#include "solver/output/species_measures.hpp"
 #include "solver/results/frame.hpp"
 #include "solver/time/fluid_step.hpp"
 #include "solver/uses.hpp"
@@ -36,6 +37,8 @@ class Measures {
     [[nodiscard]] bool need_neighbours() const;
 
   private:
+    struct Rows;
+
     /// Calls visit(i, nearest offset from `from`) for this rank's fluid.
     template <class Visit>
     void for_each_offset(const ParticleGroup& fluid, const Vec& from, const Visit& visit) const;
@@ -43,8 +46,7 @@ class Measures {
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
     /// A value a column of the probe.
-    [[nodiscard]] std::vector<double> probe(const Measure& measure, const ParticleStore& particles,
-                                            const FluidStep& step) const;
+    [[nodiscard]] std::vector<double> probe(const Measure& measure, const FluidMoment& moment) const;
 
     const Scene& scene_;
     ParticleSpace space_;

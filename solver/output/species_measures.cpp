@@ -2,6 +2,7 @@
 #include "solver/output/species_measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,61 +33,79 @@ double slope(const std::vector<double>& t, const std::vector<double>& y) {
 
 }  // namespace
 
-bool is_of_species(MeasureKind kind) {
-    using enum MeasureKind;
-    return kind == amount || kind == mean_concentration || kind == profile || kind == spread || kind == wall_flux ||
-           kind == peclet;
+struct SpeciesMeasures::Rows {
+    using Self = SpeciesMeasures;
+    using Columns = std::vector<MeasureColumn>;
+    using Values = std::vector<double>;
+
+    static constexpr auto all = std::to_array<MeasureRow<SpeciesMeasures, FluidMoment>>({
+        {MeasureKind::amount,
+         [](const Self& self, const Measure& measure) {
+             return Columns{{measure.name, self.species_of(measure).amount_unit()}};
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return Values{moment.step.species()->held_by_particles(moment.particles, self.scene_.species_of(measure))};
+         }},
+        {MeasureKind::mean_concentration,
+         [](const Self& self, const Measure& measure) {
+             return Columns{{measure.name, self.species_of(measure).concentration_unit()}};
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return Values{self.mean(measure, moment)};
+         }},
+        {MeasureKind::profile,
+         [](const Self& self, const Measure& measure) {
+             Columns columns;
+             for (int bin = 1; bin <= *measure.bins; ++bin)
+                 columns.push_back(
+                     {*measure.name + "_" + std::to_string(bin), self.species_of(measure).concentration_unit()});
+             return columns;
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return self.profile(measure, moment);
+         }},
+        {MeasureKind::spread,
+         [](const Self&, const Measure& measure) {
+             const std::string& name = measure.name;
+             return Columns{{name, "m^2"}, {name + "_diffusivity", "m^2/s"}, {name + "_sherwood", "1"}};
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return self.spread(measure, moment);
+         }},
+        {MeasureKind::wall_flux,
+         [](const Self& self, const Measure& measure) {
+             const std::string &name = measure.name, unit = self.species_of(measure).amount_unit();
+             Columns columns{{name, unit + "/s"}, {name + "_total", unit}};
+             if (measure.length.given()) columns.push_back({name + "_sherwood", "1"});
+             return columns;
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return self.wall_flux(measure, moment);
+         }},
+        {MeasureKind::peclet,
+         [](const Self&, const Measure& measure) {
+             return Columns{{measure.name, "1"}};
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return Values{quotient(moment.step.extremes().largest_speed * measure.length, self.diffusivity(measure))};
+         }},
+    });
+};
+
+std::vector<MeasureColumn> SpeciesMeasures::columns(const Measure& measure) const {
+    static_assert(has_row_for_each(Rows::all, {MeasureSubject::species}));
+    return row_of(Rows::all, measure.kind).columns(*this, measure);
 }
 
-std::vector<std::pair<std::string, std::string>> SpeciesMeasures::columns(const Measure& measure) const {
-    const Species& species = scene_.species[scene_.species_of(measure)];
-    const std::string& name = measure.name;
-    std::vector<std::pair<std::string, std::string>> columns;
-    switch (*measure.kind) {
-        case MeasureKind::amount:
-            return {{name, species.amount_unit()}};
-        case MeasureKind::profile:
-            for (int bin = 1; bin <= *measure.bins; ++bin)
-                columns.emplace_back(name + "_" + std::to_string(bin), species.concentration_unit());
-            return columns;
-        case MeasureKind::spread:
-            return {{name, "m^2"}, {name + "_diffusivity", "m^2/s"}, {name + "_sherwood", "1"}};
-        case MeasureKind::wall_flux:
-            columns = {{name, species.amount_unit() + "/s"}, {name + "_total", species.amount_unit()}};
-            if (measure.length.given()) columns.emplace_back(name + "_sherwood", "1");
-            return columns;
-        case MeasureKind::peclet:
-            return {{name, "1"}};
-        default:
-            return {{name, species.concentration_unit()}};
-    }
-}
-
-std::vector<double> SpeciesMeasures::values(const Measure& measure, double time, const ParticleStore& particles,
-                                            const FluidStep& step, const MeasureSeries& series,
-                                            std::size_t first) const {
-    switch (*measure.kind) {
-        case MeasureKind::amount:
-            return {step.species()->held_by_particles(particles, scene_.species_of(measure))};
-        case MeasureKind::profile:
-            return profile(measure, particles, step);
-        case MeasureKind::spread:
-            return spread(measure, time, particles, step, series, first);
-        case MeasureKind::wall_flux:
-            return wall_flux(measure, time, particles, step, series, first);
-        case MeasureKind::peclet:
-            return {quotient(step.extremes().largest_speed * measure.length, diffusivity(measure))};
-        default:
-            return {mean(measure, particles, step)};
-    }
+std::vector<double> SpeciesMeasures::values(const Measure& measure, const FluidMoment& moment) const {
+    return row_of(Rows::all, measure.kind).values(*this, measure, moment);
 }
 
 template <class Visit>
-void SpeciesMeasures::for_each_in_box(const Measure& measure, const ParticleStore& particles, const FluidStep& step,
-                                      const Visit& visit) const {
+void SpeciesMeasures::for_each_in_box(const Measure& measure, const FluidMoment& moment, const Visit& visit) const {
     const std::size_t species = scene_.species_of(measure);
     const Vec low = measure.from->cwiseMin(*measure.to), high = measure.from->cwiseMax(*measure.to);
-    const ParticleGroup& fluid = particles.fluid();
+    const ParticleGroup& fluid = moment.particles.fluid();
     for (std::size_t i = 0; i < fluid.owned(); ++i) {
         Vec position = Vec::Zero();
         bool inside = true;
@@ -98,7 +117,7 @@ void SpeciesMeasures::for_each_in_box(const Measure& measure, const ParticleStor
         }
         if (!inside) continue;
         visit(i, position, fluid.data(Field::species_amount, static_cast<int>(species))[i],
-              step.species()->rest_volume(fluid, i));
+              moment.step.species()->rest_volume(fluid, i));
     }
 }
 
@@ -107,24 +126,23 @@ double SpeciesMeasures::over_all_ranks(ExactSum sum) const {
     return sum.value();
 }
 
-double SpeciesMeasures::mean(const Measure& measure, const ParticleStore& particles, const FluidStep& step) const {
+double SpeciesMeasures::mean(const Measure& measure, const FluidMoment& moment) const {
     ExactSum amounts, volumes;
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec&, double amount, double volume) {
+    for_each_in_box(measure, moment, [&](std::size_t, const Vec&, double amount, double volume) {
         amounts.add(amount);
         volumes.add(volume);
     });
     return quotient(over_all_ranks(amounts), over_all_ranks(volumes));
 }
 
-std::vector<double> SpeciesMeasures::profile(const Measure& measure, const ParticleStore& particles,
-                                             const FluidStep& step) const {
+std::vector<double> SpeciesMeasures::profile(const Measure& measure, const FluidMoment& moment) const {
     const auto axis = static_cast<int>(*measure.axis);
     const auto bins = static_cast<std::size_t>(*measure.bins);
     const bool boxed = measure.from.given();
     const double low = boxed ? std::min((*measure.from)[axis], (*measure.to)[axis]) : space_.box.low[axis];
     const double high = boxed ? std::max((*measure.from)[axis], (*measure.to)[axis]) : space_.box.high[axis];
     std::vector<ExactSum> amounts(bins), volumes(bins);
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& position, double amount, double volume) {
+    for_each_in_box(measure, moment, [&](std::size_t, const Vec& position, double amount, double volume) {
         const double share = std::floor((position[axis] - low) / (high - low) * static_cast<double>(bins));
         const auto bin = static_cast<std::size_t>(std::clamp(share, 0.0, static_cast<double>(bins - 1)));
         amounts[bin].add(amount);
@@ -136,48 +154,46 @@ std::vector<double> SpeciesMeasures::profile(const Measure& measure, const Parti
     return values;
 }
 
-std::vector<double> SpeciesMeasures::spread(const Measure& measure, double time, const ParticleStore& particles,
-                                            const FluidStep& step, const MeasureSeries& series,
-                                            std::size_t first) const {
+std::vector<double> SpeciesMeasures::spread(const Measure& measure, const FluidMoment& moment) const {
+    const MeasureSeries& series = moment.series;
     const auto axis = static_cast<int>(*measure.axis);
     ExactSum amounts, moments;
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& position, double amount, double) {
+    for_each_in_box(measure, moment, [&](std::size_t, const Vec& position, double amount, double) {
         amounts.add(amount);
         moments.add(amount * position[axis]);
     });
     const double all = over_all_ranks(amounts), mean_position = quotient(over_all_ranks(moments), all);
     const double centre = measure.about.given() ? *measure.about : mean_position;
     ExactSum squares;
-    for_each_in_box(measure, particles, step, [&](std::size_t, const Vec& position, double amount, double) {
+    for_each_in_box(measure, moment, [&](std::size_t, const Vec& position, double amount, double) {
         const double offset = position[axis] - centre;
         squares.add(amount * (offset * offset));
     });
     const double variance = quotient(over_all_ranks(squares), all);
     std::vector<double> times, variances;
     for (std::size_t row = 0; row < series.rows.size(); ++row) {
-        if (!std::isfinite(series.rows[row][first])) continue;
+        if (!std::isfinite(series.rows[row][moment.first])) continue;
         times.push_back(series.time[row]);
-        variances.push_back(series.rows[row][first]);
+        variances.push_back(series.rows[row][moment.first]);
     }
-    times.push_back(time);
+    times.push_back(moment.time);
     variances.push_back(variance);
     const double effective = 0.5 * slope(times, variances);
     return {variance, effective, quotient(effective, diffusivity(measure))};
 }
 
-std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, double time, const ParticleStore& particles,
-                                               const FluidStep& step, const MeasureSeries& series,
-                                               std::size_t first) const {
+std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, const FluidMoment& moment) const {
+    const MeasureSeries& series = moment.series;
     const int part = space_.part_named(measure.part);
     if (part < 0) return std::vector<double>(columns(measure).size(), nothing);
-    const double taken =
-        step.species()->taken_by_walls(particles, scene_.species_of(measure), static_cast<std::uint16_t>(part));
+    const double taken = moment.step.species()->taken_by_walls(moment.particles, scene_.species_of(measure),
+                                                               static_cast<std::uint16_t>(part));
     const bool begun = !series.rows.empty();
-    const double before = begun ? series.rows.back()[first + 1] : 0, since = begun ? series.time.back() : 0;
-    const double flux = quotient(taken - before, time - since);
+    const double before = begun ? series.rows.back()[moment.first + 1] : 0, since = begun ? series.time.back() : 0;
+    const double flux = quotient(taken - before, moment.time - since);
     std::vector<double> values{flux, taken};
     if (!measure.length.given()) return values;
-    const double difference = mean(measure, particles, step) - wall_concentration(measure, particles);
+    const double difference = mean(measure, moment) - wall_concentration(measure, moment.particles);
     values.push_back(quotient(flux * measure.length, measure.area * diffusivity(measure) * difference));
     return values;
 }
@@ -196,9 +212,13 @@ double SpeciesMeasures::wall_concentration(const Measure& measure, const Particl
     return quotient(over_all_ranks(sum), static_cast<double>(ranks_.sum(count)));
 }
 
+const Species& SpeciesMeasures::species_of(const Measure& measure) const {
+    return scene_.species[scene_.species_of(measure)];
+}
+
 /// Of the first fluid.
 double SpeciesMeasures::diffusivity(const Measure& measure) const {
-    return **scene_.species[scene_.species_of(measure)].diffusivity_in(*scene_.parts_of(PartKind::fluid).front());
+    return **species_of(measure).diffusivity_in(*scene_.parts_of(PartKind::fluid).front());
 }
 
 }  // namespace dmp::solver

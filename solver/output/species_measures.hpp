@@ -2,18 +2,24 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "solver/output/measure_row.hpp"
 #include "solver/results/frame.hpp"
 #include "solver/time/fluid_step.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
 
-/// Whether a measure is of a species and not a probe.
-bool is_of_species(MeasureKind kind);
+/// What measures of a fluid are taken from.
+struct FluidMoment {
+    double time;  ///< [s]
+    const ParticleStore& particles;
+    const FluidStep& step;
+    const MeasureSeries& series;  ///< the earlier rows
+    std::size_t first;            ///< where the measure's columns begin in them
+};
 
 /// Measures of a species. Means are over the fluid's volume at rest, in the measure's box or everywhere.
 ///   amount              in all particles that carry the species
@@ -35,29 +41,22 @@ class SpeciesMeasures {
     SpeciesMeasures(const Scene& scene, const ParticleSpace& space, const Ranks& ranks)
         : scene_(scene), space_(space), ranks_(ranks) {}
 
-    /// Names and units of a measure's columns.
-    [[nodiscard]] std::vector<std::pair<std::string, std::string>> columns(const Measure& measure) const;
-    /// Their values. `series` has the earlier rows, in which the measure's columns begin at `first`.
-    [[nodiscard]] std::vector<double> values(const Measure& measure, double time, const ParticleStore& particles,
-                                             const FluidStep& step, const MeasureSeries& series,
-                                             std::size_t first) const;
+    [[nodiscard]] std::vector<MeasureColumn> columns(const Measure& measure) const;
+    [[nodiscard]] std::vector<double> values(const Measure& measure, const FluidMoment& moment) const;
 
   private:
+    struct Rows;
+
     /// Calls visit(i, place, amount, volume) for this rank's fluid in the measure's box.
     template <class Visit>
-    void for_each_in_box(const Measure& measure, const ParticleStore& particles, const FluidStep& step,
-                         const Visit& visit) const;
+    void for_each_in_box(const Measure& measure, const FluidMoment& moment, const Visit& visit) const;
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
-    [[nodiscard]] double mean(const Measure& measure, const ParticleStore& particles, const FluidStep& step) const;
-    [[nodiscard]] std::vector<double> profile(const Measure& measure, const ParticleStore& particles,
-                                              const FluidStep& step) const;
-    [[nodiscard]] std::vector<double> spread(const Measure& measure, double time, const ParticleStore& particles,
-                                             const FluidStep& step, const MeasureSeries& series,
-                                             std::size_t first) const;
-    [[nodiscard]] std::vector<double> wall_flux(const Measure& measure, double time, const ParticleStore& particles,
-                                                const FluidStep& step, const MeasureSeries& series,
-                                                std::size_t first) const;
+    [[nodiscard]] double mean(const Measure& measure, const FluidMoment& moment) const;
+    [[nodiscard]] std::vector<double> profile(const Measure& measure, const FluidMoment& moment) const;
+    [[nodiscard]] std::vector<double> spread(const Measure& measure, const FluidMoment& moment) const;
+    [[nodiscard]] std::vector<double> wall_flux(const Measure& measure, const FluidMoment& moment) const;
     [[nodiscard]] double wall_concentration(const Measure& measure, const ParticleStore& particles) const;
+    [[nodiscard]] const Species& species_of(const Measure& measure) const;
     [[nodiscard]] double diffusivity(const Measure& measure) const;
 
     const Scene& scene_;

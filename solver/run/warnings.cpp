@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/output/species_measures.hpp"
+#include "scene/measure_subject.hpp"
 
 namespace dmp::solver {
 

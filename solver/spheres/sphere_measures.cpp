@@ -2,9 +2,11 @@
 #include "solver/spheres/sphere_measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
+#include "solver/output/measure_row.hpp"
 #include "solver/output/measure_series.hpp"
 #include "solver/spheres/steady_state.hpp"
 
@@ -43,83 +45,90 @@ std::vector<std::array<std::int64_t, 2>> touching_ids(const SphereStep& step, co
 
 }  // namespace
 
+struct SphereMeasures::Rows {
+    using Columns = std::vector<MeasureColumn>;
+    using Values = std::vector<double>;
+
+    static Columns three(const Measure& measure, const char* unit) {
+        return {{*measure.name + "_x", unit}, {*measure.name + "_y", unit}, {*measure.name + "_z", unit}};
+    }
+
+    static constexpr auto all = std::to_array<MeasureRow<SphereMeasures, SphereStep>>({
+        {MeasureKind::largest_speed,
+         [](const SphereMeasures&, const Measure& measure) {
+             return Columns{{measure.name, "m/s"}};
+         },
+         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
+             double largest = 0;
+             for (const SphereMotion& sphere : step.rows().motion().first(step.rows().owned()))
+                 largest =
+                     std::max(largest, Vec(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]).norm());
+             return Values{self.ranks_.largest(largest)};
+         }},
+        {MeasureKind::kinetic_energy,
+         [](const SphereMeasures&, const Measure& measure) {
+             return Columns{{measure.name, "J"}};
+         },
+         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
+             return Values{solver::kinetic_energy(step, self.ranks_).kinetic()};
+         }},
+        {MeasureKind::velocity, [](const SphereMeasures&, const Measure& measure) { return three(measure, "m/s"); },
+         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
+             return self.mean_of(measure, step, &SphereMotion::velocity);
+         }},
+        {MeasureKind::spin, [](const SphereMeasures&, const Measure& measure) { return three(measure, "rad/s"); },
+         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
+             return self.mean_of(measure, step, &SphereMotion::spin);
+         }},
+        {MeasureKind::wall_force, [](const SphereMeasures&, const Measure& measure) { return three(measure, "N"); },
+         [](const SphereMeasures& self, const Measure&, const SphereStep& step) {
+             Values values;
+             for (ExactSum force : step.walls().total_force()) {
+                 self.ranks_.sum(force);
+                 values.push_back(force.value());
+             }
+             return values;
+         }},
+        {MeasureKind::detached,
+         [](const SphereMeasures&, const Measure& measure) {
+             return Columns{{measure.name, "1"}, {*measure.name + "_upper", "1"}, {*measure.name + "_lower", "1"}};
+         },
+         [](const SphereMeasures& self, const Measure& measure, const SphereStep& step) {
+             return self.detached(measure, step);
+         }},
+    });
+};
+
 SphereMeasures::SphereMeasures(const Scene& scene, const ParticleSet& set, const Ranks& ranks)
     : space_(set), initial_(set.position), part_of_id_(set.part), ranks_(ranks) {
-    const auto columns = [&](const std::string& name, const std::vector<std::string>& endings, const char* unit) {
-        for (const std::string& ending : endings) {
-            series_.names.push_back(name + ending);
-            series_.units.emplace_back(unit);
-        }
-    };
-    const std::vector<std::string> axes{"_x", "_y", "_z"};
+    static_assert(has_row_for_each(Rows::all, {MeasureSubject::any, MeasureSubject::spheres}));
     for (const Measure& measure : scene.measures) {
         if (measure.part.given() && set.part_named(measure.part) < 0) continue;  // not enabled
         measures_.push_back(measure);
-        switch (*measure.kind) {
-            case MeasureKind::largest_speed:
-                columns(measure.name, {""}, "m/s");
-                break;
-            case MeasureKind::kinetic_energy:
-                columns(measure.name, {""}, "J");
-                break;
-            case MeasureKind::velocity:
-                columns(measure.name, axes, "m/s");
-                break;
-            case MeasureKind::spin:
-                columns(measure.name, axes, "rad/s");
-                break;
-            case MeasureKind::wall_force:
-                columns(measure.name, axes, "N");
-                break;
-            case MeasureKind::detached:
-                columns(measure.name, {"", "_upper", "_lower"}, "1");
-                break;
-            default:
-                measures_.pop_back();  // the scene's checks have refused it
+        for (const auto& [name, unit] : row_of(Rows::all, measure.kind).columns(*this, measure)) {
+            series_.names.push_back(name);
+            series_.units.push_back(unit);
         }
     }
 }
 
 void SphereMeasures::take(double time, const SphereStep& step) {
     std::vector<double> row;
-    const auto add = [&](const auto& values) { row.insert(row.end(), values.begin(), values.end()); };
     for (const Measure& measure : measures_) {
-        switch (*measure.kind) {
-            case MeasureKind::largest_speed: {
-                double largest = 0;
-                for (const SphereMotion& sphere : step.rows().motion().first(step.rows().owned()))
-                    largest =
-                        std::max(largest, Vec(sphere.velocity.c[0], sphere.velocity.c[1], sphere.velocity.c[2]).norm());
-                row.push_back(ranks_.largest(largest));
-                break;
-            }
-            case MeasureKind::kinetic_energy:
-                row.push_back(solver::kinetic_energy(step, ranks_).kinetic());
-                break;
-            case MeasureKind::wall_force:
-                for (ExactSum force : step.walls().total_force()) {
-                    ranks_.sum(force);
-                    row.push_back(force.value());
-                }
-                break;
-            case MeasureKind::detached:
-                add(detached(measure, step));
-                break;
-            default:
-                add(mean_of(measure, step));
-        }
+        const std::vector<double> values = row_of(Rows::all, measure.kind).values(*this, measure, step);
+        row.insert(row.end(), values.begin(), values.end());
     }
     series_.time.push_back(time);
     series_.rows.push_back(std::move(row));
 }
 
-std::vector<double> SphereMeasures::mean_of(const Measure& measure, const SphereStep& step) const {
+std::vector<double> SphereMeasures::mean_of(const Measure& measure, const SphereStep& step,
+                                            Row SphereMotion::*quantity) const {
     std::array<ExactSum, 3> sum;
     std::int64_t count = 0;
     for (std::size_t i = 0; i < step.rows().owned(); ++i) {
         if (space_.parts[step.group().tags()[i].part].name != *measure.part) continue;
-        const SphereMotion& sphere = step.rows().motion()[i];
-        const Row& value = *measure.kind == MeasureKind::spin ? sphere.spin : sphere.velocity;
+        const Row& value = step.rows().motion()[i].*quantity;
         for (std::size_t axis = 0; axis < 3; ++axis) sum[axis].add(value.c[axis]);
         ++count;
     }

@@ -28,8 +28,12 @@ class SphereMeasures {
     void archive(Archive& file);
 
   private:
+    struct Rows;
+
     [[nodiscard]] std::vector<double> detached(const Measure& measure, const SphereStep& step) const;
-    [[nodiscard]] std::vector<double> mean_of(const Measure& measure, const SphereStep& step) const;
+    /// Mean of a vector over the spheres of the measure's part.
+    [[nodiscard]] std::vector<double> mean_of(const Measure& measure, const SphereStep& step,
+                                              Row SphereMotion::*quantity) const;
 
     std::vector<Measure> measures_;
     ParticleSpace space_;

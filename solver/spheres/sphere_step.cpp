@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/dem/pull_off.hpp"
 #include "particles/periodic_images.hpp"
 #include "solver/parallel/shares.hpp"
 #include "solver/spheres/quad.hpp"
@@ -270,8 +271,7 @@ double SphereStep::expected_force(double dt) const {
             largest, pair.constants.normal_stiffness * touch * overlap +
                          pair.constants.normal_dashpot * std::sqrt(mass * touch) * speed +
                          std::min(pair.constants.normal_rate * mass * touch, mass / std::max(dt, 1e-300)) * speed);
-        if (pair.model.is_adhesive())
-            largest = std::max(largest, BradleyAdhesion::pull_off(pair.largest_radius, pair.constants));
+        largest = std::max(largest, largest_attraction(pair.model, pair.largest_radius, pair.constants));
     }
     return largest;
 }

@@ -2,7 +2,6 @@
 // Geometries that are broken in each way that files are broken: every kind ends with exit code 2, says what is wrong,
 // where, and what to do. What can be used all the same is in mended_drawings.cpp.
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <ostream>
 
@@ -248,7 +247,7 @@ TEST(BrokenGeometryFiles, ThatNeverEndAreGivenUp) {
     folder.write("endless.geo", "For i In {1 : 1000000000000}\n  a = i;\nEndFor\n");
     GeometryOptions options;
     options.file = (folder.path() / "endless.geo").string();
-    const auto start = std::chrono::steady_clock::now();
+    // This one would take days: whoever waits for it runs into ctest's limit.
     try {
         (void)read_geometry_in_process(options,
                                        {.command = {DMP_PROGRAM, dmp::cli::read_geometry_command}, .seconds = 1});
@@ -257,7 +256,6 @@ TEST(BrokenGeometryFiles, ThatNeverEndAreGivenUp) {
         EXPECT_THAT(error.what(), testing::HasSubstr("endless.geo: the geometry cannot be read: gmsh was not done "
                                                      "after 1 s\n  Open it in the program that made it"));
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
 TEST(BrokenGeometryFiles, MakeNoFirstScene) {

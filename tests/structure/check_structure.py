@@ -2,10 +2,10 @@
 # Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 """Checks what docs/architecture.md says of the source tree.
 
-Includes: a module includes only the modules that it may, the folders of solver/ and models/ include each other in one
-direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may. Words: names, keys, texts
-and docs do without the words that CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary
-lies at the root.
+Includes: a module includes only the modules that it may, the folders of solver/ and models/ and the files beside them
+include each other in one direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may.
+Choices: a switch over an enumeration lists its values. Words: names, keys, texts and docs do without the words that
+CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary lies at the root.
 """
 import pathlib
 import re
@@ -31,6 +31,11 @@ LIBRARIES = {  # header pattern: the only folders that may include it
     r"<mpi\.h": ["solver/parallel", "solver/domain"],
     r"<zoltan": ["solver/domain"],
     r"<hdf5": ["base"],
+}
+DEFAULT_ALLOWED_IN = {  # switches with a `default:`, which a new value of an enumeration would fall into in silence
+    "geometry/surface_intersections.cpp",  # over a number
+    "solver/spheres/wall_law.cpp",  # which vector units there are depends on the processor
+    "solver/sweeps/pair_sweeps.cpp",  # the same
 }
 # Word boundaries are those of identifiers and of English.
 OLD_WORDS = [
@@ -89,6 +94,25 @@ def cycle_in(graph):
     return []
 
 
+def folder_graph(module, files):
+    """Which folder of a module includes which. A file at its root counts as a folder of its own, header and source
+    together. `files`: name -> what it includes."""
+
+    def folder_of(name):
+        parts = name.split("/")
+        if parts[0] != module or len(parts) < 2:
+            return None
+        return parts[1] if len(parts) > 2 else pathlib.PurePath(parts[1]).stem
+
+    graph = {}
+    for name, included in files.items():
+        folder = folder_of(name)
+        others = {folder_of(file[1:]) for file in included if file[0] == '"'} - {None, folder}
+        if folder is not None and others:
+            graph.setdefault(folder, set()).update(others)
+    return graph
+
+
 class Includes(unittest.TestCase):
     def test_modules_include_only_those_before_them(self):
         wrong = []
@@ -102,22 +126,19 @@ class Includes(unittest.TestCase):
                     wrong.append(f"{name} includes {included[1:]}")
         self.assertEqual(wrong, [])
 
-    def folder_graph(self, module):
-        graph = {}
-        for path, name in sources(".hpp", ".cpp"):
-            parts = name.split("/")
-            if parts[0] != module or len(parts) < 3:
-                continue
-            folder = parts[1]
-            for included in includes(path):
-                other = included[1:].split("/")
-                if included[0] == '"' and other[0] == module and len(other) > 2 and other[1] != folder:
-                    graph.setdefault(folder, set()).add(other[1])
-        return graph
-
     def test_folders_of_a_module_have_no_cycle(self):
+        files = {name: includes(path) for path, name in sources(".hpp", ".cpp")}
         for module in ("solver", "models"):
-            self.assertEqual(cycle_in(self.folder_graph(module)), [], module)
+            self.assertEqual(cycle_in(folder_graph(module, files)), [], module)
+
+    def test_a_cycle_through_a_file_at_the_root_is_found(self):
+        files = {
+            "solver/simulation.hpp": ['"solver/time/run.hpp'],
+            "solver/simulation.cpp": ['"solver/simulation.hpp', '"solver/run/fluid_run.hpp'],
+            "solver/run/model_costs.cpp": ['"solver/simulation.hpp', "<cmath"],
+        }
+        self.assertEqual(folder_graph("solver", files), {"simulation": {"time", "run"}, "run": {"simulation"}})
+        self.assertEqual(cycle_in(folder_graph("solver", files)), ["run", "simulation", "run"])
 
     def test_a_cycle_is_found(self):
         self.assertEqual(cycle_in({"a": {"b"}, "b": {"c"}, "c": {"b"}}), ["b", "c", "b"])
@@ -133,6 +154,17 @@ class Includes(unittest.TestCase):
                     if re.match(pattern, included) and not any(name.startswith(folder + "/") for folder in folders):
                         wrong.append(f"{name} includes {included[1:]}")
         self.assertEqual(wrong, [])
+
+
+class Choices(unittest.TestCase):
+    def test_switches_name_every_value(self):
+        found = [
+            name
+            for path, name in sources(".hpp", ".cpp")
+            if name.split("/")[0] in MODULES and re.search(r"^\s*default:", path.read_text(), flags=re.M)
+        ]
+        self.assertEqual(sorted(set(found) - DEFAULT_ALLOWED_IN), [], "list the values instead (-Wswitch)")
+        self.assertEqual(sorted(DEFAULT_ALLOWED_IN - set(found)), [], "no longer has one")
 
 
 class Texts(unittest.TestCase):

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -401,15 +400,12 @@ TEST(RepairSolids, makes_solids_of_surfaces_that_are_to_be_solids) {
                 HasSubstr("valve.stl: solid 'wall' is not closed and cannot be repaired: 4 edges with one triangle"));
 }
 
-TEST(Repair, of_a_million_triangles_takes_seconds) {
+TEST(Repair, of_a_million_triangles) {
     TriangleSurface soup = soup_of(ball(354));
     ASSERT_EQ(soup.triangles.size(), 1002528U);
     for (std::size_t t = 0; t < soup.triangles.size(); t += 2) flip(soup, t);
-    const auto start = std::chrono::steady_clock::now();
     const RepairedSurface found =
         repair_surface(std::move(soup), {.spacing = 0.02, .meets_itself = false}, "solid 'ball'", {});
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    RecordProperty("seconds", std::to_string(seconds.count()));
     EXPECT_EQ(found.report.equal_corners, 3U * 1002528U - 501266U);  // Euler: corners = triangles / 2 + 2
     EXPECT_EQ(found.report.turned, 501264U);
     EXPECT_NEAR(found.surface.enclosed_volume(), 4.0 / 3 * std::numbers::pi, 1e-4);

@@ -24,7 +24,13 @@ INSTANTIATE_TEST_SUITE_P(
               "[numerics]\nviscosity_stepping = \"implicit\"\nviscous_law = \"monaghan_approaching\"\n[run]",
               "scene.toml:32:15: numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the "
               "velocities; numerics.viscous_law = \"monaghan_approaching\" is not\n"
-              "  write viscous_law = \"monaghan\" or \"morris\""},
+              "  write viscous_law = \"morris\", \"monaghan\", \"cleary\" or \"newtonian\""},
+        Fault{"implicit_viscosity_of_approaching_pairs_in_the_plain_scheme", "[run]",
+              "[numerics]\nscheme = \"plain\"\nviscosity_stepping = \"implicit\"\n"
+              "viscous_law = \"monaghan_approaching\"\n[run]",
+              "scene.toml:33:15: numerics.viscosity_stepping = \"implicit\" needs a force that is linear in the "
+              "velocities; numerics.viscous_law = \"monaghan_approaching\" is not\n"
+              "  write viscous_law = \"morris\", \"monaghan\" or \"cleary\""},
         Fault{"diffusion_of_a_summed_density", "[run]",
               "[numerics]\nscheme = \"plain\"\ndensity = \"summation\"\ndensity_diffusion = 0.1\n[run]",
               "scene.toml:33:21: numerics.density_diffusion smooths an integrated density; numerics.density = "
@@ -83,6 +89,24 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:32:15: numerics.scheme = \"plain\" does not support numerics.viscous_law = \"newtonian\"\n"
               "  leave it out, or write scheme = \"corrected\""}}),
     name_of);
+
+// The advice in both messages above is to be right for every law, also for one that is added.
+TEST(ImplicitViscosity, takes_the_laws_that_its_advice_names_and_no_other) {
+    for (const std::string scheme : {"corrected", "plain"}) {
+        const auto fault = [&](const std::string& law) {
+            return fault_of(scene_with("[run]", "[numerics]\nscheme = \"" + scheme +
+                                                    "\"\nviscosity_stepping = \"implicit\"\nviscous_law = \"" + law +
+                                                    "\"\n[run]"));
+        };
+        const std::string refused = fault("monaghan_approaching");
+        const std::string advice = refused.substr(refused.find("\n  write viscous_law"));
+        for (const models::LawFacts& law : models::ViscousLaws::facts) {
+            const std::string key(law.key);
+            EXPECT_EQ(fault(key) == "no error", advice.find('"' + key + '"') != std::string::npos)
+                << scheme << " " << key;
+        }
+    }
+}
 
 }  // namespace
 }  // namespace dmp::tests::scene_numerics_errors_tests

@@ -283,8 +283,8 @@ INSTANTIATE_TEST_SUITE_P(
               "scene.toml:36:12: the contact of 'drug' and 'carrier' gives the strength of its adhesion twice\n"
               "  give work_of_adhesion or pull_off_force"},
         Fault{"bradley_without_a_distance", "equilibrium_distance = \"0.4 nm\"\n", "",
-              "scene.toml:36:12: the contact of 'drug' and 'carrier': equilibrium_distance is missing, which Bradley's "
-              "law needs\n"
+              "scene.toml:36:12: the contact of 'drug' and 'carrier': equilibrium_distance is missing, which "
+              "adhesion = \"bradley\" needs\n"
               "  add equilibrium_distance = \"0.4 nm\""},
         Fault{"distance_without_bradley", "adhesion = \"bradley\"", "adhesion = \"dmt\"",
               "scene.toml:38:24: the contact of 'drug' and 'carrier': equilibrium_distance does not go with normal = "

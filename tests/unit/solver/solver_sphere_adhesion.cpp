@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "models/dem/contact_material.hpp"
 #include "models/dem/contact_steps.hpp"
+#include "models/dem/pull_off.hpp"
 #include "solver/spheres/wall_law.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/solver/few_spheres.hpp"
@@ -103,6 +106,35 @@ TEST(ContactModels, are_all_there_and_consistent_ones_are_compiled) {
     }
     EXPECT_EQ(consistent, contact_models - 2 * TangentialLaws::size * RollingLaws::size);
     EXPECT_FALSE((model_of<JkrContact, RescaledHistory, NoRolling, DmtAdhesion>.is_consistent()));
+}
+
+/// Calls check.template operator()<model>() for every normal law with every adhesion that goes with it.
+template <class Check>
+void for_each_adhesion(const Check& check) {
+    const auto with = [&]<class Normal, std::size_t... k>(std::index_sequence<k...>) {
+        const auto one = [&]<class Adhesion>() {
+            constexpr ContactModel model = model_of<Normal, RescaledHistory, NoRolling, Adhesion>;
+            if constexpr (model.is_consistent()) check.template operator()<model>();
+        };
+        (one.template operator()<AdhesionLaws::Law<k>>(), ...);
+    };
+    const auto all = [&]<std::size_t... k>(std::index_sequence<k...>) {
+        (with.template operator()<NormalLaws::Law<k>>(std::make_index_sequence<AdhesionLaws::size>{}), ...);
+    };
+    all(std::make_index_sequence<NormalLaws::size>{});
+}
+
+// What sums of loads are rounded by: each law's own pull-off force, found here along its curve.
+TEST(ContactModels, attract_as_much_as_they_say) {
+    const auto pair = drug_on_carrier();
+    for_each_adhesion([&]<ContactModel model>() {
+        const double reach = std::min(10 * z0, ContactLaw<model>::reach(radius, pair));
+        double strongest = 0;
+        for (int k = 0; k <= 100000; ++k) strongest = std::min(strongest, force<model>(-1e-5 * reach * k, pair));
+        const std::string laws = to_string(model.normal) + " " + to_string(model.adhesion);
+        EXPECT_NEAR(largest_attraction(model, radius, pair) / pull_off, -strongest / pull_off, 1e-6) << laws;
+        EXPECT_EQ(largest_attraction(model, radius, pair) > 0, model.is_adhesive()) << laws;
+    });
 }
 
 TEST(SphereAdhesion, bradley_takes_its_true_work) {

@@ -1,14 +1,15 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/run/model_costs.hpp"
+#include "solver/model_costs.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <memory>
 
 #include "base/errors.hpp"
 #include "base/wall_clock.hpp"
-#include "solver/output/species_measures.hpp"
+#include "scene/measure_subject.hpp"
 #include "solver/simulation.hpp"
 
 namespace dmp::solver {
@@ -122,31 +123,34 @@ Scene for_trials(Scene scene) {
 
 }  // namespace
 
-ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const Resources& resources, double seconds) {
-    const auto start = WallClock::now();
+double wall_time() { return std::chrono::duration<double>(WallClock::now().time_since_epoch()).count(); }
+
+ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const Resources& resources, double seconds,
+                         const std::function<double()>& clock) {
+    const double start = clock();
     const Scene whole_scene = for_trials(scene);
     Trial whole(whole_scene, particles, resources);
     (void)whole.run(2);  // lists and memory
-    const auto first = WallClock::now();
+    const double first = clock();
     (void)whole.run(2);
-    const double step_seconds = std::max(1e-6, seconds_since(first) / 2);
+    const double step_seconds = std::max(1e-6, (clock() - first) / 2);
 
     std::vector<Omission> left_out = omissions(whole_scene);
     std::vector<std::unique_ptr<Trial>> without;
     for (const Omission& omission : left_out) {
-        if (seconds_since(start) > 0.4 * seconds) break;
+        if (clock() - start > 0.4 * seconds) break;
         without.push_back(std::make_unique<Trial>(omission.without, particles, resources));
         (void)without.back()->run(2);
     }
     // Ten rounds, so that a disturbance of the machine hits all alike or few rounds only.
     constexpr int rounds = 10;
-    const double left = std::max(0.0, seconds - seconds_since(start));
+    const double left = std::max(0.0, seconds - (clock() - start));
     const double a_round = left / (rounds * static_cast<double>(1 + without.size()));
     const long steps = std::clamp(static_cast<long>(a_round / step_seconds), 1L, 1000L);
 
     std::vector<Trial::Round> of_whole;
     std::vector<std::vector<Trial::Round>> of_others(without.size());
-    for (int round = 0; round < rounds && (round < 1 || seconds_since(start) < seconds); ++round) {
+    for (int round = 0; round < rounds && (round < 1 || clock() - start < seconds); ++round) {
         of_whole.push_back(whole.run(steps));
         for (std::size_t k = 0; k < without.size(); ++k) of_others[k].push_back(without[k]->run(steps));
     }

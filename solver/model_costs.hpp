@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct MeasuredTime {
     double spread = 0;  ///< how much longer the third fastest took
 };
 
+/// The time on the wall clock, from any origin [s].
+double wall_time();
+
 struct ModelCosts {
     MeasuredTime step;                 ///< all of it
     std::vector<MeasuredTime> stages;  ///< of which, in its fastest round
@@ -28,7 +32,8 @@ struct ModelCosts {
 };
 
 /// Runs the scene's first steps, and those of the scene without each model that it could do without, for about this
-/// long [s]; less is measured where the particles are too many for that. Nothing is written.
-ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const Resources& resources, double seconds);
+/// long [s] by the clock; less is measured where the particles are too many for that. Nothing is written.
+ModelCosts measure_costs(const Scene& scene, const ParticleSet& particles, const Resources& resources, double seconds,
+                         const std::function<double()>& clock = wall_time);
 
 }  // namespace dmp::solver

@@ -1,0 +1,36 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "scene/measure_subject.hpp"
+#include "scene/scene.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// A column of measures.csv.
+struct MeasureColumn {
+    std::string name, unit;
+};
+
+/// One kind of measure, as a class that takes measures knows it. `Moment`: what it is taken from.
+template <class Taker, class Moment>
+struct MeasureRow {
+    MeasureKind kind;
+    std::vector<MeasureColumn> (*columns)(const Taker&, const Measure&);
+    std::vector<double> (*values)(const Taker&, const Measure&, const Moment&);  ///< one a column; all ranks together
+};
+
+/// The row of a kind. A class has one for each kind of its subjects (scene::has_row_for_each); the scene's checks
+/// refuse others, so that one without a row throws std::logic_error.
+template <class Rows>
+constexpr const auto& row_of(const Rows& rows, MeasureKind kind) {
+    const auto found = std::ranges::find_if(rows, [&](const auto& row) { return row.kind == kind; });
+    if (found == rows.end()) unlisted_value(kind);
+    return *found;
+}
+
+}  // namespace dmp::solver

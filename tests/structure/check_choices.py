@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+# Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks that a choice forgotten somewhere does not compile: adds a value to an enumeration or a law to a registry, in
+a copy of the header that has them, compiles a file that must know of it, and reads what the compiler says.
+
+Usage: check_choices.py COMPILER FOLDER:FOLDER...   (where others' headers are)
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COMPILER, SYSTEM = None, []
+CHOICES = "scene/choices.hpp"
+NOT_HANDLED = "enumeration value 'forgotten' not handled in switch"
+
+ADHESION = "models/dem/contact_laws.hpp"
+ADHESION_WITHOUT_PULL_OFF = """struct Forgotten : NoAdhesion {
+    static constexpr LawFacts facts{"forgotten", "", "adhesive, and it says not how much"};
+    static constexpr bool adhesive = true;
+};
+"""
+
+
+def replaced(header, *changes):
+    """The header with each (old, new) replaced, each of which it must have once."""
+    text = (ROOT / header).read_text()
+    for old, new in changes:
+        if text.count(old) != 1:
+            raise ValueError(f"{header} has {text.count(old)} times: {old}")
+        text = text.replace(old, new)
+    return {header: text}
+
+
+def with_value(last, name):
+    """choices.hpp with the value and name `forgotten` after the last ones of an enumeration."""
+    return replaced(CHOICES, (last, last.replace("}", ", forgotten }")), (name, name + ', "forgotten"'))
+
+
+def compiled(file, headers):
+    """What the compiler says of a source file where these headers (name -> text) replace the tree's."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in headers.items():
+            path = pathlib.Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        command = [COMPILER, "-std=c++20", "-fsyntax-only", "-fopenmp", "-Wall", "-Werror", "-Wno-psabi"]
+        command += ["-I", folder, "-I", ROOT]
+        for other in SYSTEM:
+            command += ["-idirafter", other]  # some are the compiler's own, whose order counts
+        result = subprocess.run([*command, ROOT / file], capture_output=True, text=True,
+                                env={**os.environ, "LC_ALL": "C"})
+        return result.returncode, result.stderr
+
+
+class Forgotten(unittest.TestCase):
+    def refused(self, file, headers, message):
+        code, said = compiled(file, headers)
+        self.assertNotEqual(code, 0, f"{file} compiles")
+        self.assertIn(message, said)
+
+    def test_a_file_compiles_as_it_is(self):
+        self.assertEqual(compiled("solver/forcing/driving.cpp", {}), (0, ""))
+
+    def test_side_of_a_shape(self):
+        self.refused("solver/forcing/driving.cpp",
+                     with_value("PushedSide { both, inside, outside }", '"both", "inside", "outside"'), NOT_HANDLED)
+
+    def test_kind_of_a_shape(self):
+        self.refused("solver/forcing/driving.cpp",
+                     with_value("ShapeKind { parabola, circle }", '"parabola", "circle"'), NOT_HANDLED)
+
+    def test_kernel(self):
+        self.refused("mesher/quality.cpp",
+                     with_value("wendland_c4, lucy, cubic_spline, quintic_spline }",
+                                '"cubic_spline", "quintic_spline"'), NOT_HANDLED)
+
+    def measure(self, subject=None):
+        headers = replaced(CHOICES, ("    aggregate\n}", "    aggregate, forgotten\n}"),
+                           ('"detached", "aggregate"', '"detached", "aggregate", "forgotten"'))
+        if subject:
+            case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
+            headers |= replaced("scene/measure_subject.hpp", ("    switch (kind) {", "    switch (kind) {" + case))
+        return headers
+
+    def test_subject_of_a_measure(self):
+        self.refused("scene/measure_keys.cpp", self.measure(), NOT_HANDLED)
+
+    def test_measure_without_a_row(self):
+        for subject, file in (("flow", "solver/output/measures.cpp"), ("species", "solver/output/species_measures.cpp"),
+                              ("spheres", "solver/spheres/sphere_measures.cpp")):
+            self.refused(file, self.measure(subject), "static assertion failed")
+
+    def test_pull_off_force_of_an_adhesion(self):
+        self.refused("solver/spheres/sphere_step.cpp",
+                     replaced(ADHESION, ("using AdhesionLaws = Registry<", ADHESION_WITHOUT_PULL_OFF
+                                         + "using AdhesionLaws = Registry<Forgotten, ")),
+                     "'pull_off' is not a member of 'dmp::models::Forgotten'")
+
+
+if __name__ == "__main__":
+    COMPILER = sys.argv[1]
+    SYSTEM = [folder for folder in sys.argv[2].split(":") if folder and pathlib.Path(folder) != ROOT]
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
