@@ -38,7 +38,8 @@ TEST_F(Resume, GivesWhatAnUndisturbedRunGives) {
     ASSERT_EQ(run("whole", fields).code, 0);
     const auto stopped = stopped_run("parts", fields);
     ASSERT_EQ(stopped.code, 143) << stopped.errors;
-    EXPECT_THAT(stopped.output, HasSubstr("Go on with the same command and --resume."));
+    EXPECT_THAT(stopped.output,
+                AllOf(HasSubstr("Go on with the same command and --resume.\n  "), HasSubstr(" --resume\n")));
     EXPECT_LT(summary("parts")["simulated_s"], 0.1);
     EXPECT_THAT(files("parts/checkpoints"), SizeIs(1));
 
@@ -119,7 +120,7 @@ TEST_F(Resume, WithBrokenCheckpointsOnlyIsRefused) {
 
 TEST_F(Resume, DoesNotTakeUpARunThatAnotherOneReplaced) {
     ASSERT_THAT(two_checkpoints("out"), SizeIs(2));
-    const auto fresh = run("out", {"--until", "0.01 s", "--checkpoint-every", "0 s"});
+    const auto fresh = run("out", {"--until", "0.01 s", "--checkpoint-every", "0 s", "--overwrite"});
     ASSERT_EQ(fresh.code, 0) << fresh.errors;
     EXPECT_THAT(files("out/checkpoints"), IsEmpty());
     EXPECT_EQ(run("out", {"--resume"}).code, 2);
