@@ -80,6 +80,7 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
         }
+        run_.typed = mesh_.typed = TypedCommand({argv.begin(), argv.end()});
         if (*run_app_) return run_;
         if (*mesh_app_) return mesh_;
         if (*inspect_app_) return inspect_;
@@ -103,7 +104,12 @@ class Parser {
         add_vector_unit(*run_app_, run_.vector_unit);
         add_particles(*run_app_, run_.scene);
         add_frames(*run_app_, run_.frames);
-        run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
+        auto* resume =
+            run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
+        run_app_
+            ->add_flag("--overwrite", run_.overwrite,
+                       "Remove the results that are in the folder, once nothing else keeps the run from starting")
+            ->excludes(resume);
         run_app_
             ->add_option("--checkpoint-every", run_.checkpoint_every,
                          "Wall time between checkpoints; default: \"10 min\"; \"0 s\": only when stopped")

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/typed_command.hpp"
 #include "cli/uses.hpp"
 #include "solver/parallel/resources.hpp"
 
@@ -30,9 +31,11 @@ struct RunCommand {
     VectorUnit vector_unit = VectorUnit::widest;
     std::optional<FrameFormat> frames;  ///< none: vtk, or hdf5 where dmp was built without VTK
     bool dry_run = false;
-    bool resume = false;
+    bool resume = false;           ///< go on with the run in the folder
+    bool overwrite = false;        ///< remove what an earlier run has left in the folder
     std::string checkpoint_every;  ///< wall time with its unit; empty: ten minutes
     std::string wall_limit;        ///< wall time with its unit; empty: none
+    TypedCommand typed;            ///< for lines to paste
 };
 
 /// `dmp mesh`: the particles and their quality report.
@@ -41,6 +44,7 @@ struct MeshCommand {
     std::string out;         ///< empty: out/NAME_mesh below the current folder
     std::string particles;   ///< file for 'dmp run --particles'; empty: none
     bool rest_test = false;  ///< then run them at rest for a while
+    TypedCommand typed;      ///< for lines to paste
 };
 
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.

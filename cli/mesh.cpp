@@ -12,6 +12,7 @@
 #include "cli/particle_input.hpp"
 #include "cli/prepare.hpp"
 #include "cli/rest_test.hpp"
+#include "cli/results_folder.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
@@ -28,6 +29,8 @@ int execute(const MeshCommand& command) {
     if (command.rest_test && is_of_spheres(scene))
         throw InputError("--settle is for fluids and their walls, and this is a scene of spheres",
                          "leave --settle out");
+    const ResultsFolder results(output_folder(command.out, scene_name(scene) + "_mesh"), command.typed);
+    const std::filesystem::path& folder = results.path();
     MeshDetail detail;
     MeshReport report;
     ParticlesWithOrigin fresh = MeshCache().make(scene, [&]() -> ParticlesWithOrigin {
@@ -36,18 +39,16 @@ int execute(const MeshCommand& command) {
         return {std::move(made.particles), origin_of(scene, report)};
     });
     const Prepared prepared{std::move(scene), std::move(fresh.particles), std::move(fresh.origin)};
-    const auto folder = output_folder(command.out, scene_name(prepared.scene) + "_mesh");
-    const std::string removed = prepare_folder(folder);
     if (command.rest_test) report.at_rest = rest_test(prepared.scene, prepared.particles);
     print(heading(prepared) + "\n" + report.text() + "\n");
-    if (!removed.empty()) print(removed + "\n");
+    if (const std::string removed = remove_results(folder); !removed.empty()) print(removed + "\n");
 
+    write_file(folder / mesh_report_name, report.json());
     write_file(folder / resolved_scene_name, resolved_scene(prepared.scene));
     VtkSink sink(folder, label_of(prepared.scene));
     sink.write(particle_frame(prepared.particles));
     std::vector<std::string> files = sink.files();
     files.emplace_back(resolved_scene_name);
-    write_file(folder / mesh_report_name, report.json());
     files.emplace_back(mesh_report_name);
     if (*prepared.scene.output.pictures && !is_of_spheres(prepared.scene)) {
         const std::string& title = *prepared.scene.title;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/folder_lock.hpp"
 #include "base/safe_file.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
@@ -23,44 +24,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> marks{"fluid.pvd",      "solid.pvd",       "walls.vtp",
-                                                frame_index_name, summary_file_name, resolved_scene_name};
+/// Files of which a folder with results has at least one.
+constexpr std::array<std::string_view, 8> marks{"fluid.pvd", "solid.pvd",      "spheres.pvd",     "moving_walls.pvd",
+                                                "walls.vtp", frame_index_name, summary_file_name, resolved_scene_name};
 
 bool is_own(const fs::path& file) {
     const std::string name = file.filename().string();
-    const bool in_frames = file.parent_path().filename() == "frames";
-    if (in_frames) return name.ends_with(".vtp") && (name.starts_with("fluid_") || name.starts_with("solid_"));
+    if (file.parent_path().filename() == "frames") {
+        constexpr std::array<std::string_view, 4> groups{"fluid_", "solid_", "spheres_", "moving_walls_"};
+        return name.ends_with(".vtp") &&
+               std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
+    }
     constexpr std::array<std::string_view, 9> others{measures_file_name, paraview_script_name, mesh_report_name,
                                                      "last_frame.png",   "cycle.png",          "measures.png",
                                                      "slices.png",       "surface_error.png",  "valence.png"};
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }
 
-/// Also what a run leaves that was killed before its first file: that file unfinished, or a folder for frames.
-bool is_of_dmp(const fs::path& folder) {
-    const auto is_there = [&](std::string_view name) {
-        return fs::exists(folder / name) || fs::exists(unfinished_name(folder / name));
-    };
-    if (std::ranges::any_of(marks, is_there)) return true;
-    return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
-        return entry.path().filename() == "frames" && entry.is_directory() && fs::is_empty(entry.path());
+/// Nothing that anybody misses: locks, empty folders of a run, a file that was begun.
+bool is_negligible(const fs::directory_entry& entry) {
+    const fs::path& file = entry.path();
+    if (entry.is_directory()) {
+        const auto name = file.filename();
+        return (name == "frames" || name == "checkpoints") && fs::is_empty(file);
+    }
+    return is_lock_file(file) || is_own(finished_name(file).value_or("other"));
+}
+
+bool has_checkpoint(const fs::path& folder) {
+    std::error_code none;
+    return std::ranges::any_of(fs::directory_iterator(folder / "checkpoints", none), [](const auto& entry) {
+        const std::string name = entry.path().filename().string();
+        return name.starts_with("step_") && name.ends_with(".h5");
     });
 }
 
-/// Removes dmp's own files, also those that a killed run left unfinished; folders that this empties go too.
-std::size_t remove_own(const fs::path& folder) {
-    // Checkpoints first: none may outlive the frames it goes on from.
-    std::size_t removed = CheckpointFolder(folder).remove();
-    removed += remove_frames(folder, 0);
-    for (const auto& position : {folder / "frames", folder}) {
-        if (!fs::is_directory(position)) continue;
-        for (const auto& entry : fs::directory_iterator(position)) {
-            if (entry.is_regular_file() && is_own(finished_name(entry.path()).value_or(entry.path())))
-                removed += fs::remove(entry.path()) ? 1 : 0;
-        }
+std::string text_of(const fs::path& file) {
+    try {
+        return read_file(file);
+    } catch (const InputError&) {
+        return "";
     }
-    if (fs::is_directory(folder / "frames") && fs::is_empty(folder / "frames")) fs::remove(folder / "frames");
-    return removed;
 }
 
 }  // namespace
@@ -69,14 +73,50 @@ fs::path output_folder(const std::string& asked, const std::string& name) {
     return asked.empty() ? fs::path("out") / name : fs::path(asked);
 }
 
-std::string prepare_folder(const fs::path& folder) {
-    make_folder(folder);
-    if (fs::is_empty(folder)) return "";
-    if (!is_of_dmp(folder)) {
-        throw InputError({folder.string()}, "the output folder holds files that are not dmp's",
-                         "Nothing was written. Choose an empty or a new folder with --out DIR.");
+FolderContents contents_of(const fs::path& folder) {
+    using enum FolderContents::Kind;
+    if (!fs::is_directory(folder)) return {};
+    const auto is_there = [&](std::string_view name) { return fs::exists(folder / name); };
+    const auto is_begun = [&](std::string_view name) { return fs::exists(unfinished_name(folder / name)); };
+    FolderContents found;
+    found.has_checkpoint = has_checkpoint(folder);
+    if (is_there(mesh_report_name) && !is_there(summary_file_name) && !found.has_checkpoint) {
+        found.kind = mesh;
+        return found;
     }
-    const std::size_t removed = remove_own(folder);
+    // A scene alone is of a run that ended before its first frame.
+    const bool has_frames = std::ranges::any_of(
+        marks, [&](std::string_view name) { return name != resolved_scene_name && is_there(name); });
+    if (has_frames || found.has_checkpoint) {
+        const auto end = read_run_end(folder);
+        found.kind = end && !end->interrupted ? finished : unfinished;
+        found.simulated_s = end ? end->simulated_s : 0;
+        found.scene = text_of(folder / resolved_scene_name);
+        return found;
+    }
+    if (is_there(resolved_scene_name) || std::ranges::any_of(marks, is_begun)) return found;
+    try {
+        if (!std::ranges::all_of(fs::directory_iterator(folder), is_negligible)) found.kind = foreign;
+    } catch (const fs::filesystem_error& error) {
+        // Another dmp that was refused may just remove the folder.
+        if (error.code() != std::errc::no_such_file_or_directory) throw;
+    }
+    return found;
+}
+
+std::string remove_results(const fs::path& folder) {
+    // Checkpoints first: none may outlive the frames it goes on from.
+    std::size_t removed = CheckpointFolder(folder).remove();
+    // What is left of a run whose removal was stopped may not count as finished.
+    if (fs::is_regular_file(folder / summary_file_name)) removed += fs::remove(folder / summary_file_name) ? 1 : 0;
+    removed += remove_frames(folder, 0);
+    for (const auto& position : {folder / "frames", folder}) {
+        if (!fs::is_directory(position)) continue;
+        for (const auto& entry : fs::directory_iterator(position)) {
+            if (entry.is_regular_file() && is_own(finished_name(entry.path()).value_or(entry.path())))
+                removed += fs::remove(entry.path()) ? 1 : 0;
+        }
+    }
     if (removed == 0) return "";
     return fmt::format("Removed {} of an earlier run from {}; nothing else in it was touched.",
                        count_text(removed, "file"), folder.string());

@@ -36,17 +36,15 @@ std::string particles_text(const ParticleSet& particles) {
 }  // namespace
 
 Prepared prepare(const SceneChoice& choice) {
-    Scene scene = read_scene(choice.path, choice.overrides);
-    ParticlesWithOrigin made =
-        choice.particles.empty() ? particles_from_geometry(scene) : particles_from_file(choice.particles, scene);
-    return {std::move(scene), std::move(made.particles), std::move(made.origin)};
+    return prepare(read_scene(choice.path, choice.overrides), choice.particles, Ranks::alone());
 }
 
-Prepared prepare(const SceneChoice& choice, const Ranks& ranks) {
-    Prepared prepared =
-        ranks.is_first() ? prepare(choice) : Prepared{read_scene(choice.path, choice.overrides), {}, {}};
-    share_particles(prepared.particles, ranks);
-    return prepared;
+Prepared prepare(Scene scene, const std::string& particles, const Ranks& ranks) {
+    ParticlesWithOrigin made;
+    if (ranks.is_first())
+        made = particles.empty() ? particles_from_geometry(scene) : particles_from_file(particles, scene);
+    share_particles(made.particles, ranks);
+    return {std::move(scene), std::move(made.particles), std::move(made.origin)};
 }
 
 int threads_for(const Scene& scene, int asked) { return asked > 0 ? asked : *scene.run.threads; }

@@ -15,6 +15,7 @@
 #include "cli/output_folder.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "cli/results_folder.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
@@ -104,24 +105,41 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
     return files;
 }
 
-/// Makes room for a new run, or finds where to go on; what it says is printed.
-std::optional<FoundCheckpoint> open_folder(const RunCommand& command, const fs::path& folder,
-                                           const std::string& scene) {
-    if (!command.resume) {
-        const std::string removed = prepare_folder(folder);
-        if (!removed.empty()) print(removed + "\n");
-        print("Writing to " + folder.string() + "\n\n");
-        return std::nullopt;
+/// Where the run goes on, if it is to.
+std::optional<FoundCheckpoint> found_checkpoint(const RunCommand& command, const fs::path& folder,
+                                                const std::string& scene) {
+    if (!command.resume) return std::nullopt;
+    return checkpoint_to_resume(folder, scene);
+}
+
+/// What the first rank knows of the folder it writes into.
+struct Destination {
+    Destination(const RunCommand& command, const std::string& scene, fs::path folder, double until, int ranks)
+        : results(std::move(folder), {scene, until, command.resume, command.overwrite}, command.typed.on_ranks(ranks)),
+          checkpoint(found_checkpoint(command, results.path(), scene)) {}
+
+    ResultsFolder results;
+    std::optional<FoundCheckpoint> checkpoint;  ///< none: the run starts from the beginning
+};
+
+/// Says where the run goes on, or removes what an earlier one has left: nothing refuses the run any more.
+void open_folder(const Destination& destination) {
+    const fs::path& folder = destination.results.path();
+    if (!destination.results.note().empty()) print(destination.results.note() + "\n");
+    if (const auto& found = destination.checkpoint) {
+        for (const std::string& message : found->messages)
+            print(Style(Stream::output).warning("warning: ") + message + "\n");
+        print("Going on in " + folder.string() + " from step " + std::to_string(found->step) + "\n\n");
+        return;
     }
-    FoundCheckpoint found = checkpoint_to_resume(folder, scene);
-    for (const std::string& message : found.messages)
-        print(Style(Stream::output).warning("warning: ") + message + "\n");
-    print("Going on in " + folder.string() + " from step " + std::to_string(found.step) + "\n\n");
-    return found;
+    CheckpointFolder(folder).make();  // may refuse
+    if (const std::string removed = remove_results(folder); !removed.empty()) print(removed + "\n");
+    print("Writing to " + folder.string() + "\n\n");
 }
 
 /// The first rank, which speaks, writes and draws.
-int run_as_first(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options) {
+int run_as_first(const RunCommand& command, Prepared prepared, const Resources& resources, RunOptions options,
+                 Destination* destination) {
     const Scene& scene = prepared.scene;
     const std::string head = heading(prepared);
     const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
@@ -139,13 +157,14 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         return exit_done;
     }
 
-    const fs::path folder = output_folder(command.out, scene_name(scene));
+    const fs::path& folder = destination->results.path();
     options.checkpoints.scene = resolved_scene(scene);
     options.checkpoints.folder = folder;
-    const auto found = open_folder(command, folder, options.checkpoints.scene);
-    flush_output();
     const FrameFormat format = frame_format(command);
     const auto sink = frame_series(format, folder, scene, resources.ranks);
+    open_folder(*destination);
+    flush_output();
+    const auto& found = destination->checkpoint;
     std::string checkpoint = found ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
     if (found) sink->go_on(simulation.resume(checkpoint));
@@ -154,7 +173,10 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     ProgressLine line;
     const StopSignals signals;
     options.sink = sink.get();
-    options.progress = [&line](const RunProgress& progress) { line.show(progress); };
+    options.progress = [&](const RunProgress& progress) {
+        destination->results.check();
+        line.show(progress);
+    };
     options.stop = &signals.flag();
     const RunSummary summary = simulate(simulation, options, folder);
     line.clear();
@@ -165,7 +187,8 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     print("\n" + results_text(folder, files));
     if (summary.interrupted)
         print("Stopped before its end" + std::string(summary.out_of_time ? ", out of its wall time" : "") +
-              ". Go on with the same command and --resume.\n");
+              ". Go on with the same command and --resume.\n  " +
+              command.typed.on_ranks(resources.ranks.size()).with("--resume") + "\n");
     if (summary.out_of_time) return exit_out_of_resource;
     return summary.interrupted ? signals.exit_code() : exit_done;
 }
@@ -202,8 +225,7 @@ int execute(const RunCommand& command) {
         Resources resources;
         resources.ranks = session.ranks();
         resources.vector_unit = chosen_vector_unit(command.vector_unit);
-        Prepared prepared = prepare(command.scene, resources.ranks);
-        const Scene& scene = prepared.scene;
+        Scene scene = read_scene(command.scene.path, command.scene.overrides);
         resources.threads = threads_for(scene, command.threads);
         // Ranks that share a machine share its processors.
         if (resources.threads == 0 && resources.ranks.size() > 1) resources.threads = 1;
@@ -213,7 +235,15 @@ int execute(const RunCommand& command) {
         options.wall_limit = time_of("--wall-limit", command.wall_limit, 0);
         options.checkpoints.every =
             time_of("--checkpoint-every", command.checkpoint_every, seconds_between_checkpoints, true);
-        return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options)
+
+        // Before particles are made, which may take long.
+        std::optional<Destination> destination;
+        if (resources.ranks.is_first() && !command.dry_run)
+            destination.emplace(command, resolved_scene(scene), output_folder(command.out, scene_name(scene)),
+                                options.until, resources.ranks.size());
+        Prepared prepared = prepare(std::move(scene), command.scene.particles, resources.ranks);
+        return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options,
+                                                         destination ? &*destination : nullptr)
                                           : run_as_one_of_many(command, std::move(prepared), resources, options);
     });
 }

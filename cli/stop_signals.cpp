@@ -3,6 +3,7 @@
 
 #include <csignal>
 
+#include "base/folder_lock.hpp"
 #include "cli/exit_codes.hpp"
 
 namespace dmp::cli {
@@ -14,13 +15,24 @@ std::atomic<int> signal_seen = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
               "a signal handler may touch lock-free atomics only");
 
+extern "C" void end_without_lock(int number) {
+    remove_held_lock();
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+}
+
 extern "C" void note_signal(int number) {
     signal_seen = number;
     stop_wanted = true;
-    std::signal(number, SIG_DFL);
+    std::signal(number, end_without_lock);
 }
 
 }  // namespace
+
+void remove_lock_on_signals() {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(number, end_without_lock) == SIG_IGN) std::signal(number, SIG_IGN);
+}
 
 StopSignals::StopSignals() {
     stop_wanted = false;
@@ -30,8 +42,8 @@ StopSignals::StopSignals() {
 }
 
 StopSignals::~StopSignals() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGINT, end_without_lock);
+    std::signal(SIGTERM, end_without_lock);
 }
 
 const std::atomic<bool>& StopSignals::flag() const { return stop_wanted; }

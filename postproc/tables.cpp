@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -227,6 +228,14 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
                                        {"bonds_made", of.bonds_made}, {"bonds_broken", of.bonds_broken}};
     make_folder(folder);
     write_file(folder / summary_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::optional<RunEnd> read_run_end(const fs::path& folder) {
+    std::ifstream file(folder / summary_file_name);
+    const Json json = Json::parse(file, nullptr, false);
+    if (!json.is_object() || !json.contains("interrupted") || !json["interrupted"].is_boolean()) return {};
+    const bool has_time = json.contains("simulated_s") && json["simulated_s"].is_number();
+    return RunEnd{json["interrupted"], has_time ? json["simulated_s"].get<double>() : 0};
 }
 
 }  // namespace dmp::postproc

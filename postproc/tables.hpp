@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,14 @@ struct SummaryExtra {
 /// null. A measure's `last` is its last row; min, max and mean are over its finite rows, `missing` is the number of
 /// others. Throws ResourceError if the file cannot be written.
 void write_summary(const std::filesystem::path& folder, const RunSummary& summary, const SummaryExtra& extra);
+
+/// How a run ended, by its summary.json.
+struct RunEnd {
+    bool interrupted = false;
+    double simulated_s = 0;
+};
+
+/// None if there is no summary.json or it is not one.
+std::optional<RunEnd> read_run_end(const std::filesystem::path& folder);
 
 }  // namespace dmp::postproc

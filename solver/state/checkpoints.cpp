@@ -2,42 +2,13 @@
 #include "solver/state/checkpoints.hpp"
 
 #include <memory>
-#include <sstream>
-#include <vector>
 
 #include "base/errors.hpp"
+#include "scene/scene_difference.hpp"
 #include "solver/state/checkpoint_file.hpp"
+#include "solver/uses.hpp"
 
 namespace dmp::solver {
-
-namespace {
-
-/// The lines of a scene that affect results.
-std::vector<std::string> lines_that_count(const std::string& scene) {
-    std::vector<std::string> lines;
-    std::istringstream text(scene);
-    for (std::string line; std::getline(text, line);)
-        if (!line.starts_with("threads = ")) lines.push_back(line);
-    return lines;
-}
-
-/// The first few lines that differ between the scenes, with their table.
-std::string difference(const std::string& before, const std::string& now) {
-    const auto old_lines = lines_that_count(before), new_lines = lines_that_count(now);
-    constexpr int most = 5;
-    int shown = 0;
-    std::string text, table;
-    for (std::size_t k = 0; k < std::max(old_lines.size(), new_lines.size()); ++k) {
-        const std::string was = k < old_lines.size() ? old_lines[k] : "", is = k < new_lines.size() ? new_lines[k] : "";
-        if (is.starts_with("[")) table = is + " ";
-        if (was == is) continue;
-        if (++shown > most) return text + "\n  ...";
-        text += "\n  " + table + "was: " + was + "\n  " + table + "is:  " + is;
-    }
-    return text;
-}
-
-}  // namespace
 
 Checkpoints::Checkpoints(const Ranks& ranks, CheckpointOptions options)
     : ranks_(ranks), options_(std::move(options)), folder_(options_.folder) {
@@ -90,9 +61,9 @@ FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const 
         throw InputError("there is no checkpoint in " + folder.string() + " to resume from",
                          "Leave out --resume to start the run, or give the folder of the run with --out.");
     const std::string before = CheckpointReader(found->file).contents().text("scene");
-    if (lines_that_count(before) != lines_that_count(scene))
+    if (const auto changed = differences(before, scene); !changed.empty())
         throw InputError({found->file.string()},
-                         "the scene is not the one this run was started with:" + difference(before, scene),
+                         "the scene is not the one this run was started with:" + differences_text(changed),
                          "Resume with the original scene, or start a new run in another folder with --out.");
     return *found;
 }

@@ -64,7 +64,7 @@ TEST_F(FramesInHdf5, OfSeveralRanksAreConvertedToTheSame) {
     Words briefly = all_fields();
     briefly.insert(briefly.end(), {"--until", "0.03 s"});
     Words hdf5 = briefly;
-    hdf5.insert(hdf5.end(), {"--frames", "hdf5"});
+    hdf5.insert(hdf5.end(), {"--frames", "hdf5", "--overwrite"});
     ASSERT_EQ(run("vtk", briefly).code, 0);
     for (const int ranks : {1, 2, 3}) {
         const auto outcome = run("out", hdf5, {.ranks = ranks});
@@ -109,7 +109,7 @@ TEST_F(FramesInHdf5, OfWhichAPieceIsMissingAreLeftOut) {
 TEST_F(FramesInHdf5, ThatCannotBeWrittenEndAllRanksAndThoseBeforeStay) {
     folder_.write("out/summary.json", "{}");
     folder_.write("out/frames/frame_000001", "in the way of a folder");
-    const auto outcome = run("out", {"--until", "0.03 s", "--frames", "hdf5"}, {.ranks = 2});
+    const auto outcome = run("out", {"--until", "0.03 s", "--frames", "hdf5", "--overwrite"}, {.ranks = 2});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.errors, AllOf(HasSubstr("error: "), HasSubstr("frames/frame_000001")));
     EXPECT_EQ(outcome.errors.find("error: "), outcome.errors.rfind("error: ")) << outcome.errors;
@@ -120,9 +120,9 @@ TEST_F(FramesInHdf5, ThatCannotBeWrittenEndAllRanksAndThoseBeforeStay) {
 
 TEST_F(FramesInHdf5, OfAnEarlierRunDoNotMixWithTheNew) {
     ASSERT_EQ(run("out", {"--until", "0.03 s", "--frames", "hdf5"}, {.ranks = 2}).code, 0);
-    ASSERT_EQ(run("out", {"--until", "0.02 s", "--frames", "hdf5"}).code, 0);
+    ASSERT_EQ(run("out", {"--until", "0.02 s", "--frames", "hdf5", "--overwrite"}).code, 0);
     EXPECT_THAT(files("out/frames"), testing::ElementsAre("frame_000000.h5", "frame_000001.h5", "frame_000002.h5"));
-    ASSERT_EQ(run("out", {"--until", "0.02 s"}, {.ranks = 2}).code, 0);
+    ASSERT_EQ(run("out", {"--until", "0.02 s", "--overwrite"}, {.ranks = 2}).code, 0);
     EXPECT_THAT(files("out"), AllOf(Not(Contains("frames.json")), Contains("fluid.pvd")));
     EXPECT_THAT(files("out/frames"), Each(EndsWith(".vtp")));
 }

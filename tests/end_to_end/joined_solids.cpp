@@ -142,7 +142,7 @@ TEST_F(JoinedSolids, AreOneBodyAndAreSaidToBe) {
 TEST_F(JoinedSolids, AreRefusedWithParticlesOfAnotherJoin) {
     ASSERT_EQ(dmp({"mesh", ".", "--particles", "both.h5"}).code, 0);
     folder_.replace("scene.toml", "name = \"glue\"", "name = \"glue\"\nwithin = \"0.12 mm\"");
-    const Outcome run = dmp({"run", ".", "--particles", "both.h5", "--out", "out"});
+    const Outcome run = dmp({"run", ".", "--particles", "both.h5", "--out", "refused"});
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.errors,
                 AllOf(HasSubstr("the particles were made for another scene"), HasSubstr("join.glue.within")));

@@ -46,7 +46,7 @@ TEST_F(OnACluster, ParticlesOfAFileRunAsThoseOfTheDrawing) {
     EXPECT_EQ(folder_.read("out/frames/solid_000003.vtp"), folder_.read("whole/frames/solid_000003.vtp"));
 
     for (const int ranks : {0, 2}) {
-        const auto outcome = run_them("there", {}, {.ranks = ranks, .for_clusters = true});
+        const auto outcome = run_them("there", {"--overwrite"}, {.ranks = ranks, .for_clusters = true});
         ASSERT_EQ(outcome.code, 0) << outcome.errors;
         EXPECT_EQ(hash("there"), hash("whole")) << ranks << " ranks";
         EXPECT_EQ(folder_.read("there/measures.csv"), folder_.read("whole/measures.csv"));

@@ -24,7 +24,7 @@ std::size_t times(const std::string& text, const std::string& words) {
 class SomeRanks : public SmallValve {
   protected:
     [[nodiscard]] Words briefly(Words more = {}) const {
-        more.insert(more.end(), {"--until", "0.03 s"});
+        more.insert(more.end(), {"--until", "0.03 s", "--overwrite"});
         return more;
     }
 };

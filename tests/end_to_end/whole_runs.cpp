@@ -68,9 +68,10 @@ TEST_F(Poiseuille, TheVelocityIsThatOfTheStartUpSeries) {
 }
 
 TEST_F(Poiseuille, TheSameRunAgainGivesTheSameStateAndReplacesTheFirst) {
-    const std::vector<std::string> run{"run", ".",       "--out",  "out",   "--threads",
-                                       "1",   "--until", "0.05 s", "--set", "output.pictures=false"};
+    std::vector<std::string> run{"run", ".",       "--out",  "out",   "--threads",
+                                 "1",   "--until", "0.05 s", "--set", "output.pictures=false"};
     ASSERT_EQ(dmp(run).code, 0);
+    run.emplace_back("--overwrite");
     const auto first = summary("out")["state_hash"];
     const auto again = dmp(run);
     ASSERT_EQ(again.code, 0);

@@ -116,6 +116,7 @@ TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
             how.insert(how.end(), {"--threads", threads});
             if (!has_checkpoint(out)) {
                 ++started_anew;
+                how.emplace_back("--overwrite");
                 continue;
             }
             how.emplace_back("--resume");

@@ -178,5 +178,23 @@ TEST(Summary, NotANumberBecomesNull) {
     EXPECT_TRUE(json["measures"]["inlet_flux"]["mean"].is_null());
 }
 
+TEST(Summary, SaysHowTheRunEnded) {
+    const TemporaryFolder folder;
+    EXPECT_FALSE(read_run_end(folder.path()));
+    RunSummary summary = some_summary();
+    for (const bool interrupted : {false, true}) {
+        summary.interrupted = interrupted;
+        write_summary(folder.path(), summary, {});
+        const auto end = read_run_end(folder.path());
+        ASSERT_TRUE(end);
+        EXPECT_EQ(end->interrupted, interrupted);
+        EXPECT_EQ(end->simulated_s, 0.25);
+    }
+    for (const char* text : {"", "{", "[]", "{}", R"({"interrupted": 1})"}) {
+        write_file(folder.path() / "summary.json", text);
+        EXPECT_FALSE(read_run_end(folder.path())) << text;
+    }
+}
+
 }  // namespace
 }  // namespace dmp::tests::tables_tests

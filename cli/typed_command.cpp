@@ -1,0 +1,78 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/typed_command.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace dmp::cli {
+
+namespace {
+
+const std::vector<std::string> exclusive{"--resume", "--overwrite", "--dry-run"};
+
+std::string line_of(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
+    return line;
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view plain = "_-./=,:+@%";
+    const auto needs_none = [&](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != std::string_view::npos;
+    };
+    if (!word.empty() && std::ranges::all_of(word, needs_none)) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+    return quoted + "'";
+}
+
+TypedCommand TypedCommand::on_ranks(int ranks) const {
+    if (ranks <= 1) return *this;
+    std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks)};
+    words.insert(words.end(), words_.begin(), words_.end());
+    return TypedCommand(std::move(words));
+}
+
+std::vector<std::string> TypedCommand::without(const std::vector<std::string>& flags, bool out) const {
+    std::vector<std::string> kept;
+    for (std::size_t k = 0; k < words_.size(); ++k) {
+        const std::string& word = words_[k];
+        if (std::ranges::find(flags, word) != flags.end()) continue;
+        if (out && word.starts_with("--out=")) continue;
+        if (out && word == "--out") {
+            ++k;
+            continue;
+        }
+        kept.push_back(word);
+    }
+    return kept;
+}
+
+std::string TypedCommand::with(const std::string& option) const {
+    std::vector<std::string> words = without(exclusive, false);
+    words.push_back(option);
+    return line_of(words);
+}
+
+std::string TypedCommand::into(const std::filesystem::path& folder) const {
+    std::vector<std::string> words = without(exclusive, true);
+    words.insert(words.end(), {"--out", folder.string()});
+    return line_of(words);
+}
+
+std::filesystem::path next_free(const std::filesystem::path& folder) {
+    // "out/" is the folder "out".
+    const auto base = folder.has_filename() ? folder : folder.parent_path();
+    std::error_code unknown;
+    for (int number = 2;; ++number) {
+        std::filesystem::path next = base.string() + "_" + std::to_string(number);
+        if (!std::filesystem::exists(std::filesystem::symlink_status(next, unknown))) return next;
+    }
+}
+
+}  // namespace dmp::cli

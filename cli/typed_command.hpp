@@ -1,0 +1,37 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dmp::cli {
+
+/// A word as a shell reads it back: quoted where it holds more than letters, digits and what no shell reads.
+[[nodiscard]] std::string shell_word(const std::string& word);
+
+/// The command line that the user typed, for lines to paste that change it.
+class TypedCommand {
+  public:
+    TypedCommand() = default;
+    /// The program's name as it was called, the command, and its options.
+    explicit TypedCommand(std::vector<std::string> words) : words_(std::move(words)) {}
+
+    /// With this many ranks; 1: without mpirun.
+    [[nodiscard]] TypedCommand on_ranks(int ranks) const;
+
+    /// The line with this option and without those that exclude it: --resume, --overwrite, --dry-run.
+    [[nodiscard]] std::string with(const std::string& option) const;
+    /// The line with the results in another folder.
+    [[nodiscard]] std::string into(const std::filesystem::path& folder) const;
+
+  private:
+    [[nodiscard]] std::vector<std::string> without(const std::vector<std::string>& flags, bool out) const;
+
+    std::vector<std::string> words_;
+};
+
+/// The first of folder_2, folder_3, ... that is not there.
+[[nodiscard]] std::filesystem::path next_free(const std::filesystem::path& folder);
+
+}  // namespace dmp::cli

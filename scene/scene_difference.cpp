@@ -1,0 +1,91 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_difference.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace dmp::scene {
+
+namespace {
+
+struct Line {
+    std::string key, value;
+};
+
+/// "[numerics]" -> "numerics", "[[part]]" -> "part"
+std::string table_in(const std::string& line) {
+    const auto first = line.find_first_not_of('['), last = line.find_last_not_of(']');
+    return first == std::string::npos || last < first ? "" : line.substr(first, last - first + 1);
+}
+
+std::string without_quotes(const std::string& value) {
+    const bool quoted = value.size() > 1 && value.front() == '"' && value.back() == '"';
+    return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+/// The lines of a resolved scene, in their order. A table of a list is called by its name, else by its number.
+std::vector<Line> lines_of(const std::string& scene) {
+    std::vector<Line> lines;
+    std::map<std::string, int> tables;
+    std::istringstream text(scene);
+    std::string table;
+    for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("[")) {
+            table = table_in(line);
+            if (line.starts_with("[[")) table += "." + std::to_string(++tables[table]);
+            continue;
+        }
+        const auto equals = line.find(" = ");
+        if (equals == std::string::npos) continue;
+        std::string key = line.substr(0, equals), value = line.substr(equals + 3);
+        // The name is the first line of its table.
+        const auto number = table.rfind('.');
+        if (key == "name" && number != std::string::npos)
+            table.replace(number + 1, std::string::npos, without_quotes(value));
+        lines.push_back({table.empty() ? key : table + "." + key, std::move(value)});
+    }
+    std::erase_if(lines, [](const Line& line) { return line.key == "run.threads"; });
+    return lines;
+}
+
+std::string value_text(const std::string& value) { return value.empty() ? "not set" : value; }
+
+}  // namespace
+
+std::vector<ValueDifference> differences(const std::string& before, const std::string& now) {
+    const std::vector<Line> old_lines = lines_of(before), new_lines = lines_of(now);
+    std::map<std::string, std::string> old_values, new_values;
+    for (const Line& line : old_lines) old_values.emplace(line.key, line.value);
+    for (const Line& line : new_lines) new_values.emplace(line.key, line.value);
+    std::vector<ValueDifference> found;
+    for (const auto& [key, value] : new_lines) {
+        const auto old_value = old_values.find(key);
+        if (old_value == old_values.end())
+            found.push_back({key, "", value});
+        else if (old_value->second != value)
+            found.push_back({key, old_value->second, value});
+    }
+    for (const auto& [key, value] : old_lines)
+        if (!new_values.contains(key)) found.push_back({key, value, ""});
+    // Parts and other items are numbered in their order.
+    const auto same = [](const Line& a, const Line& b) { return a.key == b.key && a.value == b.value; };
+    if (found.empty() && !std::ranges::equal(old_lines, new_lines, same))
+        found.push_back({"order of the tables", "another", "that of the scene"});
+    return found;
+}
+
+std::string differences_text(const std::vector<ValueDifference>& differences) {
+    constexpr std::size_t most = 5;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most, differences.size()); ++k) {
+        const ValueDifference& one = differences[k];
+        text += "\n  " + one.key + ": was " + value_text(one.before) + ", is " + value_text(one.now);
+    }
+    if (differences.size() > most) text += "\n  and " + std::to_string(differences.size() - most) + " more";
+    return text;
+}
+
+}  // namespace dmp::scene

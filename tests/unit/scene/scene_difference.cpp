@@ -1,0 +1,69 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene_difference.hpp"
+
+#include <gmock/gmock.h>
+
+#include "scene/read_scene.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests::scene_difference_tests {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::string valve(const std::vector<std::string>& overrides = {}) {
+    return resolved_scene(read_scene(DMP_SOURCE_DIR "/cases/vein_valve", overrides));
+}
+
+std::vector<std::string> keys(const std::string& before, const std::string& now) {
+    std::vector<std::string> found;
+    for (const auto& one : differences(before, now)) found.push_back(one.key);
+    return found;
+}
+
+TEST(SceneDifference, IsNoneOfTheSameSceneAndOfOtherThreads) {
+    EXPECT_THAT(keys(valve(), valve()), IsEmpty());
+    EXPECT_THAT(keys(valve(), valve({"run.threads=3"})), IsEmpty());
+}
+
+TEST(SceneDifference, NamesValuesAsSetDoes) {
+    EXPECT_THAT(keys(valve(), valve({"particles.spacing=\"0.4 mm\"", "part.blood.viscosity=\"4 mPa*s\"",
+                                     "geometry.parameters.leaflet_length=\"16 mm\""})),
+                ElementsAre("geometry.parameters", "particles.spacing", "part.blood.viscosity"));
+    EXPECT_THAT(keys(valve(), valve({"title=another"})), ElementsAre("title"));
+}
+
+TEST(SceneDifference, HasWhatIsInOneSceneOnly) {
+    const std::string before = "a = 1\n\n[run]\nduration = \"1 s\"\n", now = "a = 1\n\n[[measure]]\nname = \"flux\"\n";
+    const auto found = differences(before, now);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].key, "measure.flux.name");
+    EXPECT_EQ(found[1].key, "run.duration");
+    EXPECT_EQ(differences_text(found),
+              "\n  measure.flux.name: was not set, is \"flux\"\n  run.duration: was \"1 s\", is not set");
+}
+
+TEST(SceneDifference, SeesAnotherOrder) {
+    const std::string one = "[[part]]\nname = \"a\"\n", other = "[[part]]\nname = \"b\"\n";
+    EXPECT_THAT(keys(one + other, other + one), ElementsAre("order of the tables"));
+}
+
+TEST(SceneDifference, OfTablesWithoutNamesGoesByTheirNumber) {
+    const std::string one = "[[x]]\nk = 1\n\n[[x]]\nk = 2\n", other = "[[x]]\nk = 1\n\n[[x]]\nk = 3\n";
+    EXPECT_THAT(keys(one, other), ElementsAre("x.2.k"));
+}
+
+TEST(SceneDifference, SaysFiveAndHowManyMore) {
+    std::string before, now;
+    for (int k = 0; k < 8; ++k) {
+        before += "k" + std::to_string(k) + " = 1\n";
+        now += "k" + std::to_string(k) + " = 2\n";
+    }
+    const std::string text = differences_text(differences(before, now));
+    EXPECT_THAT(text, testing::AllOf(testing::HasSubstr("\n  k4: was 1, is 2\n  and 3 more"),
+                                     testing::Not(testing::HasSubstr("k5"))));
+}
+
+}  // namespace
+}  // namespace dmp::tests::scene_difference_tests
