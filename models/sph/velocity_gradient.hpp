@@ -23,12 +23,12 @@ namespace dmp::models {
 ///   v_ij = n n . [2 (v_i - v_j) - G_i t] + s (1 - n n^T) G_i (x_ij - t),   t = (1 - n n^T) x_ij,
 /// s = 0 where the fluid slips and 1 elsewhere.
 /// In a scene with a free surface the rate takes B = 1 everywhere: where neighbours are missing, B a is too unlike a.
-/// B = 1 where det M < 0.3: too few neighbours (a flat free surface has 0.5). The gradient among the particles of one
-/// fluid and the solids alone, which viscous forces need where fluids of unlike viscosity meet, takes B = 1 below
-/// det M = 0.03: a flat interface has 1/4, in 3-D 1/8.
+/// B = 1 where det M < 0.3: too few neighbours (a flat free surface has 0.5). The gradients of velocity and
+/// density that are kept, for all but this rate, take B = 1 below det M = 0.03: where fluids differ, they are those
+/// among the particles of one fluid and the solids, and a flat interface has 1/4, in 3-D 1/8.
 struct VelocityGradient {
     static constexpr double smallest_determinant = GradientCorrection::smallest_determinant;
-    static constexpr double smallest_determinant_of_one_fluid = 0.03;
+    static constexpr double smallest_determinant_of_kept = 0.03;
 
     template <class T, int D>
     using Rows = Vector<Vector<T, D>, D>;

@@ -35,7 +35,7 @@ auto image_fluid_of(const S& solid, const F& fluid) {
 /// Rigid walls: the velocity is extrapolated linearly from the fluid particle's through the wall's at its surface
 /// (Morris, Fox & Zhu 1997), v_j = v_w - (d_j / d_i)(v_i - v_w), where d are the distances to the surface. Nearer than
 /// half a spacing this would be too stiff; there d_i is half a spacing, and v_i the velocity at that distance by the
-/// fluid particle's velocity gradient, v_i + G_i n (dx / 2 - d_i); G = 0 in schemes without it. The
+/// fluid particle's velocity gradient, v_i + G_i n (dx / 2 - d_i); 0 for viscous laws that do not read G. The
 /// pressure continues hydrostatically (Adami, Hu & Adams 2012, for one pair), p_j = p_i + rho_i g . (x_j - x_i).
 ///
 /// Elastic bodies are thin and have fluid on both sides: they use their own velocity, and the pressure of the fluid

@@ -37,13 +37,13 @@ void clear(ParticleGroup& walls, Field field) {
 }
 
 /// Derivative of `velocity` along `axis`: of the differences to both sides over `step`, the smaller one; 0 where they
-/// differ in sign, as at the end of a lid.
+/// differ in sign, as at the end of a lid, or where the formula has no value beside the surface.
 double derivative(const Expression& velocity, double t, const Vec& x, int axis, double step) {
     const Vec before = x - step * Vec::Unit(axis), after = x + step * Vec::Unit(axis);
     const double here = velocity(t, x[0], x[1], x[2]);
     const double back = (here - velocity(t, before[0], before[1], before[2])) / step;
     const double forth = (velocity(t, after[0], after[1], after[2]) - here) / step;
-    if (back * forth <= 0) return 0;
+    if (!std::isfinite(back) || !std::isfinite(forth) || back * forth <= 0) return 0;
     return std::abs(back) < std::abs(forth) ? back : forth;
 }
 

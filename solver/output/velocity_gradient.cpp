@@ -31,9 +31,20 @@ void add_rounded(Matrix& sum, const ReproducibleSum& rounded, const Vec& a, cons
         for (int column = 0; column < dimension; ++column) sum(row, column) += rounded(a[row] * b[column]);
 }
 
+/// Those that the corrected scheme keeps.
+std::vector<Matrix> kept_gradients(const ParticleGroup& fluid) {
+    const int dimension = fluid.dimension();
+    std::vector<Matrix> gradients(fluid.owned(), Matrix::Zero());
+    for (std::size_t i = 0; i < fluid.owned(); ++i)
+        for (int k = 0; k < dimension * dimension; ++k)
+            gradients[i](k / dimension, k % dimension) = fluid.data(Field::velocity_gradient, k)[i];
+    return gradients;
+}
+
 }  // namespace
 
 std::vector<Matrix> velocity_gradient(const ParticleStore& particles, const FluidStep& step) {
+    if (particles.fluid().has(Field::velocity_gradient)) return kept_gradients(particles.fluid());
     const double largest_speed = step.extremes().largest_speed;
     const ParticleGroup& fluid = particles.fluid();
     std::vector<Matrix> gradients(fluid.owned(), Matrix::Zero());

@@ -57,6 +57,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
 
 void FluidRun::start(FrameSink* sink) {
     fluid_.refresh_neighbours();
+    if (step_ == 0) fluid_.take_initial_gradients(time_);  // events may read them
     if (step_ == 0) events_.act(time_, particles_, fluid_);
     if (step_ == 0) fluid_.take_initial_gradients(time_);
     if (step_ == 0) fluid_.update_contact_rate();

@@ -110,7 +110,9 @@ class GradientSweep {
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Sum sums_around(const Neighbourhood& near) const {
         auto i = fluid_(near.cluster);
-        i.gradient = velocity_gradient_of(near.cluster);
+        for (int k = 0; k < D * D; ++k) i.gradient[k / D][k % D] = load<L>(velocity_gradient_[k], near.cluster);
+        // With a free surface the density rate is that of the pressure force alone.
+        const Rows turning = options_.free_surface ? Rows::zero() : i.gradient;
         const Vec own_gradient = load_vector<L, D>(density_gradient_, near.cluster);
         const L own_number = Several ? load<L>(fluid_number_, near.cluster) : L(0.0);
         Sum sum = start();
@@ -142,7 +144,7 @@ class GradientSweep {
         for (const std::int32_t index : near.of(PartKind::elastic)) {
             const auto body = elastic_(index);
             const Vec separation = i.position - body.position, past = i.velocity - body.velocity;
-            add_solid(i, elastic_image(i, body), VelocityGradient::past_solid(past, i.gradient, separation), sum);
+            add_solid(i, elastic_image(i, body), VelocityGradient::past_solid(past, turning, separation), sum);
         }
         return total(sum);
     }
@@ -191,14 +193,6 @@ class GradientSweep {
         return image;
     }
 
-    /// Of the step before; 0 with a free surface, where the density rate is that of the pressure force alone.
-    [[nodiscard]] Rows velocity_gradient_of(const Cluster& cluster) const {
-        Rows gradient;
-        for (int k = 0; k < D * D; ++k)
-            gradient[k / D][k % D] = options_.free_surface ? L(0.0) : load<L>(velocity_gradient_[k], cluster);
-        return gradient;
-    }
-
     void add_shift(const L& distance, const Vec& weighted, Vec& sum) const {
         if (options_.shifts) ReproducibleSum::add(sum, full * shifting_.factor(distance, kernel_), weighted);
     }
@@ -211,30 +205,24 @@ class GradientSweep {
     void finish(const Sum& sum, const Cluster& cluster) const {
         ParticleGroup& group = particles_.fluid();
         const Matrix inverse = GradientCorrection::inverse(sum.all.moment, VelocityGradient::smallest_determinant);
-        const Rows gradient = VelocityGradient::corrected(sum.all.velocity, inverse);
         // At a free surface only the force's exact partner, B = 1, is stable.
         const L divergence =
             options_.free_surface
                 ? VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess)
-                : VelocityGradient::divergence(gradient) +
+                : VelocityGradient::divergence(VelocityGradient::corrected(sum.all.velocity, inverse)) +
                       VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
         const L rate = -1.0 * (options_.diffusion * sum.less_diffusion) -
                        load<L>(group.data(Field::density), cluster) * divergence;
         store_scalar(rate, Field::density_rate, cluster);
         store_scalar(VelocityGradient::mean(inverse), Field::mean_correction, cluster);
-        if constexpr (Several) {
-            const Matrix of_one = GradientCorrection::inverse(sum.of_one_fluid.moment,
-                                                              VelocityGradient::smallest_determinant_of_one_fluid);
-            store_gradients(VelocityGradient::corrected(sum.of_one_fluid.velocity, of_one), of_one * sum.density,
-                            cluster);
-        } else {
-            store_gradients(gradient, inverse * sum.density, cluster);
-        }
+        const Moments& kept = Several ? sum.of_one_fluid : sum.all;
+        const Matrix of_kept = GradientCorrection::inverse(kept.moment, VelocityGradient::smallest_determinant_of_kept);
+        store_gradients(VelocityGradient::corrected(kept.velocity, of_kept), of_kept * sum.density, cluster);
         if (!options_.shifts) return;
         L trace = sum.all.moment.diagonal[0];
         for (int axis = 1; axis < D; ++axis) trace = trace + sum.all.moment.diagonal[axis];
-        const L kept = options_.free_surface ? Shifting<Kernel>::template kept<D>(trace) : L(1.0);
-        solver::store<L, D>((-1.0 * kept) * sum.less_shift, group, Field::shift, cluster);
+        const L share = options_.free_surface ? Shifting<Kernel>::template kept<D>(trace) : L(1.0);
+        solver::store<L, D>((-1.0 * share) * sum.less_shift, group, Field::shift, cluster);
     }
 
     void store_gradients(const Rows& of_velocity, const Vec& of_density, const Cluster& cluster) const {

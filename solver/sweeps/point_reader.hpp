@@ -98,11 +98,12 @@ class SolidReader {
           sliding_(solid.data(Field::wall_sliding)),
           acceleration_(axes_of<D>(solid, Field::wall_acceleration)),
           motion_(axes_of<D>(solid, Field::wall_motion)),
-          surface_gradient_(axes_of<D * D>(solid, Field::surface_gradient)),
           slips_(solid.has(Field::wall_slip)),
           accelerates_(solid.has(Field::wall_acceleration)),
           moves_(solid.has(Field::wall_motion)),
-          slides_(solid.has(Field::wall_sliding)) {}
+          slides_(solid.has(Field::wall_sliding)) {
+        if (moves_) surface_gradient_ = axes_of<D * D>(solid, Field::surface_gradient);
+    }
 
     template <class Index>
     [[nodiscard]] auto operator()(const Index& at) const {
@@ -144,7 +145,7 @@ class SolidReader {
     std::array<const double*, D> position_, velocity_, normal_;
     const double *volume_, *density_, *pressure_, *depth_, *slip_, *sliding_;
     std::array<const double*, D> acceleration_, motion_;
-    std::array<const double*, D * D> surface_gradient_;
+    std::array<const double*, D * D> surface_gradient_{};
     bool slips_, accelerates_, moves_, slides_;
 };
 

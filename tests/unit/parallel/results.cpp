@@ -87,7 +87,7 @@ class Moment {
             fluid.data(Field::density)[i] = 1000 + x[0];  // so that there is a pressure
         }
         step_.refresh_neighbours();
-        step_.update_pressure();
+        step_.take_initial_gradients(0);
     }
     void advance(double time, double dt) {
         step_.advance(time, dt);

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // The density sweep of the corrected scheme, against sums over all pairs and against what it must be exact for.
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -120,7 +121,9 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
             const bool is_wall = set.kind(p.j) == PartKind::rigid, slides = settings.walls.sliding && is_wall;
             if (slides) past_in_rate = by_id.vector(Field::velocity, p.i) - by_id.vector(Field::wall_motion, p.j);
             past_in_rate *= 2;  // as in the pressure force, where p_j = p_i
-            if (slides && of(Field::wall_sliding, p.j) == 1) {
+            if (settings.free_surface) {
+                // the partner of the pressure force alone
+            } else if (slides && of(Field::wall_sliding, p.j) == 1) {
                 const Vec normal = by_id.vector(Field::wall_normal, p.j);
                 const Matrix across = normal * normal.transpose(), along = Matrix::Identity() - across;
                 past_in_rate =
@@ -154,11 +157,13 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
     for (std::size_t id = 0; id < all.size(); ++id) {
         if (!gradients.is_fluid(id)) continue;
         const Sum& sum = sums[id];
-        const Matrix b = inverse(sum.m, 0.3), b_own = settings.several_fluids ? inverse(sum.m_own, 0.03) : b;
+        const Matrix b = inverse(sum.m, 0.3), b_own = inverse(sum.m_own, 0.03);
         all[id].velocity_gradient = sum.a_own * b_own;
         all[id].density_gradient = b_own * sum.r;
         all[id].shift = sum.shift;
-        all[id].rate = -by_id.value(Field::density, id) * (sum.a_of_rate * b).trace() +
+        if (settings.free_surface) all[id].shift *= std::clamp(4.0 / set.dimension * sum.m.trace() - 3, 0.0, 1.0);
+        all[id].rate = -by_id.value(Field::density, id) *
+                           (settings.free_surface ? sum.a_of_rate : Matrix(sum.a_of_rate * b)).trace() +
                        settings.density.diffusion * settings.support * c0 * sum.diffusion;
         all[id].correction = b.topLeftCorner(set.dimension, set.dimension).trace() / set.dimension;
     }
@@ -206,6 +211,11 @@ TEST_P(GradientSweepIn, sums_are_those_of_all_pairs) { expect_the_sums_of_all_pa
 
 TEST_P(GradientSweepIn, sums_are_those_of_all_pairs_where_walls_slide) {
     settings.walls.sliding = true;
+    expect_the_sums_of_all_pairs();
+}
+
+TEST_P(GradientSweepIn, sums_are_those_of_all_pairs_with_a_free_surface) {
+    settings.free_surface = true;
     expect_the_sums_of_all_pairs();
 }
 

@@ -155,9 +155,7 @@ TEST(MovingWalls, a_drum_brings_its_liquid_to_turn_as_a_solid_body) {
             square += std::pow(velocity.values[3 * k] + y, 2) + std::pow(velocity.values[3 * k + 1] - x, 2);
             reference += x * x + y * y;
         }
-        // Walls that are steps of a lattice: velocities are extrapolated past the surface in front of the wall's
-        // particle.
-        EXPECT_LT(std::sqrt(square / reference), corrected ? 0.03 : 0.02);
+        EXPECT_LT(std::sqrt(square / reference), corrected ? 0.005 : 0.02);
         EXPECT_EQ(summary.lost, 0U);
         for (const int axis : {0, 1})
             EXPECT_NEAR(summary.end.momentum[axis], summary.impulse_of_fixed[axis], 1e-10 * summary.end.mass);

@@ -98,19 +98,16 @@ TEST(Poiseuille, runs_with_lucys_kernel) {
     EXPECT_LE(flow.error.at(1.0), 0.02);
 }
 
-TEST(Poiseuille, shear_stress_is_that_of_the_parabola_away_from_the_walls) {
+TEST(Poiseuille, shear_stress_is_that_of_the_parabola_up_to_the_walls) {
     const Flow flow = flow_of("0.05 mm");
     const FrameGroup& fluid = *group_of(flow.kept.frames.back(), "fluid");
     const FrameField& stress = *field_of(fluid, "shear_stress");
     const double at_wall = density * acceleration * width / 2;
-    std::size_t camera_of = 0;
+    EXPECT_GT(fluid.size(), 150U);
     for (std::size_t k = 0; k < fluid.size(); ++k) {
         const double y = fluid.position[3 * k + 1];
-        if (y < 0.2 * width || y > 0.8 * width) continue;
-        ++camera_of;
         EXPECT_NEAR(stress.values[k], density * acceleration * std::abs(width / 2 - y), 0.03 * at_wall) << "y = " << y;
     }
-    EXPECT_GT(camera_of, 80U);
 }
 
 TEST(Poiseuille, probe_follows_the_speed_in_the_middle) {
