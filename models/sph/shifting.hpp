@@ -51,6 +51,17 @@ struct Shifting {
         return max(T(0.0), min(T(1.0), (4.0 / D) * divergence - T(3.0)));
     }
 
+    /// The normal of the walls nearby, shorter than 1 from the second row of particles on [-]; from - SUM_j V_j (1/r
+    /// dW/dr) x_ij over the walls' particles [1/m].
+    template <class T, int D>
+    [[nodiscard]] Vector<T, D> normal_of_walls(const Vector<T, D>& sum) const {
+        using std::max;
+        using std::sqrt;
+        constexpr double beyond = 0.1;  // a flat wall gives 0.42 at the first row, 0.08 at the second
+        const T size = spacing * sqrt(dot(sum, sum));
+        return (T(spacing) / max(size, T(beyond))) * sum;
+    }
+
     /// U from the quartic mean and the largest speed of the fluid [m/s].
     static double speed(double quartic_mean, double largest) { return std::min(2.5 * quartic_mean, largest); }
     /// Displacement per unit of the sum for one step [m^2], before the cap at 0.1 dx; with U [m/s].
@@ -64,5 +75,12 @@ struct Shifting {
     }
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
+
+/// The part of a shift by which velocity and density are interpolated anew: not that along a wall's normal, which
+/// pressure takes back without interpolating. With it, each step would add momentum to fluid beside walls.
+template <class T, int D>
+Vector<T, D> interpolated_part(const Vector<T, D>& shift, const Vector<T, D>& off_walls) {
+    return shift - dot(shift, off_walls) * off_walls;
+}
 
 }  // namespace dmp::models

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "models/sph/shifting.hpp"
 #include "solver/parallel/largest_square.hpp"
 #include "solver/parallel/low_and_high.hpp"
 #include "solver/store/sums_over.hpp"
@@ -267,6 +268,7 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
     const PositionQuantum quantum = particles.quantum();
     const auto x = axes<D>(fluid, Field::position), v = axes<D>(fluid, Field::velocity);
     const auto sum = axes<D>(fluid, Field::shift), g = axes<D>(fluid, Field::next_density_gradient);
+    const auto off_walls = axes<D>(fluid, Field::off_walls);
     std::array<const double*, D * D> gradient{};
     for (int k = 0; k < D * D; ++k) gradient[k] = fluid.data(Field::velocity_gradient, k);
     double* density = fluid.data(Field::density);
@@ -285,20 +287,22 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
         for (std::ptrdiff_t begin = 0; begin < count; begin += at_a_time) {
             std::array<double, D> momentum{};
             for (std::ptrdiff_t i = begin; i < std::min(begin + at_a_time, count); ++i) {
-                std::array<double, D> d{};
+                simd::Vector<double, D> d, normal;
                 double square = 0;
                 for (int a = 0; a < D; ++a) {
                     d[a] = shift.per_sum * sum[a][i];
+                    normal[a] = off_walls[a][i];
                     square += d[a] * d[a];
                 }
                 const double shortened = square > longest_square ? std::sqrt(longest_square / square) : 1;
                 for (int a = 0; a < D; ++a) d[a] *= shortened;
+                const auto interpolated = models::interpolated_part(d, normal);
                 for (int a = 0; a < D; ++a) {
                     double change = 0;
-                    for (int b = 0; b < D; ++b) change += gradient[a * D + b][i] * d[b];
+                    for (int b = 0; b < D; ++b) change += gradient[a * D + b][i] * interpolated[b];
                     x[a][i] += quantum.round(d[a]);
                     v[a][i] += change;
-                    density[i] += g[a][i] * d[a];
+                    density[i] += g[a][i] * interpolated[a];
                     momentum[a] += rounded(mass[i] * change);
                 }
                 farthest_here = std::max(farthest_here, std::min(square, longest_square));
