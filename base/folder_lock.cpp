@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <ctime>
 #include <random>
@@ -160,6 +161,24 @@ bool is_stale(const LockHolder& holder) {
     return state == ProcessState::ended;
 }
 
+/// Signals that end the process wait until this goes: between a lock's file and the note of it for the signal handler
+/// none may come.
+class SignalsWait {
+  public:
+    SignalsWait() {
+        sigset_t ending;
+        sigemptyset(&ending);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
+        pthread_sigmask(SIG_BLOCK, &ending, &before_);
+    }
+    ~SignalsWait() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
 void wait_a_moment() { std::this_thread::sleep_for(std::chrono::milliseconds(10)); }
 
 /// Gives `own` the name; returns who has it instead, none if `own` does. A stale file in its place is removed, and its
@@ -219,6 +238,7 @@ std::string LockHolder::text() const {
 }
 
 FolderLock::Outcome FolderLock::take(const fs::path& folder) {
+    const SignalsWait until_noted;
     const std::string token = new_token();
     const OwnFile own(folder, token);
     Outcome outcome;
