@@ -51,7 +51,7 @@ class ResidentGrowth {
 };
 
 /// Wall time, and how much of it this process had processors for: on a shared machine the rest was lost to others.
-class StabilityMonitor {
+class Stopwatch {
   public:
     [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     [[nodiscard]] double share(int threads) const { return (processor_seconds() - used_) / (seconds() * threads); }
@@ -80,7 +80,7 @@ class EngineRuns {
         const Plan plan = simulation.plan();
         RunOptions run;
         run.until = options_.steps * plan.dt;
-        const StabilityMonitor monitor;
+        const Stopwatch monitor;
         const RunSummary summary = simulation.run(run);
         processor_.push_back(monitor.share(options_.threads));
 
@@ -129,7 +129,7 @@ class YardstickRuns {
 
     void run(HalfList& list, int sweeps) {
         list.sweep();  // into the cache, as a loop of steps would have it
-        const StabilityMonitor monitor;
+        const Stopwatch monitor;
         for (int k = 0; k < sweeps; ++k) list.sweep();
         sweeps_.push_back(monitor.seconds() * nanoseconds / (sweeps * particles_));
         processor_.push_back(monitor.share(1));

@@ -59,10 +59,10 @@ class Parser {
             ->check(CLI::Range(2.0, 6.0).description(""));
         app_.add_option("--kernel", kernel_, "lucy or wendland_c2; default: wendland_c2")->type_name("NAME");
         app_.add_option("--walls", walls_, "plain or extrapolated; default: plain")->type_name("NAME");
-        auto* plain = app_.add_flag("--plain", plain_, "No shifting, diffusion or contact, plain walls; the default");
-        app_.add_flag("--accurate", options_.accurate,
-                      "As scenes have it by default: support 3, shifting, diffusion, contact, extrapolated walls")
-            ->excludes(plain);
+        app_.add_option("--defaults", defaults_,
+                        "What scenes have by default with numerics.scheme = corrected or plain; default: the plain scheme "
+                        "without shifting, diffusion, contact and extrapolated walls")
+            ->type_name("SCHEME");
         app_.add_flag("--implicit-viscosity", options_.channel.implicit_viscosity,
                       "Solve for the viscous forces instead of taking them from the last velocities");
         app_.add_option("--vector-unit", vector_unit_, "The engine's: avx2 or avx512; default: the widest")
@@ -96,7 +96,11 @@ class Parser {
         }
         const Case start = chosen("--case", options_.name, cases);
         Channel& channel = options_.channel;
-        if (options_.accurate) use_defaults_of_scenes(channel);
+        if (defaults_) {
+            const std::map<std::string, FluidScheme> schemes{{"corrected", FluidScheme::corrected},
+                                                             {"plain", FluidScheme::plain}};
+            use_defaults_of_scenes(channel, chosen("--defaults", *defaults_, schemes));
+        }
         channel.dimension = start.dimension;
         channel.disordered = start.disordered;
         if (particles_) channel.particles = static_cast<std::size_t>(*particles_);
@@ -126,16 +130,6 @@ class Parser {
         app_.add_option(name, value, help)->type_name("N")->check(CLI::Range(1, most).description(""));
     }
 
-    static void use_defaults_of_scenes(Channel& channel) {
-        const Scene scene;
-        channel.kernel = scene.numerics.kernel;
-        channel.support = scene.numerics.support;
-        channel.walls = scene.numerics.walls;
-        channel.density_diffusion = scene.numerics.density_diffusion;
-        channel.shifting = scene.numerics.shifting;
-        channel.contact_range = scene.contact.range;
-    }
-
     [[nodiscard]] std::vector<std::string> known_options() const {
         std::vector<std::string> known;
         for (const CLI::Option* option : app_.get_options())
@@ -144,10 +138,9 @@ class Parser {
     }
 
     Options options_;
-    bool plain_ = false;  ///< said for clarity: it is the default
     std::optional<int> particles_;
     std::optional<double> support_;
-    std::optional<std::string> kernel_, walls_, vector_unit_;
+    std::optional<std::string> defaults_, kernel_, walls_, vector_unit_;
     CLI::App app_;
 };
 

@@ -14,7 +14,6 @@ namespace dmp::bench {
 struct Options {
     std::string name;  ///< of the case
     Channel channel;
-    bool accurate = false;                                            ///< dmp's defaults instead of the plain problem
     int threads = 1;                                                  ///< the engine's; the yardstick has one
     VectorUnit vector_unit = chosen_vector_unit(VectorUnit::widest);  ///< the engine's
     int steps = 100;              ///< of the engine in one repeat, and sweeps of the yardstick

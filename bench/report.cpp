@@ -121,7 +121,7 @@ std::string json_text(const Options& options, const Measured& measured) {
               {"contact_range", channel.contact_range},
               {"implicit_viscosity", channel.implicit_viscosity},
               {"vector_unit", to_string(options.vector_unit)},
-              {"accurate", options.accurate},
+              {"scheme", to_string(channel.scheme)},
               {"threads", options.threads},
               {"repeat", options.repeat},
               {"pairs_per_particle", measured.pairs},

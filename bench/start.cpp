@@ -75,6 +75,63 @@ class ShortLivedFolder {
     fs::path path_;
 };
 
+/// The liquid, its walls and its drive; what is open in numerics and contact is added.
+std::string scene_text(const Channel& channel, const std::string& numerics) {
+    // Half a bell of this width gives the liquid its speed.
+    constexpr double push_seconds = 60e-6;
+    const double push = Liquid::speed / (push_seconds * 0.5 * std::sqrt(std::numbers::pi));
+    const bool solid_space = channel.dimension == 3;
+    // Nothing is written or measured in a run of a second or less.
+    return fmt::format(
+        R"toml(schema = 1
+title = "Channel"
+dimension = {}
+
+[geometry]
+file = "none.geo"
+
+[particles]
+spacing = "{} m"
+
+[[part]]
+name = "blood"
+kind = "fluid"
+density = "{} kg/m^3"
+viscosity = "{} Pa*s"
+
+[[part]]
+name = "wall"
+kind = "rigid"
+layers = {}
+
+[flow]
+acceleration = ["{} m/s^2 + {} m/s^2 * exp(-(t / {} s)^2)", 0{}]
+periodic = ["x"{}]
+largest_speed = "{} m/s"
+
+[run]
+duration = "1 s"
+
+[output]
+every = "1 s"
+measure_every = "1 s"
+
+[numerics]
+scheme = "{}"
+sound_speed = "{} m/s"
+{}{})toml",
+        channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
+        Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "", Liquid::speed,
+        to_string(channel.scheme), Liquid::sound_speed, numerics, species_text(channel.species));
+}
+
+Scene read_text(const std::string& text, const std::vector<std::string>& overrides) {
+    const ShortLivedFolder folder;
+    const fs::path file = folder.path() / "channel.toml";
+    std::ofstream(file) << text;
+    return read_scene(file.string(), overrides);
+}
+
 }  // namespace
 
 double noise(std::uint64_t from_seed, std::uint64_t id, std::uint64_t axis) {
@@ -127,72 +184,39 @@ ParticleSet make_particles(const Channel& channel) {
     return set;
 }
 
+void use_defaults_of_scenes(Channel& channel, FluidScheme scheme) {
+    channel.scheme = scheme;
+    const Scene scene = read_text(scene_text(channel, ""), {});
+    channel.kernel = *scene.numerics.kernel;
+    channel.support = *scene.numerics.support;
+    channel.walls = *scene.numerics.walls;
+    channel.density_diffusion = *scene.numerics.density_diffusion;
+    channel.shifting = *scene.numerics.shifting;
+    channel.contact_range = *scene.contact.range;
+}
+
 std::string scene_text(const Channel& channel) {
-    // Half a bell of this width gives the liquid its speed.
-    constexpr double push_seconds = 60e-6;
-    const double push = Liquid::speed / (push_seconds * 0.5 * std::sqrt(std::numbers::pi));
-    const bool solid_space = channel.dimension == 3;
-    // Nothing is written or measured in a run of a second or less.
-    return fmt::format(
-        R"toml(schema = 1
-title = "Channel"
-dimension = {}
-
-[geometry]
-file = "none.geo"
-
-[particles]
-spacing = "{} m"
-
-[[part]]
-name = "blood"
-kind = "fluid"
-density = "{} kg/m^3"
-viscosity = "{} Pa*s"
-
-[[part]]
-name = "wall"
-kind = "rigid"
-layers = {}
-
-[flow]
-acceleration = ["{} m/s^2 + {} m/s^2 * exp(-(t / {} s)^2)", 0{}]
-periodic = ["x"{}]
-largest_speed = "{} m/s"
-
-[contact]
-range = {}
-
-[numerics]
-kernel = "{}"
+    return scene_text(
+        channel,
+        fmt::format(R"toml(kernel = "{}"
 support = {}
-sound_speed = "{} m/s"
 walls = "{}"
 density_diffusion = {}
 shifting = {}
 viscosity_stepping = "{}"
 
-[run]
-duration = "1 s"
-
-[output]
-every = "1 s"
-measure_every = "1 s"
-{})toml",
-        channel.dimension, Liquid::spacing, Liquid::density, Liquid::viscosity, wall_layers(channel),
-        Liquid::acceleration, push, push_seconds, solid_space ? ", 0" : "", solid_space ? ", \"z\"" : "", Liquid::speed,
-        channel.contact_range, to_string(channel.kernel), channel.support, Liquid::sound_speed, to_string(channel.walls),
-        channel.density_diffusion, channel.shifting,
-        to_string(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly),
-        species_text(channel.species));
+[contact]
+range = {}
+)toml",
+                    to_string(channel.kernel), channel.support, to_string(channel.walls), channel.density_diffusion,
+                    channel.shifting,
+                    to_string(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly),
+                    channel.contact_range));
 }
 
 Scene make_scene(const Channel& channel) {
-    const ShortLivedFolder folder;
-    const fs::path file = folder.path() / "channel.toml";
-    std::ofstream(file) << scene_text(channel);
     try {
-        return read_scene(file.string(), channel.overrides);
+        return read_text(scene_text(channel), channel.overrides);
     } catch (const InputError& error) {  // its place is in a file that is gone
         throw InputError("dmp does not take this start: " + error.problem(), error.what_to_do());
     }

@@ -27,6 +27,7 @@ struct Channel {
     int dimension = 2;
     bool disordered = false;          ///< fluid particles displaced from their lattice
     std::size_t particles = 100'000;  ///< fluid particles asked for; `make_particles` comes near
+    FluidScheme scheme = FluidScheme::plain;
     KernelKind kernel = KernelKind::wendland_c2;
     double support = 2.5;  ///< [dx]
     WallModel walls = WallModel::plain;
@@ -40,6 +41,9 @@ struct Channel {
 
 /// Largest displacement along each axis of a disordered start [dx].
 inline constexpr double largest_displacement = 0.3;
+
+/// Gives the channel what a scene with this scheme has where it leaves the numerics and the repulsion open.
+void use_defaults_of_scenes(Channel& channel, FluidScheme scheme);
 
 /// The particles: rows along x from the lower wall to the upper, walls as many layers as the support needs. In 2-D the
 /// channel is four times as long as wide; in 3-D it is nearly a cube. It is at least 8 spacings wide.

@@ -37,27 +37,27 @@ TEST(BenchOptions, PlainIsTheDefault) {
     EXPECT_EQ(options.channel.support, 2.5);
     EXPECT_EQ(options.repeat, 5);
     EXPECT_EQ(options.threads, 1);
-    EXPECT_EQ(options_of({"--case", "disordered3d", "--plain"}).channel.walls, WallModel::plain);
+    EXPECT_EQ(options.channel.scheme, FluidScheme::plain);
 }
 
-TEST(BenchOptions, AccurateIsWhatScenesHaveByDefault) {
-    const Channel channel = options_of({"--accurate", "--case", "channel2d"}).channel;
-    const Scene scene;
-    EXPECT_EQ(channel.support, scene.numerics.support);
-    EXPECT_EQ(channel.walls, WallModel::extrapolated);
-    EXPECT_GT(channel.shifting, 0);
-    EXPECT_GT(channel.density_diffusion, 0);
-    EXPECT_GT(channel.contact_range, 0);
+TEST(BenchOptions, TakesTheDefaultsOfAScheme) {
+    const Channel corrected = options_of({"--defaults", "corrected", "--case", "channel2d"}).channel;
+    EXPECT_EQ(corrected.scheme, FluidScheme::corrected);
+    const Channel plain = options_of({"--defaults", "plain", "--case", "channel2d"}).channel;
+    EXPECT_EQ(plain.scheme, FluidScheme::plain);
+    EXPECT_EQ(plain.walls, WallModel::extrapolated);
+    EXPECT_GT(plain.shifting, corrected.shifting);
+    EXPECT_THAT(fault_of({"--case", "channel2d", "--defaults", "marble"}), HasSubstr("'corrected' and 'plain'"));
 }
 
 TEST(BenchOptions, SpeciesAreCounted) {
     EXPECT_EQ(options_of({"--case", "channel2d"}).channel.species, 0);
-    EXPECT_EQ(options_of({"--case", "channel2d", "--accurate", "--species", "3"}).channel.species, 3);
+    EXPECT_EQ(options_of({"--case", "channel2d", "--defaults", "plain", "--species", "3"}).channel.species, 3);
 }
 
-TEST(BenchOptions, ASingleChoiceOverrulesAccurate) {
+TEST(BenchOptions, ASingleChoiceOverrulesTheDefaults) {
     const Channel channel =
-        options_of({"--case", "channel2d", "--walls", "plain", "--accurate", "--support=2.6", "--kernel", "lucy"})
+        options_of({"--case", "channel2d", "--walls", "plain", "--defaults", "plain", "--support=2.6", "--kernel", "lucy"})
             .channel;
     EXPECT_EQ(channel.walls, WallModel::plain);
     EXPECT_EQ(channel.support, 2.6);
@@ -103,7 +103,6 @@ TEST(BenchOptions, WrongAndMissingValuesAreErrors) {
           std::pair{"--support", "1.9"}, std::pair{"--support", "9"}, std::pair{"--particles", "1e5"},
           std::pair{"--threads", ""}})
         EXPECT_THAT(fault_of({"--case", "channel2d", option, value}), HasSubstr(option)) << value;
-    EXPECT_THAT(fault_of({"--case", "channel2d", "--plain", "--accurate"}), HasSubstr("excludes"));
 }
 
 TEST(BenchOptions, HelpNeedsNoCase) { EXPECT_THAT(options_of({"--help"}).help, HasSubstr("--yardstick-only")); }

@@ -104,6 +104,21 @@ TEST(BenchStart, TheSceneIsTheChannels) {
     EXPECT_TRUE(scene.flow.periodic[0]);
 }
 
+TEST(BenchStart, HasTheDefaultsOfScenes) {
+    const Scene by_default;
+    Channel channel = small(2);
+    use_defaults_of_scenes(channel, FluidScheme::corrected);
+    const Scene scene = make_scene(channel);
+    EXPECT_EQ(scene.numerics.scheme.value, FluidScheme::corrected);
+    EXPECT_EQ(scene.numerics.kernel.value, by_default.numerics.kernel.value);
+    EXPECT_EQ(scene.numerics.support.value, by_default.numerics.support.value);
+    EXPECT_EQ(scene.numerics.walls.value, by_default.numerics.walls.value);
+    EXPECT_EQ(scene.numerics.density_diffusion.value, by_default.numerics.density_diffusion.value);
+    EXPECT_EQ(scene.numerics.shifting.value, by_default.numerics.shifting.value);
+    EXPECT_EQ(scene.numerics.step_factor.value, by_default.numerics.step_factor.value);
+    EXPECT_EQ(scene.contact.range.value, by_default.contact.range.value);
+}
+
 TEST(BenchStart, DissolvesSpeciesWhereTheyAreAskedFor) {
     Channel channel;
     EXPECT_TRUE(make_scene(channel).species.empty());
