@@ -1,19 +1,16 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "models/registry.hpp"
+#include "models/sph/fluid_law_list.hpp"
 #include "models/sph/linear_state.hpp"
 #include "models/sph/tait.hpp"
 
 namespace dmp::models {
 
-/// The equations of state, one row each (numerics.equation_of_state). An equation is constructed from the speed of
-/// sound c0 [m/s] and the rest density rho0 [kg/m^3], and has
-///   pressure(density)   [Pa], 0 at rest
-///   density(pressure)   its inverse [kg/m^3]
-///   lowest_pressure()   at zero density [Pa]
-using EquationsOfState = Registry<TaitEquation, LinearEquation>;
-using EquationOfState = Choice<EquationsOfState>;
+// A law of EquationsOfState is constructed from the speed of sound c0 [m/s] and the rest density rho0 [kg/m^3], and has
+//   pressure(density)   [Pa], 0 at rest
+//   density(pressure)   its inverse [kg/m^3]
+//   lowest_pressure()   at zero density [Pa]
 
 /// Equation of state of a fluid part: the chosen equation plus a background pressure p_b [Pa]. The force between two
 /// particles is proportional to the sum of their pressures: p_b pushes particles apart evenly where they have
