@@ -4,12 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
-
-#include "base/enum_names.hpp"
 
 namespace dmp::models {
 
@@ -20,13 +19,16 @@ struct LawFacts {
     std::string_view meaning;   ///< one clause for the reference page
 };
 
-/// The laws from which a scene chooses one, each a type. To add a law, write a file with the law and its facts, and
-/// add a row here. Names, schema, dispatch, `dmp explain` and the reference page follow from the row; a law that
-/// lacks something they need does not compile.
+/// The laws from which a scene chooses one, each a type. To add a law, write a file with the law and its facts, and add
+/// its name to the list (models/dem/contact_law_list.hpp, models/sph/fluid_law_list.hpp) and its file to the header
+/// that has all of them. Names, schema, dispatch, `dmp explain` and the reference page follow; a law that lacks
+/// something they need does not compile. A list has the laws' names only: who stores a choice, as scenes do, is not
+/// compiled again when a law changes.
 template <class... Laws>
 struct Registry {
     static constexpr std::size_t size = sizeof...(Laws);
-    static constexpr std::array<LawFacts, size> facts{Laws::facts...};
+    /// In the laws' order; compiled in models/law_facts.cpp.
+    static const std::array<LawFacts, size>& facts();
 
     template <class Law>
     static constexpr bool has = (std::is_same_v<Law, Laws> || ...);
@@ -62,7 +64,7 @@ class Choice {
         return number_ == Laws::template number_of<Law>();
     }
     [[nodiscard]] constexpr std::size_t number() const { return number_; }
-    [[nodiscard]] constexpr const LawFacts& facts() const { return Laws::facts.at(number_); }
+    [[nodiscard]] const LawFacts& facts() const { return Laws::facts().at(number_); }
     friend constexpr bool operator==(Choice, Choice) = default;
 
     /// Returns visit.template operator()<Law>() for the chosen law; visit is compiled for every law.
@@ -88,20 +90,4 @@ std::string to_string(Choice<Laws> choice) {
     return std::string(choice.facts().key);
 }
 
-/// The names of all laws of a registry, in its order.
-template <class Laws>
-inline constexpr auto law_names = [] {
-    std::array<std::string_view, Laws::size> names;
-    for (std::size_t k = 0; k < Laws::size; ++k) names[k] = Laws::facts[k].key;
-    return names;
-}();
-
 }  // namespace dmp::models
-
-namespace dmp {
-
-/// Choices of laws have names, as enumerations do.
-template <class Laws>
-inline constexpr auto enum_names<models::Choice<Laws>> = models::law_names<Laws>;
-
-}  // namespace dmp

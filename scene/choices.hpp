@@ -6,10 +6,9 @@
 
 #include "base/enum_names.hpp"
 #include "base/part_kind.hpp"
-#include "models/dem/contact_laws.hpp"
+#include "models/dem/contact_law_list.hpp"
 #include "models/solidify/activity.hpp"
-#include "models/sph/liquid_state.hpp"
-#include "models/sph/viscous_laws.hpp"
+#include "models/sph/fluid_law_list.hpp"
 #include "scene/uses.hpp"
 
 namespace dmp::scene {

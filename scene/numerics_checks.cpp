@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "models/sph/viscous_laws.hpp"
 #include "scene/checks.hpp"
 #include "scene/law_lists.hpp"
 #include "scene/quantity.hpp"

@@ -71,7 +71,7 @@ struct Scene {
         Value<double> sound_speed = 0.0;  ///< [m/s]; 0 = "auto": flow.largest_speed / mach_number
         Value<double> mach_number = 0.1;  ///< largest speed / sound speed, if that is "auto" [-]
         Value<WallModel> walls = WallModel::extrapolated;
-        Value<EquationOfState> equation_of_state = EquationOfState::tait;
+        Value<EquationOfState> equation_of_state = EquationOfState::of<TaitEquation>();
         Value<double> background_pressure = 0.0;  ///< added to the equation of state [Pa]
         Value<DensityModel> density = DensityModel::continuity;
         Value<bool> gradient_correction = false;  ///< Bonet & Lok 1999

@@ -235,7 +235,7 @@ std::vector<Key<Numerics>> numerics_keys() {
          "Wall particles: \"extrapolated\" takes their pressure and velocity from the fluid, \"plain\" treats them "
          "as fluid at rest."},
         {"equation_of_state", &Numerics::equation_of_state, one_of<EquationOfState>(), "tait",
-         "Equation of state: Tait's equation with exponent 7, or a linear one."},
+         "Equation of state: " + meanings<EquationOfState>() + "."},
         {"background_pressure", &Numerics::background_pressure, quantity("200 Pa", not_negative), "0",
          "Constant pressure added to the equation of state, for confined or periodic fluids."},
         {"density", &Numerics::density, one_of<DensityModel>(), "continuity",

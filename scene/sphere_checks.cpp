@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/nearest_name.hpp"
+#include "models/dem/contact_laws.hpp"
 #include "scene/law_lists.hpp"
 #include "scene/measure_subject.hpp"
 #include "scene/quantity.hpp"

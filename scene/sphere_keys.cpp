@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/sphere_keys.hpp"
 
+#include "models/dem/contact_laws.hpp"
 #include "scene/law_lists.hpp"
 
 namespace dmp::scene {

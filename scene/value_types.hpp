@@ -107,9 +107,16 @@ const std::vector<TomlNode>& list_items(const TomlNode& node, const std::string&
 void refuse_repeated_names(const TomlNode& list, const std::string& path);
 std::string toml_list(const std::vector<std::string>& items);
 
+/// The names of an enumeration or of a registry's laws, in their order.
 template <class Enumeration>
 std::vector<std::string> name_list() {
-    return {enum_names<Enumeration>.begin(), enum_names<Enumeration>.end()};
+    if constexpr (requires { typename Enumeration::Registry; }) {
+        std::vector<std::string> names;
+        for (const LawFacts& facts : Enumeration::Registry::facts()) names.emplace_back(facts.key);
+        return names;
+    } else {
+        return {enum_names<Enumeration>.begin(), enum_names<Enumeration>.end()};
+    }
 }
 
 }  // namespace detail
@@ -153,7 +160,7 @@ ValueType<Enumeration> one_of() {
 template <class Law>
 std::string meanings() {
     std::string text;
-    for (const LawFacts& facts : Law::Registry::facts)
+    for (const LawFacts& facts : Law::Registry::facts())
         text += (text.empty() ? "'" : "; '") + std::string(facts.key) + "': " + std::string(facts.meaning);
     return text;
 }

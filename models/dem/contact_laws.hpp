@@ -4,26 +4,15 @@
 #include <cstddef>
 
 #include "models/dem/bradley.hpp"
+#include "models/dem/contact_law_list.hpp"
 #include "models/dem/dmt.hpp"
 #include "models/dem/hertz.hpp"
 #include "models/dem/jkr.hpp"
 #include "models/dem/mindlin.hpp"
 #include "models/dem/no_adhesion.hpp"
 #include "models/dem/rolling_friction.hpp"
-#include "models/registry.hpp"
 
 namespace dmp::models {
-
-/// The parts of a contact: one law of each registry (contact_pair.normal, .tangential, .rolling, .adhesion).
-using NormalLaws = Registry<HertzContact, JkrContact>;
-using TangentialLaws = Registry<RescaledHistory, PlainHistory>;
-using RollingLaws = Registry<NoRolling, ConstantRolling, RollingSpring>;
-using AdhesionLaws = Registry<NoAdhesion, BradleyAdhesion, DmtAdhesion>;
-
-using NormalLaw = Choice<NormalLaws>;
-using TangentialLaw = Choice<TangentialLaws>;
-using RollingLaw = Choice<RollingLaws>;
-using AdhesionLaw = Choice<AdhesionLaws>;
 
 struct ContactModel {
     NormalLaw normal;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "base/vec.hpp"
 
@@ -46,6 +47,19 @@ struct FromShape {
 /// The side of a shape on which it repels.
 enum class ShapeSide { both, inside, outside };
 
+/// Whether it repels on its inside, or else on its outside.
+[[nodiscard]] inline bool repels_on(ShapeSide side, bool is_inside) {
+    switch (side) {
+        case ShapeSide::both:
+            return true;
+        case ShapeSide::inside:
+            return is_inside;
+        case ShapeSide::outside:
+            return !is_inside;
+    }
+    throw std::logic_error("no such side of a shape");
+}
+
 /// An arc of the parabola y = height (x / half_width)^2, |x| <= half_width, relative to its vertex. The inside
 /// contains the focus.
 struct ParabolaArc {
@@ -82,9 +96,8 @@ struct ParabolaArc {
         // A point on the curve: along the normal, to the inside.
         const Vec normal = Vec(-right * 2 * c * at, up, 0).normalized();
         Vec away = distance > 0 ? Vec(apart / distance) : normal;
-        if (distance == 0 && side == ShapeSide::outside) away = -normal;
-        const bool behind =
-            !ended && side != ShapeSide::both && distance > 0 && is_inside != (side == ShapeSide::inside);
+        if (distance == 0 && !repels_on(side, true)) away = -normal;
+        const bool behind = !ended && distance > 0 && !repels_on(side, is_inside);
         return behind ? FromShape{-distance, Vec(-away)} : FromShape{distance, away};
     }
 };
@@ -97,7 +110,7 @@ struct Circle {
     [[nodiscard]] FromShape from(const Vec& point) const {
         const double r = std::hypot(point[0], point[1]);
         const Vec outward = r > 0 ? Vec(point[0] / r, point[1] / r, 0) : Vec(Vec::UnitX());
-        const bool pushes_out = side == ShapeSide::outside || (side == ShapeSide::both && r >= radius);
+        const bool pushes_out = repels_on(side, false) && (r >= radius || !repels_on(side, true));
         const double distance = pushes_out ? r - radius : radius - r;
         return {distance, pushes_out ? outward : Vec(-outward)};
     }

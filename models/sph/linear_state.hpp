@@ -1,12 +1,16 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "models/registry.hpp"
+
 namespace dmp::models {
 
 /// The linear equation of state of a weakly compressible fluid (Morris, Fox & Zhu 1997, eq. 8, less its constant):
 ///   p = c0^2 (rho - rho0)   [Pa]
 /// Tait's equation to first order in the compression; the speed of sound is c0 at every density.
 struct LinearEquation {
+    static constexpr LawFacts facts{"linear", "Morris, Fox & Zhu 1997, eq. 8", "Tait's equation to first order"};
+
     double sound_speed;   ///< c0 [m/s]
     double rest_density;  ///< rho0 [kg/m^3]
 

@@ -1,16 +1,16 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <string_view>
-
-#include "base/enum_names.hpp"
+#include "models/sph/fluid_law_list.hpp"
 #include "models/sph/linear_state.hpp"
 #include "models/sph/tait.hpp"
 
 namespace dmp::models {
 
-enum class EquationOfState { tait, linear };
+// A law of EquationsOfState is constructed from the speed of sound c0 [m/s] and the rest density rho0 [kg/m^3], and has
+//   pressure(density)   [Pa], 0 at rest
+//   density(pressure)   its inverse [kg/m^3]
+//   lowest_pressure()   at zero density [Pa]
 
 /// Equation of state of a fluid part: the chosen equation plus a background pressure p_b [Pa]. The force between two
 /// particles is proportional to the sum of their pressures: p_b pushes particles apart evenly where they have
@@ -19,7 +19,7 @@ struct LiquidState {
     double sound_speed;              ///< c0 [m/s]
     double rest_density;             ///< rho0 [kg/m^3]
     double background_pressure = 0;  ///< p_b [Pa]
-    EquationOfState equation = EquationOfState::tait;
+    EquationOfState equation = EquationOfState::of<TaitEquation>();
 
     [[nodiscard]] double pressure(double density) const {
         return by_equation([&](const auto& state) { return state.pressure(density); }) + background_pressure;
@@ -36,16 +36,8 @@ struct LiquidState {
   private:
     template <class Value>
     [[nodiscard]] double by_equation(const Value& value) const {
-        return equation == EquationOfState::tait ? value(TaitEquation{sound_speed, rest_density})
-                                                 : value(LinearEquation{sound_speed, rest_density});
+        return equation.visit([&]<class Law>() { return value(Law{sound_speed, rest_density}); });
     }
 };
 
 }  // namespace dmp::models
-
-namespace dmp {
-
-template <>
-inline constexpr auto enum_names<models::EquationOfState> = std::to_array<std::string_view>({"tait", "linear"});
-
-}  // namespace dmp

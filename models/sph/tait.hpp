@@ -3,11 +3,15 @@
 
 #include <cmath>
 
+#include "models/registry.hpp"
+
 namespace dmp::models {
 
 /// Tait's equation of state for a weakly compressible fluid (Monaghan 1994 with gamma = 7):
 ///   p = (c0^2 rho0 / 7) [(rho/rho0)^7 - 1]   [Pa]
 struct TaitEquation {
+    static constexpr LawFacts facts{"tait", "Monaghan 1994", "Tait's equation with exponent 7"};
+
     double sound_speed;   ///< c0 [m/s]
     double rest_density;  ///< rho0 [kg/m^3]
 

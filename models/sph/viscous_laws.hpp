@@ -3,8 +3,8 @@
 
 #include <tuple>
 
-#include "models/registry.hpp"
 #include "models/sph/cleary_viscosity.hpp"
+#include "models/sph/fluid_law_list.hpp"
 #include "models/sph/monaghan_viscosity.hpp"
 #include "models/sph/morris_viscosity.hpp"
 #include "models/sph/newtonian_viscosity.hpp"
@@ -13,16 +13,13 @@
 
 namespace dmp::models {
 
-/// The viscous laws, one row each (numerics.viscous_law). A law is constructed from ViscousScales and has
-///   law(pair, twice_mean)   the force on particle i [N], twice_mean: twice the mean of both viscosities [Pa s]
-///   step_share()            largest stable explicit step divided by kernel.viscous_limit support^2 / nu [-]
-///   on_lattice(scales)      ratio of effective to specified viscosity on the undisturbed lattice [-]
-///   detail(nu, c0)          added text of `dmp explain` for a fluid of kinematic viscosity nu [m^2/s]; may be empty
-///   linear                  whether the force is linear in the velocities, as implicit stepping requires
-///   needs_gradient          whether it reads the corrected velocity gradient (left out: false)
-using ViscousLaws =
-    Registry<MorrisViscosity, MonaghanViscosity, ApproachingMonaghanViscosity, ClearyViscosity, NewtonianViscosity>;
-using ViscousLaw = Choice<ViscousLaws>;
+// A law of ViscousLaws is constructed from ViscousScales and has
+//   law(pair, twice_mean)   the force on particle i [N], twice_mean: twice the mean of both viscosities [Pa s]
+//   step_share()            largest stable explicit step divided by kernel.viscous_limit support^2 / nu [-]
+//   on_lattice(scales)      ratio of effective to specified viscosity on the undisturbed lattice [-]
+//   detail(nu, c0)          added text of `dmp explain` for a fluid of kinematic viscosity nu [m^2/s]; may be empty
+//   linear                  whether the force is linear in the velocities, as implicit stepping requires
+//   needs_gradient          whether it reads the corrected velocity gradient (left out: false)
 
 template <class Law>
 constexpr bool needs_gradient() {

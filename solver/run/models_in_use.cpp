@@ -122,9 +122,8 @@ void Models::add_fluid(const PairSettings& settings, const PairSweeps& sweeps) {
     if (fluids.empty()) return;
     const auto& numerics = scene_.numerics;
     const std::string fluid = position_of(*fluids.front());
-    const bool tait = *numerics.equation_of_state == EquationOfState::tait;
-    add(tait ? "Tait equation of state" : "linear equation of state",
-        tait ? "Monaghan 1994" : "Morris, Fox & Zhu 1997, eq. 8",
+    const LawFacts& state = numerics.equation_of_state->facts();
+    add("equation of state", std::string(state.meaning) + ": " + std::string(state.citation),
         numerics.equation_of_state.given() ? because(numerics.equation_of_state, "numerics.equation_of_state") : fluid);
     if (*numerics.background_pressure != 0)
         add("background pressure", "added to the equation of state",
@@ -178,11 +177,17 @@ void Models::add_what_drives() {
 }
 
 void Models::add_walls() {
-    const bool plain = *scene_.numerics.walls == WallModel::plain;
-    if (!scene_.parts_of(PartKind::rigid).empty())
-        add(plain ? "plain walls" : "extrapolated no-slip walls",
-            plain ? "Monaghan 1994" : "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012",
-            because(scene_.numerics.walls, "numerics.walls"));
+    if (!scene_.parts_of(PartKind::rigid).empty()) {
+        const std::string reason = because(scene_.numerics.walls, "numerics.walls");
+        switch (*scene_.numerics.walls) {
+            case WallModel::extrapolated:
+                add("extrapolated no-slip walls", "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012", reason);
+                break;
+            case WallModel::plain:
+                add("plain walls", "Monaghan 1994", reason);
+                break;
+        }
+    }
     for (const Part* part : scene_.parts_of(PartKind::rigid)) {
         const std::string name = "'" + *part->name + "'";
         if (part->slides())

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "models/dem/contact_laws.hpp"
+#include "solver/parallel/with_vector_unit.hpp"
 
 namespace dmp::solver {
 
@@ -62,19 +63,7 @@ int history_values(const ContactModel& model) {
 }
 
 ContactSweep contact_sweep(const ContactModel& model, VectorUnit unit) {
-    switch (chosen_vector_unit(unit)) {
-#if defined(__x86_64__)
-#if defined(DMP_HAS_AVX512)
-        case VectorUnit::avx512:
-            return compiled_contact_sweep<VectorUnit::avx512>(model);
-#endif
-        default:
-            return compiled_contact_sweep<VectorUnit::avx2>(model);
-#else
-        default:
-            return compiled_contact_sweep<VectorUnit::generic>(model);
-#endif
-    }
+    return with_vector_unit(unit, [&]<VectorUnit chosen>() { return compiled_contact_sweep<chosen>(model); });
 }
 
 }  // namespace dmp::solver

@@ -71,15 +71,7 @@ class Sweeps final : public PairSweeps {
                     particles, list, kernel_, solid, viscosity, repulsion_, force_rounding_, settings_.threads)
                     .run(choice);
             };
-            if (settings_.walls.model == WallModel::plain) {
-                run(PlainSolid<D>{});
-            } else {
-                with_flag(!settings_.walls.at_rest(), [&](auto motion) {
-                    auto solid = extrapolated<decltype(motion)::value>(sums.body_acceleration);
-                    solid.subtracted = narrowed(sums.subtracted);
-                    run(solid);
-                });
-            }
+            with_solid(sums.body_acceleration, sums.subtracted, run);
         };
         const bool newtonian = settings_.viscosity.law.is<NewtonianViscosity>();
         if (newtonian && settings_.viscosity.implicit) {
@@ -123,10 +115,7 @@ class Sweeps final : public PairSweeps {
                                                 .hydrostatic = decltype(hydrostatic)::value,
                                                 .species = true};
                     const FusedDiffusion<L, D, with.shifting> species(particles, *along, volume(), steepest_);
-                    with_flag(settings_.walls.model == WallModel::plain, [&](auto plain) {
-                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
-                        run_with.template operator()<Solid, with>(species);
-                    });
+                    with_solid_at_rest([&]<class Solid>() { run_with.template operator()<Solid, with>(species); });
                 });
             });
         } else {
@@ -262,8 +251,7 @@ class Sweeps final : public PairSweeps {
         with_flag(settings_.density.diffusion > 0 || settings_.hydrostatic, [&](auto diffusion) {
             with_flag(settings_.shifting > 0, [&](auto shifting) {
                 with_flag(settings_.hydrostatic, [&](auto hydrostatic) {
-                    with_flag(settings_.walls.model == WallModel::plain, [&](auto plain) {
-                        using Solid = std::conditional_t<decltype(plain)::value, PlainSolid<D>, ExtrapolatedSolid<D>>;
+                    with_solid_at_rest([&]<class Solid>() {
                         constexpr DensityTerms with{.diffusion = decltype(diffusion)::value,
                                                     .shifting = decltype(shifting)::value,
                                                     .hydrostatic = decltype(hydrostatic)::value};
@@ -290,13 +278,36 @@ class Sweeps final : public PairSweeps {
                 run(ViscousSweep<L, D, Kernel, std::decay_t<decltype(solid)>, std::decay_t<decltype(viscosity)>>(
                     particles, list, kernel_, solid, viscosity, {rounding, velocity, wall_motion}, settings_.threads));
             };
-            if (settings_.walls.model == WallModel::plain) {
-                run_with(PlainSolid<D>{});
-            } else {
-                with_flag(!settings_.walls.at_rest(),
-                          [&](auto motion) { run_with(extrapolated<decltype(motion)::value>({})); });
-            }
+            with_solid({}, {}, run_with);
         });
+    }
+
+    /// Calls then(solid) with the wall model of these settings.
+    template <class Then>
+    void with_solid(const std::array<double, 3>& body_acceleration, const std::array<double, 3>& subtracted,
+                    const Then& then) const {
+        switch (settings_.walls.model) {
+            case WallModel::plain:
+                then(PlainSolid<D>{});
+                return;
+            case WallModel::extrapolated:
+                with_flag(!settings_.walls.at_rest(), [&](auto motion) {
+                    then(extrapolated<decltype(motion)::value>(body_acceleration, subtracted));
+                });
+                return;
+        }
+    }
+    /// Calls then<Solid>() with the wall model's type where no wall moves or lets the fluid slip.
+    template <class Then>
+    void with_solid_at_rest(const Then& then) const {
+        switch (settings_.walls.model) {
+            case WallModel::plain:
+                then.template operator()<PlainSolid<D>>();
+                return;
+            case WallModel::extrapolated:
+                then.template operator()<ExtrapolatedSolid<D>>();
+                return;
+        }
     }
 
     static Vector<double, D> narrowed(const std::array<double, 3>& v) {
@@ -305,8 +316,10 @@ class Sweeps final : public PairSweeps {
         return narrow;
     }
     template <bool Motion = false>
-    [[nodiscard]] ExtrapolatedSolid<D, Motion> extrapolated(const std::array<double, 3>& body_acceleration) const {
+    [[nodiscard]] ExtrapolatedSolid<D, Motion> extrapolated(const std::array<double, 3>& body_acceleration,
+                                                            const std::array<double, 3>& subtracted = {}) const {
         ExtrapolatedSolid<D, Motion> solid{narrowed(body_acceleration), 0.5 * settings_.spacing};
+        solid.subtracted = narrowed(subtracted);
         if constexpr (Motion)
             for (int axis = 0; axis < D; ++axis)
                 solid.driven[axis] = settings_.periodic[axis] ? body_acceleration[axis] : 0;

@@ -3,18 +3,30 @@
 
 #include <stdexcept>
 
+#include "solver/parallel/with_vector_unit.hpp"
 #include "solver/sweeps/compiled_sweeps.hpp"
 
 namespace dmp::solver {
 
 namespace {
 
+/// Whether particles of solids have a density and a pressure of their own.
+bool solids_have_a_state(WallModel model) {
+    switch (model) {
+        case WallModel::plain:
+            return true;
+        case WallModel::extrapolated:
+            return false;
+    }
+    throw std::logic_error("no such wall model");
+}
+
 void declare_fields(const PairSettings& settings, ParticleStore& particles) {
-    const bool plain = settings.walls.model == WallModel::plain, contact = settings.repulsion_strength > 0;
+    const bool with_state = solids_have_a_state(settings.walls.model), contact = settings.repulsion_strength > 0;
     for (ParticleGroup& group : particles.groups()) {
         const bool is_fluid = group.kind() == PartKind::fluid;
-        if (is_fluid || plain) group.declare({Field::density, Field::pressure});
-        if ((is_fluid && !settings.density.by_summation) || plain) group.declare({Field::density_rate});
+        if (is_fluid || with_state) group.declare({Field::density, Field::pressure});
+        if ((is_fluid && !settings.density.by_summation) || with_state) group.declare({Field::density_rate});
         if (is_fluid) group.declare({Field::viscosity});
         if (is_fluid && settings.shifting > 0) group.declare({Field::shift});
         if (is_fluid && settings.transport_velocity) group.declare({Field::shift, Field::transport_velocity});
@@ -33,7 +45,7 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
         if (group.kind() != PartKind::rigid) continue;
         group.declare({Field::wall_normal, Field::wall_distance});
         if (settings.walls.slip) group.declare({Field::wall_slip});
-        if (settings.walls.moving && !plain) group.declare({Field::wall_acceleration});
+        if (settings.walls.moving && !with_state) group.declare({Field::wall_acceleration});
         if (settings.corrected && (settings.walls.moving || settings.walls.sliding))
             group.declare({Field::wall_motion, Field::surface_gradient});
         if (settings.corrected && (settings.walls.slip || settings.walls.sliding)) group.declare({Field::wall_sliding});
@@ -64,19 +76,8 @@ std::unique_ptr<PairSweeps> make_pair_sweeps(const PairSettings& settings, Parti
     if (needs_gradient && !settings.corrected)
         throw std::logic_error("this viscous law needs the velocity gradient of the corrected scheme");
     declare_fields(settings, particles);
-    switch (chosen_vector_unit(settings.vector_unit)) {
-#if defined(__x86_64__)
-#if defined(DMP_HAS_AVX512)
-        case VectorUnit::avx512:
-            return sweeps_for<VectorUnit::avx512>(settings, particles.dimension());
-#endif
-        default:
-            return sweeps_for<VectorUnit::avx2>(settings, particles.dimension());
-#else
-        default:
-            return sweeps_for<VectorUnit::generic>(settings, particles.dimension());
-#endif
-    }
+    return with_vector_unit(settings.vector_unit,
+                            [&]<VectorUnit unit>() { return sweeps_for<unit>(settings, particles.dimension()); });
 }
 
 }  // namespace dmp::solver

@@ -7,6 +7,7 @@
 #include <span>
 #include <type_traits>
 
+#include "models/sph/viscous_scales.hpp"
 #include "scene/scene.hpp"
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/parallel/resources.hpp"

@@ -25,6 +25,15 @@ ADHESION_WITHOUT_PULL_OFF = """struct Forgotten : NoAdhesion {
 """
 
 
+NO_INVERSE = """struct Forgotten {
+    static constexpr LawFacts facts{"forgotten", "", "a pressure without its density"};
+    double sound_speed, rest_density;
+    double pressure(double) const { return 0; }
+    double lowest_pressure() const { return 0; }
+};
+"""
+
+
 def replaced(header, *changes):
     """The header with each (old, new) replaced, each of which it must have once."""
     text = (ROOT / header).read_text()
@@ -77,6 +86,23 @@ class Forgotten(unittest.TestCase):
         self.refused("mesher/quality.cpp",
                      with_value("wendland_c4, lucy, cubic_spline, quintic_spline }",
                                 '"cubic_spline", "quintic_spline"'), NOT_HANDLED)
+
+    def test_wall_model(self):
+        headers = with_value("WallModel { extrapolated, plain }", '"extrapolated", "plain"')
+        for file in ("solver/sweeps/pair_sweeps.cpp", "solver/run/models_in_use.cpp"):
+            self.refused(file, headers, NOT_HANDLED)
+
+    def test_equation_of_state_without_an_inverse(self):
+        self.refused("solver/run/setup.cpp",
+                     replaced("models/sph/liquid_state.hpp", ("using EquationsOfState = Registry<", NO_INVERSE
+                                                              + "using EquationsOfState = Registry<Forgotten, ")),
+                     "'const struct dmp::models::Forgotten' has no member named 'density'")
+
+    def test_side_of_a_repelling_shape(self):
+        self.refused("solver/forcing/driving.cpp",
+                     replaced("models/forcing/soft_shape.hpp",
+                              ("ShapeSide { both, inside, outside }", "ShapeSide { both, inside, outside, forgotten }")),
+                     NOT_HANDLED)
 
     def measure(self, subject=None):
         headers = replaced(CHOICES, ("    aggregate\n}", "    aggregate, forgotten\n}"),

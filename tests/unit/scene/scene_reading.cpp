@@ -155,7 +155,7 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.numerics.walls, WallModel::extrapolated);
     EXPECT_EQ(*scene.numerics.walls, *fresh.numerics.walls);
     EXPECT_EQ(*scene.flow.largest_pressure, 0) << "not given";
-    EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::tait);
+    EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::of<TaitEquation>());
     EXPECT_EQ(*scene.numerics.equation_of_state, *fresh.numerics.equation_of_state);
     EXPECT_EQ(*scene.numerics.background_pressure, 0);
     EXPECT_EQ(*scene.numerics.background_pressure, *fresh.numerics.background_pressure);
@@ -330,7 +330,7 @@ TEST(ReadScene, fluid_terms_that_are_off_by_default) {
                                "numerics.transport_velocity=true"});
     EXPECT_EQ(*scene.flow.largest_pressure, 2000);
     EXPECT_EQ(*scene.numerics.kernel, KernelKind::quintic_spline);
-    EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::linear);
+    EXPECT_EQ(*scene.numerics.equation_of_state, EquationOfState::of<LinearEquation>());
     EXPECT_EQ(*scene.numerics.background_pressure, 3);
     EXPECT_EQ(*scene.numerics.density, DensityModel::summation);
     EXPECT_TRUE(*scene.numerics.gradient_correction);
@@ -403,7 +403,7 @@ TEST(Words, are_those_of_a_scene) {
     EXPECT_EQ(to_string(SpringStepping::subcycled), "subcycled");
     EXPECT_EQ(to_string(ViscosityStepping::implicitly), "implicit");
     EXPECT_EQ(to_string(KernelKind::cubic_spline), "cubic_spline");
-    EXPECT_EQ(to_string(EquationOfState::linear), "linear");
+    EXPECT_EQ(to_string(EquationOfState::of<LinearEquation>()), "linear");
     EXPECT_EQ(to_string(DensityModel::summation), "summation");
     EXPECT_EQ(to_string(ViscousLaw::of<ApproachingMonaghanViscosity>()), "monaghan_approaching");
     EXPECT_EQ(to_string(ViscosityMean::arithmetic), "arithmetic");

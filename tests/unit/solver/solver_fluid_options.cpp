@@ -98,7 +98,7 @@ TEST_P(FluidOption, gives_the_same_bits_on_any_number_of_threads) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, FluidOption,
-    testing::Values(Option{"linear", {"numerics.equation_of_state=linear"}, "linear equation of state (numerics.equ"},
+    testing::Values(Option{"linear", {"numerics.equation_of_state=linear"}, "equation of state (numerics.equ"},
                     Option{"background", {"numerics.background_pressure=\"1e-6 Pa\""}, "background pressure (numerics"},
                     Option{"summation", {"numerics.density=summation"}, "summation density (numerics.density at"},
                     Option{"correction", {"numerics.gradient_correction=true"}, "gradient correction (numerics."},

@@ -45,9 +45,9 @@ TEST(LinearEquation, is_a_line_of_slope_c0_squared) {
 TEST(LiquidState, is_the_equation_asked_for_and_the_background_on_top) {
     for (const double rho : {950.0, 1000.0, 1020.0}) {
         EXPECT_EQ((LiquidState{20, 1000}.pressure(rho)), (TaitEquation{20, 1000}.pressure(rho)));
-        EXPECT_EQ((LiquidState{20, 1000, 0, EquationOfState::linear}.pressure(rho)),
+        EXPECT_EQ((LiquidState{20, 1000, 0, EquationOfState::of<LinearEquation>()}.pressure(rho)),
                   (LinearEquation{20, 1000}.pressure(rho)));
-        EXPECT_DOUBLE_EQ((LiquidState{20, 1000, 500, EquationOfState::linear}.pressure(rho)),
+        EXPECT_DOUBLE_EQ((LiquidState{20, 1000, 500, EquationOfState::of<LinearEquation>()}.pressure(rho)),
                          (500 + LinearEquation{20, 1000}.pressure(rho)));
         EXPECT_DOUBLE_EQ((LiquidState{20, 1000, 500}.pressure(rho)), (500 + TaitEquation{20, 1000}.pressure(rho)));
     }
