@@ -4,7 +4,7 @@
 
 Includes: a module includes only the modules that it may, the folders of solver/ and models/ and the files beside them
 include each other in one direction, and gmsh, CGAL, VTK, MPI, Zoltan and HDF5 are included in the one place that may.
-Choices: a switch over an enumeration lists its values. Words: names, keys, texts and docs do without the words that
+Choices: a switch over an enumeration lists its values. Keys: each key of a scene is read by the program. Words: names, keys, texts and docs do without the words that
 CONTRIBUTING.md has replaced. Files: none is longer than 450 lines, and nothing binary lies at the root.
 """
 import pathlib
@@ -34,9 +34,8 @@ LIBRARIES = {  # header pattern: the only folders that may include it
 }
 DEFAULT_ALLOWED_IN = {  # switches with a `default:`, which a new value of an enumeration would fall into in silence
     "geometry/surface_intersections.cpp",  # over a number
-    "solver/spheres/wall_law.cpp",  # which vector units there are depends on the processor
-    "solver/sweeps/pair_sweeps.cpp",  # the same
 }
+KEYS_ONLY_CHECKED = {"schema"}  # its value is a version, and nothing depends on it once it is known to be 1
 # Word boundaries are those of identifiers and of English.
 OLD_WORDS = [
     r"\bWandering\b", r"\bPlacesThen\b", r"\bNearSweep\b", r"\blook_through\b", r"\bkeep_near\b", r"\bOrderFree\b",
@@ -165,6 +164,37 @@ class Choices(unittest.TestCase):
         ]
         self.assertEqual(sorted(set(found) - DEFAULT_ALLOWED_IN), [], "list the values instead (-Wswitch)")
         self.assertEqual(sorted(DEFAULT_ALLOWED_IN - set(found)), [], "no longer has one")
+
+
+def rows_of_keys(text):
+    """(key, member) of each row of a table of keys: {"viscosity", liquids, &Part::viscosity, ...}"""
+    return re.findall(r'\{"(\w+)",[^&\n]*&\w+::(\w+),', text)
+
+
+def unread(rows, text):
+    """The keys whose members the text does not read."""
+    read = set(re.findall(r"(?:\.|->)(\w+)", text))
+    return [key for key, member in rows if member not in read]
+
+
+class Keys(unittest.TestCase):
+    def test_every_key_of_a_scene_is_read(self):
+        tables, others = [], []
+        for path, name in sources(".cpp", ".hpp"):
+            module, file = name.split("/")[0], name.rsplit("/")[-1]
+            if module not in MODULES or (module == "scene" and file.endswith("checks.cpp")):
+                continue  # a value that is only checked has no effect
+            is_table = module == "scene" and (file == "schema.cpp" or file.endswith("keys.cpp"))
+            (tables if is_table else others).append(path.read_text())
+        rows = [row for table in tables for row in rows_of_keys(table)]
+        self.assertGreater(len(rows), 200)
+        found = [key for key in unread(rows, "\n".join(others)) if key not in KEYS_ONLY_CHECKED]
+        self.assertEqual(found, [], "keys of a scene that nothing reads")
+
+    def test_a_forgotten_key_is_found(self):
+        rows = rows_of_keys('{"depth", all, &Part::depth, length(), required, "..."},\n{"mass", &Part::mass, x, "y"},')
+        self.assertEqual(rows, [("depth", "depth"), ("mass", "mass")])
+        self.assertEqual(unread(rows, "double m = part.mass * part->mass; depth"), ["depth"])
 
 
 class Texts(unittest.TestCase):
