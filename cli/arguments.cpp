@@ -80,7 +80,7 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
         }
-        run_.typed = mesh_.typed = TypedCommand({argv.begin(), argv.end()});
+        run_.typed = mesh_.typed = new_.typed = TypedCommand({argv.begin(), argv.end()});
         if (*run_app_) return run_;
         if (*mesh_app_) return mesh_;
         if (*inspect_app_) return inspect_;

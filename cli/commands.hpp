@@ -84,6 +84,7 @@ struct NewCommand {
     std::string folder;        ///< to make
     std::string cad_geometry;  ///< goes there, too
     std::string unit;          ///< as for `dmp inspect`
+    TypedCommand typed;        ///< for lines to paste
 };
 
 /// What dmp starts itself with to read a geometry in another process (geometry/geometry_process.hpp); no help tells of

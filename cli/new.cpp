@@ -48,8 +48,8 @@ int execute(const NewCommand& command) {
     (void)read_scene(scene.string(), {});
     std::string text = Style(Stream::output).strong(scene.string()) + " assumes:\n";
     for (const std::string& assumption : first.assumptions) text += "  - " + assumption + "\n";
-    print(text +
-          fmt::format("\nNext: dmp mesh {0}\n      dmp run {0} --dry-run\n      dmp run {0}\n", folder.string()));
+    print(text + fmt::format("\nNext: {0} mesh {1}\n      {0} run {1} --dry-run\n      {0} run {1}\n",
+                             command.typed.program(), shell_word(folder.string())));
     return exit_done;
 }
 

@@ -17,6 +17,9 @@ class TypedCommand {
     /// The program's name as it was called, the command, and its options.
     explicit TypedCommand(std::vector<std::string> words) : words_(std::move(words)) {}
 
+    /// The program, as it was called.
+    [[nodiscard]] std::string program() const { return words_.empty() ? "dmp" : shell_word(words_.front()); }
+
     /// With this many ranks; 1: without mpirun.
     [[nodiscard]] TypedCommand on_ranks(int ranks) const;
 

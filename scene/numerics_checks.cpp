@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "models/sph/viscous_laws.hpp"
 #include "scene/checks.hpp"
+#include "scene/corrected_kernels.hpp"
 #include "scene/law_lists.hpp"
 #include "scene/quantity.hpp"
 
@@ -72,7 +73,7 @@ void need_what_the_scheme_supports(const Scene& scene) {
             if (*numerics.gradient_correction)
                 refuse(numerics.gradient_correction.location, "gradient_correction = true");
             if (*numerics.walls == WallModel::plain) refuse(numerics.walls.location, "walls = \"plain\"");
-            if (numerics.kernel.given() && *numerics.kernel != KernelKind::wendland_c2)
+            if (!has_corrected_scheme(numerics.kernel))
                 refuse(numerics.kernel.location, "kernel = \"" + to_string(*numerics.kernel) + "\"");
             if (numerics.support.given() && *numerics.support < 2.8)
                 refuse(numerics.support.location, "support = " + exact_text(numerics.support) + ", below 2.8");

@@ -202,6 +202,30 @@ std::string last_word(const std::string& path) {
     return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
+namespace {
+
+/// The SI unit from which a unit differs by one prefix: "Pa*s" for "mPa*s"; empty if it is one, or none is found.
+std::string without_prefix(const std::string& unit) {
+    const auto quantity_of = [](const std::string& of) -> std::optional<Quantity> {
+        try {
+            return parse_quantity({"1 " + of, {}, {}});
+        } catch (const InputError&) {
+            return {};
+        }
+    };
+    const auto own = quantity_of(unit);
+    if (!own || own->si == 1) return {};
+    for (std::size_t k = 0; k < unit.size(); ++k) {
+        std::string shorter = unit;
+        shorter.erase(k, 1);
+        const auto other = quantity_of(shorter);
+        if (other && other->si == 1 && other->dimension == own->dimension) return shorter;
+    }
+    return {};
+}
+
+}  // namespace
+
 Expected::Expected(std::string example) : example_(std::move(example)) {
     dimension_ = parse_quantity({example_, {}, {}}).dimension;
     const std::size_t begin = example_.starts_with('-') ? 1 : 0;
@@ -212,10 +236,12 @@ std::string Expected::phrase() const { return dimension_.name_with_article() + "
 
 InputError Expected::missing_unit(const SourceLocation& location, const std::string& written,
                                   const std::string& subject) const {
-    const std::string quoted = "\"" + written + " " + unit_ + "\"";
+    const auto with = [&](const std::string& unit) { return "\"" + written + " " + unit + "\""; };
+    const std::string si = without_prefix(unit_);
+    const std::string quoted = with(unit_) + (si.empty() ? "" : " or " + with(si));
     if (subject.empty()) {
         return {location, "missing unit: found " + written + ", expected " + phrase(),
-                "write " + quoted + " or another unit"};
+                "write " + quoted + ", with the unit you mean"};
     }
     const std::string key = last_word(subject);
     return {location, "missing unit: " + key + " = " + written + ", expected " + phrase(),

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "base/unlisted_value.hpp"
 #include "base/vec.hpp"
 
 namespace dmp::models {
@@ -57,7 +57,7 @@ enum class ShapeSide { both, inside, outside };
         case ShapeSide::outside:
             return !is_inside;
     }
-    throw std::logic_error("no such side of a shape");
+    unlisted_value(side);
 }
 
 /// An arc of the parabola y = height (x / half_width)^2, |x| <= half_width, relative to its vertex. The inside

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <type_traits>
 
 #include "base/simd/lanes.hpp"
 #include "models/sph/kernels.hpp"
 #include "models/sph/no_viscosity.hpp"
 #include "models/sph/viscous_laws.hpp"
+#include "scene/corrected_kernels.hpp"
 #include "solver/sweeps/correction_sweep.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
@@ -39,7 +41,8 @@ void with_flag(bool flag, const Then& then) {
     }
 }
 
-template <class L, int D, class Kernel>
+/// `Corrected`: the corrected scheme can be chosen.
+template <class L, int D, class Kernel, bool Corrected>
 class Sweeps final : public PairSweeps {
   public:
     explicit Sweeps(const PairSettings& settings)
@@ -73,11 +76,11 @@ class Sweeps final : public PairSweeps {
             };
             with_solid(sums.body_acceleration, sums.subtracted, run);
         };
-        const bool newtonian = settings_.viscosity.law.is<NewtonianViscosity>();
+        const bool newtonian = is_newtonian();
         if (newtonian && settings_.viscosity.implicit) {
-            with_mean([&]<class Mean>() { sweep_with(NewtonianGradientTerm<Mean>{{sums.dt}}); });
+            with_newtonian_mean([&]<class Mean>() { sweep_with(NewtonianGradientTerm<Mean>{{sums.dt}}); });
         } else if (newtonian) {
-            with_mean([&]<class Mean>() { sweep_with(NewtonianTerm<Mean>{{sums.dt}}); });
+            with_newtonian_mean([&]<class Mean>() { sweep_with(NewtonianTerm<Mean>{{sums.dt}}); });
         } else if (settings_.viscosity.implicit) {
             sweep_with(NoViscosity{});
         } else {
@@ -129,16 +132,20 @@ class Sweeps final : public PairSweeps {
 
     void gradients(ParticleStore& particles, const ClusterList& list, const std::array<double, 3>& body_acceleration,
                    ClusterChoice choice) const override {
-        with_flag(settings_.several_fluids, [&](auto several) {
-            with_flag(!settings_.walls.at_rest(), [&](auto motion) {
-                const auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
-                GradientSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(several)::value>(
-                    particles, list, kernel_, solid, shifting_, gradient_rounding_,
-                    {diffusion_.coefficient, settings_.sound_speed, settings_.shifting > 0, settings_.free_surface},
-                    settings_.threads)
-                    .run(choice);
+        if constexpr (Corrected) {
+            with_flag(settings_.several_fluids, [&](auto several) {
+                with_flag(!settings_.walls.at_rest(), [&](auto motion) {
+                    const auto solid = extrapolated<decltype(motion)::value>(body_acceleration);
+                    GradientSweep<L, D, Kernel, std::decay_t<decltype(solid)>, decltype(several)::value>(
+                        particles, list, kernel_, solid, shifting_, gradient_rounding_,
+                        {diffusion_.coefficient, settings_.sound_speed, settings_.shifting > 0, settings_.free_surface},
+                        settings_.threads)
+                        .run(choice);
+                });
             });
-        });
+        } else {
+            not_for_this_kernel();
+        }
     }
 
     [[nodiscard]] bool can_fuse(const SpeciesSums& sums) const override {
@@ -219,10 +226,18 @@ class Sweeps final : public PairSweeps {
         }
     }
 
-    /// Calls then<Mean>() with the mean of unlike viscosities; the cheaper one where all are alike.
+    [[nodiscard]] bool is_newtonian() const { return settings_.viscosity.law.is<NewtonianViscosity>(); }
+    [[noreturn]] static void not_for_this_kernel() {
+        throw std::logic_error("the corrected scheme is not compiled for this kernel");
+    }
+
+    /// Calls then<Mean>() with the mean of unlike viscosities, for the law of the corrected scheme; the cheaper one
+    /// where all are alike.
     template <class Then>
-    void with_mean(const Then& then) const {
-        if (settings_.viscosity.unlike && settings_.viscosity.mean == ViscosityMean::harmonic) {
+    void with_newtonian_mean(const Then& then) const {
+        if constexpr (!Corrected) {
+            not_for_this_kernel();
+        } else if (settings_.viscosity.unlike && settings_.viscosity.mean == ViscosityMean::harmonic) {
             then.template operator()<HarmonicMean>();
         } else {
             then.template operator()<ArithmeticMean>();
@@ -267,8 +282,8 @@ class Sweeps final : public PairSweeps {
     void with_viscous_sweep(ParticleStore& particles, const ClusterList& list, const ReproducibleSum& rounding,
                             Field velocity, double wall_motion, const Run& run) const {
         const auto with_term = [&](const auto& then) {
-            if (settings_.viscosity.law.is<NewtonianViscosity>()) {
-                with_mean([&]<class Mean>() { then(NewtonianVelocityTerm<Mean>{}); });
+            if (is_newtonian()) {
+                with_newtonian_mean([&]<class Mean>() { then(NewtonianVelocityTerm<Mean>{}); });
             } else {
                 with_published_viscosity(then);
             }
@@ -392,7 +407,7 @@ struct KernelOf<KernelKind::quintic_spline, D> {
 
 template <class L, KernelKind kernel, int D>
 std::unique_ptr<PairSweeps> sweeps_with(const PairSettings& settings) {
-    return std::make_unique<Sweeps<L, D, typename KernelOf<kernel, D>::Type>>(settings);
+    return std::make_unique<Sweeps<L, D, typename KernelOf<kernel, D>::Type, has_corrected_scheme(kernel)>>(settings);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "base/unlisted_value.hpp"
 #include "models/sph/viscous_laws.hpp"
 #include "solver/parallel/with_vector_unit.hpp"
 #include "solver/sweeps/compiled_sweeps.hpp"
@@ -19,7 +20,7 @@ bool solids_have_a_state(WallModel model) {
         case WallModel::extrapolated:
             return false;
     }
-    throw std::logic_error("no such wall model");
+    unlisted_value(model);
 }
 
 void declare_fields(const PairSettings& settings, ParticleStore& particles) {
@@ -67,7 +68,7 @@ std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimensi
         case KernelKind::wendland_c2:
             return compiled_sweeps<unit, KernelKind::wendland_c2>(settings, dimension);
     }
-    throw std::logic_error("no sweeps for this kernel");
+    unlisted_value(settings.kernel);
 }
 
 }  // namespace

@@ -17,7 +17,6 @@ COMPILER, SYSTEM = None, []
 CHOICES = "scene/choices.hpp"
 NOT_HANDLED = "enumeration value 'forgotten' not handled in switch"
 
-ADHESION = "models/dem/contact_laws.hpp"
 ADHESION_WITHOUT_PULL_OFF = """struct Forgotten : NoAdhesion {
     static constexpr LawFacts facts{"forgotten", "", "adhesive, and it says not how much"};
     static constexpr bool adhesive = true;
@@ -47,6 +46,11 @@ def replaced(header, *changes):
 def with_value(last, name):
     """choices.hpp with the value and name `forgotten` after the last ones of an enumeration."""
     return replaced(CHOICES, (last, last.replace("}", ", forgotten }")), (name, name + ', "forgotten"'))
+
+
+def with_law(names, first, bodies, before, law):
+    """The law `Forgotten`, defined in `bodies`, as the first of a registry in the list `names`."""
+    return replaced(names, (first, first.replace("<", "<struct Forgotten, "))) | replaced(bodies, (before, law + before))
 
 
 def compiled(file, headers):
@@ -93,10 +97,9 @@ class Forgotten(unittest.TestCase):
             self.refused(file, headers, NOT_HANDLED)
 
     def test_equation_of_state_without_an_inverse(self):
-        self.refused("solver/run/setup.cpp",
-                     replaced("models/sph/liquid_state.hpp", ("using EquationsOfState = Registry<", NO_INVERSE
-                                                              + "using EquationsOfState = Registry<Forgotten, ")),
-                     "'const struct dmp::models::Forgotten' has no member named 'density'")
+        headers = with_law("models/sph/fluid_law_list.hpp", "Registry<TaitEquation, ", "models/sph/liquid_state.hpp",
+                           "/// Equation of state of a fluid part", NO_INVERSE)
+        self.refused("solver/run/setup.cpp", headers, "has no member named 'density'")
 
     def test_side_of_a_repelling_shape(self):
         self.refused("solver/forcing/driving.cpp",
@@ -121,10 +124,9 @@ class Forgotten(unittest.TestCase):
             self.refused(file, self.measure(subject), "static assertion failed")
 
     def test_pull_off_force_of_an_adhesion(self):
-        self.refused("solver/spheres/sphere_step.cpp",
-                     replaced(ADHESION, ("using AdhesionLaws = Registry<", ADHESION_WITHOUT_PULL_OFF
-                                         + "using AdhesionLaws = Registry<Forgotten, ")),
-                     "'pull_off' is not a member of 'dmp::models::Forgotten'")
+        headers = with_law("models/dem/contact_law_list.hpp", "Registry<NoAdhesion, ", "models/dem/contact_laws.hpp",
+                           "struct ContactModel {", ADHESION_WITHOUT_PULL_OFF)
+        self.refused("solver/spheres/sphere_step.cpp", headers, "'pull_off' is not a member of 'dmp::models::Forgotten'")
 
 
 if __name__ == "__main__":

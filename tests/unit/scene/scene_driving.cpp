@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  add 'amount' in [[force]]: one of 'total' and 'per_particle'"},
         Fault{"force_without_unit", "force = [0, \"-0.008 N * sin(2*pi*t/3 s)\"]", "force = [0, -0.008]",
               "scene.toml:49:13: missing unit: force = -0.008, expected a force such as \"1 mN\"\n"
-              "  write force = \"-0.008 mN\", with the unit you mean"},
+              "  write force = \"-0.008 mN\" or \"-0.008 N\", with the unit you mean"},
         Fault{"force_on_nobody", "part = \"leaflets\"\nforce", "part = \"leaflet\"\nforce",
               "scene.toml:48:8: the scene has no part 'leaflet'\n  did you mean 'leaflets'?"},
         Fault{"force_on_a_wall", "part = \"leaflets\"\nforce", "part = \"wall\"\nforce",

@@ -20,7 +20,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'spacing' in [particles]?"},
         Fault{"number_without_unit", "spacing = \"0.1 mm\"", "spacing = 0.1",
               "scene.toml:8:11: missing unit: spacing = 0.1, expected a length such as \"0.1 mm\"\n"
-              "  write spacing = \"0.1 mm\", with the unit you mean"},
+              "  write spacing = \"0.1 mm\" or \"0.1 m\", with the unit you mean"},
         Fault{"unquoted_quantity", "spacing = \"0.1 mm\"", "spacing = 0.1 mm",
               "scene.toml:8:15: this is not valid TOML: Error while parsing key-value pair: expected a comment or "
               "whitespace, saw 'm'\n"
@@ -334,7 +334,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  write from = [x, y], such as [\"1 mm\", 0]"},
         Fault{"point_without_unit", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", 4]",
               "scene.toml:39:17: missing unit: from = 4, expected a length such as \"1 mm\"\n"
-              "  write from = \"4 mm\", with the unit you mean"},
+              "  write from = \"4 mm\" or \"4 m\", with the unit you mean"},
         Fault{"line_without_length", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", \"4 mm\"]",
               "scene.toml:40:6: the line of measure 'flux_in' starts and ends at the same point\n"
               "  give two different points"},

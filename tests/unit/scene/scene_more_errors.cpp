@@ -23,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(
               "  did you mean 'spacing' in [particles]?"},
         Fault{"value_without_unit", "particles.spacing=0.1", "",
               "--set particles.spacing=0.1: missing unit: spacing = 0.1, expected a length such as \"0.1 mm\"\n"
-              "  write spacing = \"0.1 mm\", with the unit you mean"},
+              "  write spacing = \"0.1 mm\" or \"0.1 m\", with the unit you mean"},
         Fault{"no_equals_sign", "particles.spacing", "",
               "--set particles.spacing: expected KEY=VALUE\n"
               "  write for example --set particles.spacing=\"0.1 mm\""},

@@ -100,7 +100,7 @@ TEST(ImplicitViscosity, takes_the_laws_that_its_advice_names_and_no_other) {
         };
         const std::string refused = fault("monaghan_approaching");
         const std::string advice = refused.substr(refused.find("\n  write viscous_law"));
-        for (const models::LawFacts& law : models::ViscousLaws::facts) {
+        for (const models::LawFacts& law : models::ViscousLaws::facts()) {
             const std::string key(law.key);
             EXPECT_EQ(fault(key) == "no error", advice.find('"' + key + '"') != std::string::npos)
                 << scheme << " " << key;

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -92,11 +93,21 @@ TEST(ExactText, reads_back_bit_for_bit) {
     }
 }
 
+TEST(QuantityError, missing_unit_may_be_the_example_s_or_that_without_a_prefix) {
+    EXPECT_THAT(message_for("0.0035", "mPa*s"),
+                testing::HasSubstr(R"(write "0.0035 mPa*s" or "0.0035 Pa*s", with the unit you mean)"));
+    EXPECT_THAT(message_for("3", "1/ms"), testing::HasSubstr(R"(write "3 1/ms" or "3 1/s", with)"));
+    EXPECT_THAT(message_for("3", "kg/m^3"), testing::HasSubstr(R"(write "3 kg/m^3", with)"));
+    EXPECT_THAT(message_for("3", "mm^2/s"), testing::HasSubstr(R"(write "3 mm^2/s" or "3 m^2/s", with)"));
+}
+
 TEST(QuantityError, missing_unit) {
-    EXPECT_EQ(message_for("3", "s"),
-              "--until: missing unit: found 3, expected a time such as \"1 s\"\n  write \"3 s\" or another unit");
-    EXPECT_EQ(message_for("-3", "s"),
-              "--until: missing unit: found -3, expected a time such as \"1 s\"\n  write \"-3 s\" or another unit");
+    EXPECT_EQ(
+        message_for("3", "s"),
+        "--until: missing unit: found 3, expected a time such as \"1 s\"\n  write \"3 s\", with the unit you mean");
+    EXPECT_EQ(
+        message_for("-3", "s"),
+        "--until: missing unit: found -3, expected a time such as \"1 s\"\n  write \"-3 s\", with the unit you mean");
 }
 
 TEST(QuantityError, wrong_dimension_names_both) {
