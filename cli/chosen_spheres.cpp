@@ -5,7 +5,6 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
-#include "cli/uses.hpp"
 #include "models/dem/contact_laws.hpp"
 #include "scene/read_scene.hpp"
 

@@ -43,6 +43,8 @@ TEST_P(DiffusionOfAStep, follows_the_closed_form) {
     WalledWater made = strip(240, 6);
     make_part(made, "slow", PartKind::fluid, 12.0, 24.0);
     made.scene.numerics.kernel = KernelKind::lucy;
+    made.scene.numerics.scheme = FluidScheme::plain;  // Lucy's kernel has no other
+    made.scene.numerics.viscous_law = ViscousLaw::of<MorrisViscosity>();
     Species drug = species_of("drug", 1, "x < 12 ? 1 : 0");
     drug.diffusivity.all.reset();
     drug.diffusivity.parts = {{"water", 1.0}, {"slow", 1.0 / step.ratio}};
