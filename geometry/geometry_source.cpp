@@ -45,8 +45,8 @@ std::string beginning_of(int descriptor) {
 
 /// gmsh knows a mesh by how it begins, and takes all else for a script.
 void check_mesh(const std::string& file, const std::string& beginning) {
-    constexpr auto beginnings = std::to_array<std::string_view>(
-        {"$MeshFormat", "$Comments", "$NOD", "$NOE", "$PTS", "$PARA", "$ELM", "$PhysicalNames"});
+    constexpr auto beginnings =
+        std::to_array<std::string_view>({"$MeshFormat", "$Comments", "$NOD", "$NOE", "$PTS", "$PARA", "$ELM"});
     if (std::ranges::any_of(beginnings, [&](std::string_view words) { return beginning.starts_with(words); })) return;
     throw InputError({.file = file, .line = 1}, "this is no mesh of gmsh: it does not begin with $MeshFormat",
                      "Save the mesh again; name a gmsh script .geo.");
