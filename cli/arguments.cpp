@@ -103,6 +103,7 @@ class Parser {
         add_threads(*run_app_, run_.threads);
         add_vector_unit(*run_app_, run_.vector_unit);
         add_particles(*run_app_, run_.scene);
+        add_reading(*run_app_, run_.scene.reading);
         add_frames(*run_app_, run_.frames);
         auto* resume =
             run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
@@ -137,6 +138,7 @@ class Parser {
                          "Also write them into a file for 'run --particles', e.g. on a "
                          "cluster")
             ->type_name("FILE");
+        add_reading(*mesh_app_, mesh_.scene.reading);
         mesh_app_->add_flag("--settle", mesh_.rest_test,
                             "Run the particles for 500 steps with nothing that drives them: none may leave");
         mesh_app_->footer(
@@ -150,6 +152,7 @@ class Parser {
             ->required()
             ->type_name("");
         add_unit(*inspect_app_, inspect_.unit);
+        add_reading(*inspect_app_, inspect_.reading);
         inspect_app_->add_flag("--json", inspect_.json, "Say it in JSON, for programs");
         inspect_app_->footer(
             examples(program_, {"inspect stent.step", "inspect artery.stl --unit mm", "inspect valve.geo --json"}));
@@ -164,6 +167,7 @@ class Parser {
             ->required()
             ->type_name("FILE");
         add_unit(*new_app_, new_.unit);
+        add_reading(*new_app_, new_.reading);
         new_app_->footer(examples(program_, {"new my_pipe --from pipe.step", "new my_pipe --from pipe.stl --unit mm"}));
     }
 
@@ -190,6 +194,7 @@ class Parser {
         add_set(*explain_app_, explain_.subject.overrides);
         add_threads(*explain_app_, explain_.threads);
         add_particles(*explain_app_, explain_.subject);
+        add_reading(*explain_app_, explain_.subject.reading);
         explain_app_->add_flag("!--no-measure", explain_.measure,
                                "Do not time the scene's first steps, which takes up to two seconds");
         explain_app_->footer(
@@ -242,6 +247,14 @@ class Parser {
     static void add_scene(CLI::App& app, SceneChoice& scene) {
         app.add_option("SCENE", scene.path, "A scene file, or a folder with a scene.toml")->required()->type_name("");
         add_set(app, scene.overrides);
+    }
+
+    static void add_reading(CLI::App& app, GeometryReading& reading) {
+        app.add_flag("--trust-geometry", reading.trusted,
+                     "Let the geometry's gmsh script do all it says as you: run programs, read and write files");
+        app.add_option("--geometry-time", reading.time,
+                       "The most time that reading the geometry may take; default: \"10 min\"")
+            ->type_name("TIME");
     }
 
     static void add_set(CLI::App& app, std::vector<std::string>& overrides) {

@@ -18,11 +18,13 @@ constexpr const char* only_here = "this dmp was built for clusters, without gmsh
 
 std::string workstation_libraries() { return ""; }
 
-ParticlesWithOrigin particles_from_geometry(const Scene& /*scene*/) {
+ParticlesWithOrigin particles_from_geometry(const Scene& /*scene*/, const GeometryReading& /*reading*/) {
     refuse("cannot make particles of the scene's geometry",
            "On a workstation: dmp mesh SCENE --particles FILE.h5\n"
            "Copy the file here and add --particles FILE.h5 to this command.");
 }
+
+std::optional<Finding> geometry_confinement() { return std::nullopt; }
 
 std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& /*folder*/, const RunLabel& /*label*/) {
     refuse("cannot write ParaView's files",

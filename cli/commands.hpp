@@ -12,11 +12,18 @@
 
 namespace dmp::cli {
 
+/// How a geometry is read, which no scene can say (docs/security.md).
+struct GeometryReading {
+    bool trusted = false;  ///< its script may do all that gmsh's scripts can
+    std::string time;      ///< the most that it may take; empty: ten minutes
+};
+
 /// The scene a command works on and what --set changes in it.
 struct SceneChoice {
     std::string path;                    ///< a scene file, or a folder with a scene.toml
     std::vector<std::string> overrides;  ///< "key=value", as given
     std::string particles;               ///< file to take them from; empty: they are made of the scene's geometry
+    GeometryReading reading;             ///< of that
 };
 
 /// What a run's frames are written as.
@@ -77,6 +84,7 @@ struct InspectCommand {
     std::string file;
     std::string unit;   ///< length of one unit of the geometry, "mm" or "1 mm"; empty: what the file says
     bool json = false;  ///< for programs
+    GeometryReading reading;
 };
 
 /// `dmp new`: a first scene for a geometry, which runs (docs/cad.md).
@@ -85,6 +93,7 @@ struct NewCommand {
     std::string cad_geometry;  ///< goes there, too
     std::string unit;          ///< as for `dmp inspect`
     TypedCommand typed;        ///< for lines to paste
+    GeometryReading reading;
 };
 
 /// What dmp starts itself with to read a geometry in another process (geometry/geometry_process.hpp); no help tells of

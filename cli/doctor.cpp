@@ -8,6 +8,7 @@
 #include "cli/diagnosis.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/terminal.hpp"
+#include "cli/workstation.hpp"
 
 namespace dmp::cli {
 
@@ -28,7 +29,8 @@ std::string mark(Health health, const Style& style) {
 }  // namespace
 
 int execute(const DoctorCommand& /*command*/) {
-    const auto findings = diagnose(build_facts(), inspect_machine(std::filesystem::current_path()));
+    auto findings = diagnose(build_facts(), inspect_machine(std::filesystem::current_path()));
+    if (const auto confinement = geometry_confinement()) findings.push_back(*confinement);
     const Style style(Stream::output);
     std::string text;
     for (const auto& finding : findings) {

@@ -175,14 +175,14 @@ GeometryOptions geometry_options(const std::string& file, const std::string& uni
     return options;
 }
 
-Geometry read_for_inspection(GeometryOptions options) {
+Geometry read_for_inspection(GeometryOptions options, const GeometryReading& reading) {
     if (needs_a_unit(options.file) && !options.unit) options.unit = 1;
-    if (has_straight_edges_only(options.file)) return answer_geometry_request_command(options);
+    if (has_straight_edges_only(options.file)) return answer_geometry_request_command(options, reading);
     // Coarsely first: how fine is fine depends on the size.
     options.chord_error = std::numeric_limits<double>::max();
-    const double size = answer_geometry_request_command(options).box.extent().norm();
+    const double size = answer_geometry_request_command(options, reading).box.extent().norm();
     options.chord_error = inspection_chord_error(size);
-    return answer_geometry_request_command(options);
+    return answer_geometry_request_command(options, reading);
 }
 
 }  // namespace dmp::cli

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/commands.hpp"
 #include "cli/uses.hpp"
 #include "geometry/geometry.hpp"
 
@@ -21,6 +22,6 @@ namespace dmp::cli {
 [[nodiscard]] GeometryOptions geometry_options(const std::string& file, const std::string& unit);
 
 /// Reads it, in the file's own units where it has none; surfaces follow the geometry to a thousandth of its size.
-[[nodiscard]] Geometry read_for_inspection(GeometryOptions options);
+[[nodiscard]] Geometry read_for_inspection(GeometryOptions options, const GeometryReading& reading);
 
 }  // namespace dmp::cli

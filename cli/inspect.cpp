@@ -12,7 +12,7 @@ namespace dmp::cli {
 int execute(const InspectCommand& command) {
     refuse_several_ranks();
     const GeometryOptions options = geometry_options(command.file, command.unit);
-    const Geometry geometry = read_for_inspection(options);
+    const Geometry geometry = read_for_inspection(options, command.reading);
     const bool unit_known = options.unit.has_value() || !needs_a_unit(options.file);
     print(command.json ? geometry_json(geometry, unit_known) : geometry_text(geometry, unit_known));
     return exit_done;

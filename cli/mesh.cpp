@@ -33,11 +33,12 @@ int execute(const MeshCommand& command) {
     const std::filesystem::path& folder = results.path();
     MeshDetail detail;
     MeshReport report;
-    ParticlesWithOrigin fresh = MeshCache().make(scene, [&]() -> ParticlesWithOrigin {
-        MeshResult made = mesh_geometry(scene, detail);
+    const auto make = [&]() -> ParticlesWithOrigin {
+        MeshResult made = mesh_geometry(scene, command.scene.reading, detail);
         report = std::move(made.report);
         return {std::move(made.particles), origin_of(scene, report)};
-    });
+    };
+    ParticlesWithOrigin fresh = command.scene.reading.trusted ? make() : MeshCache().make(scene, make);
     const Prepared prepared{std::move(scene), std::move(fresh.particles), std::move(fresh.origin)};
     if (command.rest_test) report.at_rest = rest_test(prepared.scene, prepared.particles);
     print(heading(prepared) + "\n" + report.text() + "\n");

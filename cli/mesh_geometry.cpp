@@ -18,6 +18,7 @@
 #include "mesher/geometry_options.hpp"
 #include "mesher/mesh_spheres.hpp"
 #include "postproc/triangle_file.hpp"
+#include "scene/read_scene.hpp"
 
 namespace dmp::cli {
 
@@ -98,10 +99,10 @@ void repair_fluids(Repaired& cad_geometry, const Scene& scene) {
 }
 
 /// The geometry with its fluids closed, and with the faces that the scene selects of what they are then.
-Repaired repaired_geometry(const Scene& scene) {
+Repaired repaired_geometry(const Scene& scene, const GeometryReading& reading) {
     GeometryOptions options = geometry_options_of(scene);
     const auto selections = std::exchange(options.selections, {});
-    Repaired cad_geometry{answer_geometry_request_command(options), {}};
+    Repaired cad_geometry{answer_geometry_request_command(options, reading), {}};
     if (is_triangle_file(cad_geometry.geometry.file)) cad_geometry.changes = cad_geometry.geometry.warnings;
     check_geometry_size(cad_geometry.geometry, scene);
     if (cad_geometry.geometry.dimension == 3) {
@@ -128,21 +129,30 @@ MeshResult with_notes(MeshResult result, const Repaired& cad_geometry) {
 
 }  // namespace
 
-Geometry answer_geometry_request_command(const GeometryOptions& options) {
-    return read_geometry_in_process(options, {.command = {"/proc/self/exe", read_geometry_command}});
+Geometry answer_geometry_request_command(GeometryOptions options, const GeometryReading& reading) {
+    if (reading.trusted) options.trust = Trust::full;
+    GeometryProcess process{.command = {"/proc/self/exe", read_geometry_command}};
+    if (!reading.time.empty()) {
+        const SourceLocation location{"--geometry-time", 0, 0};
+        process.seconds = read_quantity(reading.time, "s", location);
+        if (!(process.seconds > 0))
+            throw InputError(location, "'" + reading.time + "' is no time for this",
+                             "Give a time after 0, e.g. --geometry-time \"1 h\".");
+    }
+    return read_geometry_in_process(options, process);
 }
 
 int execute(const ReadGeometryCommand& /*command*/) { return answer_geometry_request(); }
 
-MeshResult mesh_geometry(const Scene& scene) {
+MeshResult mesh_geometry(const Scene& scene, const GeometryReading& reading) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Repaired cad_geometry = repaired_geometry(scene);
+    const Repaired cad_geometry = repaired_geometry(scene, reading);
     return with_notes(mesh(cad_geometry.geometry, scene), cad_geometry);
 }
 
-MeshResult mesh_geometry(const Scene& scene, MeshDetail& detail) {
+MeshResult mesh_geometry(const Scene& scene, const GeometryReading& reading, MeshDetail& detail) {
     if (is_of_spheres(scene)) return mesh_spheres(scene);
-    const Repaired cad_geometry = repaired_geometry(scene);
+    const Repaired cad_geometry = repaired_geometry(scene, reading);
     MeshResult result = with_notes(mesh(cad_geometry.geometry, scene), cad_geometry);
     detail = inspect(result, cad_geometry.geometry, scene);
     return result;

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/commands.hpp"
 #include "cli/prepare.hpp"
 #include "cli/uses.hpp"
 #include "geometry/geometry.hpp"
@@ -10,13 +11,13 @@
 namespace dmp::cli {
 
 /// Reads a geometry; what others' programs parse in a process of its own, which is this program once more.
-[[nodiscard]] Geometry answer_geometry_request_command(const GeometryOptions& options);
+[[nodiscard]] Geometry answer_geometry_request_command(GeometryOptions options, const GeometryReading& reading);
 
 /// From a scene's geometry, or its spheres, to particles and the report on them. Throws InputError.
-[[nodiscard]] MeshResult mesh_geometry(const Scene& scene);
+[[nodiscard]] MeshResult mesh_geometry(const Scene& scene, const GeometryReading& reading);
 
 /// The same with a closer look at the particles, which takes longer.
-[[nodiscard]] MeshResult mesh_geometry(const Scene& scene, MeshDetail& detail);
+[[nodiscard]] MeshResult mesh_geometry(const Scene& scene, const GeometryReading& reading, MeshDetail& detail);
 
 /// What of the report a run says before it starts.
 [[nodiscard]] Origin origin_of(const Scene& scene, const MeshReport& report);

@@ -35,7 +35,7 @@ int execute(const NewCommand& command) {
     const fs::path folder = command.folder;
     refuse_what_is_there(folder);
     const GeometryOptions options = geometry_options(command.cad_geometry, command.unit);
-    const Geometry geometry = read_for_inspection(options);
+    const Geometry geometry = read_for_inspection(options, command.reading);
     if (needs_a_unit(options.file) && !options.unit) throw missing_unit(options, geometry.box);
     const FirstScene first = first_scene(geometry, options.unit.has_value());
 

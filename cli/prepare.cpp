@@ -36,13 +36,14 @@ std::string particles_text(const ParticleSet& particles) {
 }  // namespace
 
 Prepared prepare(const SceneChoice& choice) {
-    return prepare(read_scene(choice.path, choice.overrides), choice.particles, Ranks::alone());
+    return prepare(read_scene(choice.path, choice.overrides), choice, Ranks::alone());
 }
 
-Prepared prepare(Scene scene, const std::string& particles, const Ranks& ranks) {
+Prepared prepare(Scene scene, const SceneChoice& choice, const Ranks& ranks) {
     ParticlesWithOrigin made;
     if (ranks.is_first())
-        made = particles.empty() ? particles_from_geometry(scene) : particles_from_file(particles, scene);
+        made = choice.particles.empty() ? particles_from_geometry(scene, choice.reading)
+                                        : particles_from_file(choice.particles, scene);
     share_particles(made.particles, ranks);
     return {std::move(scene), std::move(made.particles), std::move(made.origin)};
 }

@@ -38,8 +38,8 @@ struct Prepared {
 /// Scene to particles, of its geometry or of the file named. Throws InputError.
 [[nodiscard]] Prepared prepare(const SceneChoice& choice);
 /// The same under mpirun of a scene that every rank has read: the first rank makes the particles, or reads them from
-/// the file unless its name is empty, all have them; their origin is known to the first rank only.
-[[nodiscard]] Prepared prepare(Scene scene, const std::string& particles, const Ranks& ranks);
+/// the file that was chosen, all have them; their origin is known to the first rank only.
+[[nodiscard]] Prepared prepare(Scene scene, const SceneChoice& choice, const Ranks& ranks);
 
 /// Threads to use: as asked for on the command line, else as the scene says (0: all the machine has).
 [[nodiscard]] int threads_for(const Scene& scene, int asked);

@@ -241,7 +241,7 @@ int execute(const RunCommand& command) {
         if (resources.ranks.is_first() && !command.dry_run)
             destination.emplace(command, resolved_scene(scene), output_folder(command.out, scene_name(scene)),
                                 options.until, resources.ranks.size());
-        Prepared prepared = prepare(std::move(scene), command.scene.particles, resources.ranks);
+        Prepared prepared = prepare(std::move(scene), command.scene, resources.ranks);
         return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options,
                                                          destination ? &*destination : nullptr)
                                           : run_as_one_of_many(command, std::move(prepared), resources, options);

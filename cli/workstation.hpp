@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "cli/diagnosis.hpp"
 #include "cli/prepare.hpp"
 #include "cli/uses.hpp"
 #include "postproc/pictures.hpp"
@@ -20,7 +22,10 @@ namespace dmp::cli {
 [[nodiscard]] std::string workstation_libraries();
 
 /// The particles that a scene's geometry asks for. Throws InputError.
-[[nodiscard]] ParticlesWithOrigin particles_from_geometry(const Scene& scene);
+[[nodiscard]] ParticlesWithOrigin particles_from_geometry(const Scene& scene, const GeometryReading& reading);
+
+/// Whether the process that reads geometries can be confined here (docs/security.md); empty: there is none.
+[[nodiscard]] std::optional<Finding> geometry_confinement();
 
 /// Frames as ParaView opens them. Throws InputError when the folder cannot be made or written to.
 [[nodiscard]] std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label);

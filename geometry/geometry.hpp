@@ -112,8 +112,16 @@ struct FaceSelection {
     SourceLocation location{};                        ///< where the scene asks for it, for errors
 };
 
+/// How far what a script of gmsh says is trusted (docs/security.md).
+enum class Trust {
+    none,       ///< words that do more than describe shapes are refused, and the process that reads it is confined
+    unchecked,  ///< confined only: for tests of that
+    full,       ///< gmsh does what the script says, as the user
+};
+
 struct GeometryOptions {
     std::string file{};  ///< path of the geometry
+    Trust trust = Trust::none;
     std::optional<double>
         unit{};  ///< one unit of the geometry [m]; none: what the file says, or 1 m for gmsh's geometries
     std::map<std::string, double> parameters{};  ///< DefineConstant name -> value in the geometry's units

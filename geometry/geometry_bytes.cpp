@@ -99,6 +99,15 @@ void pass(Archive& archive, UnitSource& source) {
 }
 
 template <class Archive>
+void pass(Archive& archive, Trust& trust) {
+    auto number = static_cast<std::int32_t>(trust);
+    archive(number);
+    if (number < 0 || number > static_cast<std::int32_t>(Trust::full))
+        throw std::runtime_error("the bytes of a geometry have a trust that there is not");
+    trust = static_cast<Trust>(number);
+}
+
+template <class Archive>
 void pass(Archive& archive, std::string& text) {
     text.resize(archive.size(text.size(), 1));
     archive.raw(text.data(), text.size());
@@ -223,6 +232,7 @@ void pass(Archive& archive, Geometry& geometry) {
 template <class Archive>
 void pass(Archive& archive, GeometryOptions& options) {
     pass(archive, options.file);
+    pass(archive, options.trust);
     pass(archive, options.unit);
     pass(archive, options.parameters);
     pass(archive, options.parameter_locations);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -28,7 +29,12 @@ std::string extension_of(const std::string& file) {
     return extension;
 }
 
-void check_script(const std::string& file) {
+void check_blocks(const std::string& file) {
+    constexpr std::uintmax_t largest_script = 1U << 28U;
+    std::error_code error;
+    if (std::filesystem::file_size(file, error) > largest_script)
+        throw InputError({.file = file}, "a script of more than 256 MiB",
+                         "Save the geometry as a mesh or a STEP file.");
     const GeoText text(file_text(file));
     if (const auto open = text.unclosed_block()) {
         const bool beginning = !open->word.starts_with("End");
@@ -114,7 +120,7 @@ void check_geometry_file(const GeometryOptions& options) {
                          extension == ".msh" ? "A mesh has no parameters; give its .geo script."
                                              : "Only .geo scripts have parameters.");
     }
-    if (is_script(file)) check_script(file);
+    if (is_script(file)) check_blocks(file);
 }
 
 void check_coordinates(const Vec& position, const std::string& file) {

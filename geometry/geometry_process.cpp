@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstring>
 #include <new>
-#include <optional>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -19,9 +18,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "geometry/confinement.hpp"
 #include "geometry/geometry_bytes.hpp"
 #include "geometry/geometry_file.hpp"
+#include "geometry/geometry_source.hpp"
 #include "geometry/number_text.hpp"
+#include "geometry/read_with_gmsh.hpp"
 #include "geometry/select_faces.hpp"
 #include "geometry/triangle_file.hpp"
 
@@ -32,6 +34,8 @@ namespace {
 constexpr int answer_descriptor = 3;
 /// The first byte of an answer.
 constexpr char is_geometry = 'G', is_input_error = 'I', is_resource_error = 'R';
+/// Before it, any number of times: this byte, what the child does now, and a zero byte.
+constexpr char is_stage = 'S';
 
 [[noreturn]] void cannot_start(const std::string& step) {
     throw ResourceError("the process that reads geometries cannot be started: " + step + ": " + std::strerror(errno),
@@ -122,8 +126,27 @@ class Child {
     pid_t id_ = -1;
 };
 
-/// All that comes until the writer closes, or the first byte too many; none when the time is over before.
-std::optional<std::string> answer_within(int descriptor, double seconds, std::size_t largest) {
+/// What a child said until it closed the pipe, or the first byte too many.
+struct Answer {
+    std::string stage = "it was starting";  ///< the last that it said
+    std::string bytes;                      ///< the rest
+    bool in_time = true;
+};
+
+Answer without_stages(std::string bytes, bool in_time) {
+    Answer answer{.bytes = std::move(bytes), .in_time = in_time};
+    std::size_t begin = 0;
+    while (begin < answer.bytes.size() && answer.bytes[begin] == is_stage) {
+        const std::size_t end = answer.bytes.find('\0', begin);
+        if (end == std::string::npos) break;
+        answer.stage = answer.bytes.substr(begin + 1, end - begin - 1);
+        begin = end + 1;
+    }
+    answer.bytes.erase(0, begin);
+    return answer;
+}
+
+Answer answer_within(int descriptor, double seconds, std::size_t largest) {
     using Clock = std::chrono::steady_clock;
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -131,15 +154,15 @@ std::optional<std::string> answer_within(int descriptor, double seconds, std::si
     std::array<char, 1U << 16U> buffer{};
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-        if (left <= 0) return std::nullopt;
+        if (left <= 0) return without_stages(std::move(answer), false);
         pollfd waiting{descriptor, POLLIN, 0};
         const int ready = poll(&waiting, 1, static_cast<int>(std::min<long long>(left + 1, 1'000'000)));
         if (ready <= 0) continue;  // a signal came, or the time is over
         const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return answer;
+        if (count <= 0) return without_stages(std::move(answer), true);
         answer.append(buffer.data(), static_cast<std::size_t>(count));
-        if (answer.size() > largest) return answer;
+        if (answer.size() > largest) return {.bytes = std::move(answer)};
     }
 }
 
@@ -152,6 +175,8 @@ InputError gone_wrong(const GeometryOptions& options, const std::string& what) {
 std::string end_of(int status) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
+        if (signal == SIGSYS)
+            return "it made gmsh start another program, or look into one, and the process that reads it may not";
         return std::string("gmsh crashed on it (") + strsignal(signal) +
                (signal == SIGKILL ? ", perhaps for want of memory)" : ")");
     }
@@ -195,9 +220,18 @@ std::string request_from(int descriptor) {
     }
 }
 
+void tell_stage(const char* stage) { write_all(answer_descriptor, is_stage + std::string(stage) + '\0'); }
+
+Geometry read_confined(const GeometryOptions& options) {
+    check_geometry_file(options);
+    const GeometrySource source(options);
+    if (options.trust != Trust::full) confine(source.descriptor());
+    return read_with_gmsh(options, source, tell_stage);
+}
+
 std::string answer_to(const GeometryOptions& options) {
     try {
-        return is_geometry + bytes_of(read_geometry(options));
+        return is_geometry + bytes_of(read_confined(options));
     } catch (const InputError& error) {
         return is_input_error + bytes_of(ErrorText{error.where(), error.problem(), error.what_to_do()});
     } catch (const Error& error) {
@@ -223,12 +257,18 @@ Geometry read_geometry_in_process(const GeometryOptions& options, const Geometry
     Descriptor write_end(pipe_ends[1]);
     Child process(child.command, request.number(), write_end.number());
     write_end.close();
-    const auto answer = answer_within(read_end.number(), child.seconds, child.largest_answer);
-    if (!answer) throw gone_wrong(options, "gmsh was not done after " + number_text(child.seconds) + " s");
-    if (answer->size() > child.largest_answer)
+    const Answer answer = answer_within(read_end.number(), child.seconds, child.largest_answer);
+    if (!answer.in_time)
+        throw InputError(
+            {.file = options.file},
+            "the geometry cannot be read: gmsh was not done after " + number_text(child.seconds) + " s, when " +
+                answer.stage,
+            "Simplify it, if it is no mistake that it takes long; more time is given by --geometry-time on "
+            "the command line, such as --geometry-time \"1 h\".");
+    if (answer.bytes.size() > child.largest_answer)
         throw gone_wrong(options, "what gmsh made of it takes more than " +
                                       number_text(static_cast<double>(child.largest_answer)) + " bytes");
-    Geometry geometry = result_of(options, *answer, process.collect());
+    Geometry geometry = result_of(options, answer.bytes, process.collect());
     select_faces(geometry, options.selections);
     return geometry;
 }

@@ -77,11 +77,11 @@ GmshError parsed(const std::string& message) {
 }
 
 /// Turns gmsh's errors into one of ours, at the first line they name.
-void throw_logged_errors(const std::string& file) {
+void throw_logged_errors(const std::string& file, const GeometrySource& source) {
     constexpr std::size_t most_shown = 4;
     constexpr std::string_view syntax_error = "syntax error (";
     std::vector<GmshError> errors;
-    for (const auto& message : GmshSession::logged("Error")) errors.push_back(parsed(message));
+    for (const auto& message : GmshSession::logged("Error")) errors.push_back(parsed(source.in_users_words(message)));
     if (errors.empty()) return;
 
     const auto located = std::ranges::find_if(errors, [](const GmshError& error) { return error.location.line > 0; });
@@ -168,11 +168,45 @@ void prepare_for_cad(const std::string& file) {
     gmsh::option::setNumber("Geometry.OCCMakeSolids", loose ? 1 : 0);
 }
 
+/// gmsh's own reading of BREP files moves points that lie beside the ends of their curves onto them.
+void move_points_to_ends_of_curves() {
+    double tolerance = 0;
+    gmsh::option::getNumber("Geometry.Tolerance", tolerance);
+    gmsh::vectorpair curves;
+    gmsh::model::getEntities(curves, 1);
+    for (const auto& [dimension, curve] : curves) {
+        gmsh::vectorpair ends;
+        gmsh::model::getBoundary({{1, curve}}, ends, false, true, false);  // its beginning, its end
+        std::vector<double> lowest, highest;
+        gmsh::model::getParametrizationBounds(1, curve, lowest, highest);
+        for (std::size_t k = 0; k < std::min<std::size_t>(ends.size(), 2); ++k) {
+            const int end = std::abs(ends[k].second);
+            std::vector<double> point, at;
+            gmsh::model::getValue(0, end, {}, point);
+            gmsh::model::getValue(1, curve, k == 0 ? lowest : highest, at);
+            if (point.size() != 3 || at.size() != 3) continue;
+            const Vec from(point[0], point[1], point[2]), to(at[0], at[1], at[2]);
+            if ((to - from).norm() > tolerance) gmsh::model::setCoordinates(end, at[0], at[1], at[2]);
+        }
+    }
+}
+
+/// By the reader for the format, whatever gmsh would take the file for.
+void open_cad(const std::string& file, const GeometrySource& source) {
+    prepare_for_cad(file);
+    gmsh::vectorpair shapes;
+    const std::string format = is_iges_file(file) ? "iges" : states_its_unit(file) ? "step" : "brep";
+    gmsh::model::occ::importShapes(source.path(), shapes, false, format);
+    gmsh::model::occ::synchronize();
+    if (format == "brep") move_points_to_ends_of_curves();
+    gmsh::merge(source.empty_script());
+}
+
 }  // namespace
 
 // It takes as many goes as parameters bring others to light: setting one creates its name, so only a reading without it
 // shows whether the geometry knows it, and a parameter may make the geometry offer others.
-std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options) {
+std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options, const GeometrySource& source) {
     std::map<std::string, double> known;
     std::vector<std::string> offered;
     std::unique_ptr<GmshSession> session;
@@ -180,8 +214,11 @@ std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options) {
         session.reset();
         session = std::make_unique<GmshSession>();
         for (const auto& [name, value] : known) gmsh::onelab::setNumber(name, {value});
-        if (is_cad_file(options.file)) prepare_for_cad(options.file);
-        gmsh::open(options.file);
+        if (is_cad_file(options.file)) {
+            open_cad(options.file, source);
+        } else {
+            gmsh::open(source.path());
+        }
         offered = offered_constants();
         more = false;
         for (const auto& name : offered) {
@@ -189,7 +226,7 @@ std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options) {
             if (asked != options.parameters.end() && known.insert(*asked).second) more = true;
         }
     }
-    throw_logged_errors(options.file);
+    throw_logged_errors(options.file, source);
     check_parameters(options, known, offered);
     GmshSession::throw_on_error(true);
     return session;

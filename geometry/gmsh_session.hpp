@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/geometry.hpp"
+#include "geometry/geometry_source.hpp"
 
 namespace dmp::geometry {
 
@@ -34,6 +35,6 @@ class GmshSession {
 
 /// Opens a geometry with its parameters set; gmsh holds it as long as the session lives, and throws on errors from now
 /// on. Throws InputError: what gmsh says of the geometry, and parameters that it does not offer.
-std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options);
+std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options, const GeometrySource& source);
 
 }  // namespace dmp::geometry

@@ -11,6 +11,7 @@
 #include "geometry/gmsh_session.hpp"
 #include "geometry/planar_area.hpp"
 #include "geometry/read_cad.hpp"
+#include "geometry/read_with_gmsh.hpp"
 #include "geometry/select_faces.hpp"
 #include "geometry/triangle_file.hpp"
 #include "geometry/triangle_geometry.hpp"
@@ -106,25 +107,36 @@ Geometry read_open_geometry(const GeometryOptions& options) {
     return geometry;
 }
 
-Geometry read_with_gmsh(const GeometryOptions& options) {
-    const auto session = open_geometry(options);
-    try {
-        if (is_cad_file(options.file)) return read_open_cad(options);
-        Geometry geometry = read_open_geometry(options);
-        geometry.unit = options.metres();
-        geometry.unit_source = options.unit ? UnitSource::scene : UnitSource::assumed;
-        return geometry;
-    } catch (const std::string& message) {  // gmsh throws its messages as they are
-        throw InputError({.file = options.file}, "gmsh cannot follow the geometry: " + message,
-                         "Correct the geometry; 'gmsh " + options.file + "' shows it.");
-    }
+Geometry read_what_is_open(const GeometryOptions& options) {
+    if (is_cad_file(options.file)) return read_open_cad(options);
+    Geometry geometry = read_open_geometry(options);
+    geometry.unit = options.metres();
+    geometry.unit_source = options.unit ? UnitSource::scene : UnitSource::assumed;
+    return geometry;
 }
 
 }  // namespace
 
+Geometry read_with_gmsh(const GeometryOptions& options, const GeometrySource& source,
+                        const std::function<void(const char*)>& stage) {
+    stage("it was reading the file");
+    const auto session = open_geometry(options, source);
+    stage("it was dividing curves and faces, to within the chord error");
+    try {
+        Geometry geometry = read_what_is_open(options);
+        for (std::string& warning : geometry.warnings) warning = source.in_users_words(warning);
+        return geometry;
+    } catch (const std::string& message) {  // gmsh throws its messages as they are
+        throw InputError({.file = options.file}, "gmsh cannot follow the geometry: " + source.in_users_words(message),
+                         "Correct the geometry; 'gmsh " + options.file + "' shows it.");
+    }
+}
+
 Geometry read_geometry(const GeometryOptions& options) {
     check_geometry_file(options);
-    Geometry geometry = is_triangle_file(options.file) ? read_triangle_geometry(options) : read_with_gmsh(options);
+    Geometry geometry = is_triangle_file(options.file)
+                            ? read_triangle_geometry(options)
+                            : read_with_gmsh(options, GeometrySource(options), [](const char* /*stage*/) {});
     select_faces(geometry, options.selections);
     return geometry;
 }

@@ -128,7 +128,8 @@ int main(int count, char** words) {
     geometry.points["root"] = {dmp::Vec(0, 0, 0)};
     geometry.warnings = {"a warning"};
     write("answer/in_the_plane", "G" + dmp::geometry::bytes_of(geometry));
-    write("answer/error", "I" + dmp::geometry::bytes_of(dmp::geometry::ErrorText{{"a.geo", 3, 4}, "it is wrong", "correct it"}));
+    write("answer/error",
+          "I" + dmp::geometry::bytes_of(dmp::geometry::ErrorText{{"a.geo", 3, 4}, "it is wrong", "correct it"}));
     options.parameters["width"] = 2;
     options.parameter_locations["width"] = {"scene.toml", 5, 6};
     write("answer/request", "Q" + dmp::geometry::bytes_of(options));
@@ -140,5 +141,7 @@ int main(int count, char** words) {
     write("script/loop",
           "width = 2; // If\nFor i In {1:3}\n  Point(i) = {i, 0, 0};\nEndFor\n/* a\n */ Printf(\"If\");\n");
     write("script/cut", "If (1)\n  DefineConstant[ width = {1, Name \"width\"} ];\nEndIf\na = 1; b = 2;");
+    write("script/harm",
+          "Field[1] = Box; Mesh.Algorithm = 6;\nPrintf(\"%g\", (1)) > \"a\"; SystemCall StrCat(\"a\", 'b');\n");
     return 0;
 }

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/errors.hpp"
+#include "geometry/check_script.hpp"
 #include "geometry/geo_text.hpp"
 #include "tests/modules.hpp"
 
@@ -18,5 +20,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (const auto open = script.unclosed_block()) need_line(open->line);
     need_line(script.line_cut_short());
     need_line(script.line_of_assignment("width"));
+    try {
+        const auto tokens = dmp::geometry::script_tokens(text, "fuzzed.geo");
+        for (const auto& token : tokens) need_line(token.line);
+        dmp::geometry::check_script(tokens, {"fuzzed.geo"});
+    } catch (const dmp::InputError& error) {
+        need_line(error.where().line);
+    }
     return 0;
 }

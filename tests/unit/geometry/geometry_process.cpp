@@ -77,6 +77,7 @@ TEST_F(GeometryProcesses, ACrashIsAnErrorWithTheFileAndWhatHappened) {
                   "  Open it in the program that made it, check it there, and save it again; 'gmsh " +
                   geometry_file_ + "' may tell more.");
     EXPECT_THAT(fault("kill -KILL $$"), HasSubstr("gmsh crashed on it (Killed, perhaps for want of memory)"));
+    EXPECT_THAT(fault("kill -SYS $$"), HasSubstr("it made gmsh start another program"));
     EXPECT_THAT(fault("exit 3"), HasSubstr("its reader ended with code 3 and without a result"));
     EXPECT_THAT(fault("exit 0"), HasSubstr("its reader ended with code 0 and without a result"));
     EXPECT_THAT(fault("printf Gxyz >&3"), HasSubstr("its reader broke off"));
@@ -89,6 +90,8 @@ TEST_F(GeometryProcesses, AHangIsAnErrorToo) {
     EXPECT_THAT(fault("sleep 60; touch " + path("ended"), 0.3), HasSubstr("gmsh was not done after 0.3 s"));
     EXPECT_THAT(fault("printf G >&3; sleep 60; touch " + path("ended"), 0.3),
                 HasSubstr("gmsh was not done after 0.3 s"));
+    EXPECT_THAT(fault("printf 'Sit was reading\\000Sit was counting\\000' >&3; sleep 60", 0.3),
+                HasSubstr("s, when it was counting\n"));
     EXPECT_FALSE(std::filesystem::exists(path("ended"))) << "the child was waited for";
 }
 
@@ -152,7 +155,11 @@ TEST(GeometryBytes, OfNoGeometryAreRefused) {
 
 TEST(GeometryBytes, OfNoTruthValueAreRefused) {
     std::string bytes = bytes_of(GeometryOptions{});
-    bytes[8] = 2;  // behind the file's empty name: whether there is a unit
+    bytes[8] = 3;  // behind the file's empty name: how far it is trusted
+    EXPECT_THAT(text_thrown<std::runtime_error>([&] { (void)geometry_options_from_bytes(bytes); }),
+                HasSubstr("a trust that there is not"));
+    bytes[8] = 0;
+    bytes[12] = 2;  // then: whether there is a unit
     EXPECT_THAT(text_thrown<std::runtime_error>([&] { (void)geometry_options_from_bytes(bytes); }),
                 HasSubstr("truth value"));
 }
