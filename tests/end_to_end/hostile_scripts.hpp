@@ -141,6 +141,7 @@ inline std::vector<Hostile> hostile_scripts() {
         // Files of another kind than they say.
         {"ScriptNamedMesh", "part.msh", run, "part.msh:1: this is no mesh of gmsh"},
         {"ScriptAfterABlankNamedMesh", "part.msh", "\n" + run, "part.msh:1: this is no mesh of gmsh"},
+        {"ScriptAfterAWordOfMeshes", "part.msh", "$PhysicalNames\n;" + run, "part.msh:1: this is no mesh of gmsh"},
         {"ScriptNamedStep", "part.step", run, "part.step: "},
         {"ScriptNamedStepInMixedCase", "part.Step", run, "part.Step: "},
         {"ScriptNamedIges", "part.igs", run, "part.igs: "},
