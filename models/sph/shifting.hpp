@@ -51,10 +51,10 @@ struct Shifting {
         return max(T(0.0), min(T(1.0), (4.0 / D) * divergence - T(3.0)));
     }
 
-    /// The normal of the solids nearby, shorter than 1 from the second row of particles on [-]; from - SUM_j V_j (1/r
-    /// dW/dr) x_ij over the particles of walls and elastic solids [1/m].
+    /// The normal of the walls nearby, shorter than 1 from the second row of particles on [-]; from - SUM_j V_j (1/r
+    /// dW/dr) x_ij over the walls' particles [1/m].
     template <class T, int D>
-    [[nodiscard]] Vector<T, D> normal_of_solids(const Vector<T, D>& sum) const {
+    [[nodiscard]] Vector<T, D> normal_of_walls(const Vector<T, D>& sum) const {
         using std::max;
         using std::sqrt;
         constexpr double beyond = 0.1;  // a flat wall gives 0.42 at the first row, 0.08 at the second
@@ -76,11 +76,11 @@ struct Shifting {
     [[nodiscard]] double longest() const { return 0.1 * spacing; }
 };
 
-/// The part of a shift by which velocity and density are interpolated anew: not that along a solid's normal, which
-/// pressure takes back without interpolating. With it, each step would add momentum to fluid beside solids.
+/// The part of a shift by which velocity and density are interpolated anew: not that along a wall's normal, which
+/// pressure takes back without interpolating. With it, each step would add momentum to fluid beside walls.
 template <class T, int D>
-Vector<T, D> interpolated_part(const Vector<T, D>& shift, const Vector<T, D>& off_solids) {
-    return shift - dot(shift, off_solids) * off_solids;
+Vector<T, D> interpolated_part(const Vector<T, D>& shift, const Vector<T, D>& off_walls) {
+    return shift - dot(shift, off_walls) * off_walls;
 }
 
 }  // namespace dmp::models

@@ -268,7 +268,7 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
     const PositionQuantum quantum = particles.quantum();
     const auto x = axes<D>(fluid, Field::position), v = axes<D>(fluid, Field::velocity);
     const auto sum = axes<D>(fluid, Field::shift), g = axes<D>(fluid, Field::next_density_gradient);
-    const auto off_solids = axes<D>(fluid, Field::off_solids);
+    const auto off_walls = axes<D>(fluid, Field::off_walls);
     std::array<const double*, D * D> gradient{};
     for (int k = 0; k < D * D; ++k) gradient[k] = fluid.data(Field::velocity_gradient, k);
     double* density = fluid.data(Field::density);
@@ -291,7 +291,7 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
                 double square = 0;
                 for (int a = 0; a < D; ++a) {
                     d[a] = shift.per_sum * sum[a][i];
-                    normal[a] = off_solids[a][i];
+                    normal[a] = off_walls[a][i];
                     square += d[a] * d[a];
                 }
                 const double shortened = square > longest_square ? std::sqrt(longest_square / square) : 1;

@@ -73,7 +73,7 @@ class GradientSweep {
         Vec density;                ///< - SUM_j V_j (1/r dW/dr) (rho_i - rho_j) x_ij, that is M g
         L less_diffusion;           ///< minus the density's diffusion
         Vec less_shift;             ///< minus the shifting vector
-        Vec off_solids;             ///< - SUM_j V_j (1/r dW/dr) x_ij over walls and elastic solids
+        Vec off_walls;              ///< - SUM_j V_j (1/r dW/dr) x_ij over the walls
     };
     void start(Moments& sum) const {
         rounding_.moment.start(sum.moment.diagonal);
@@ -88,7 +88,7 @@ class GradientSweep {
         rounding_.density.start(sum.density);
         rounding_.diffusion.start(sum.less_diffusion);
         rounding_.shift.start(sum.less_shift);
-        rounding_.shift.start(sum.off_solids);
+        rounding_.shift.start(sum.off_walls);
         return sum;
     }
     [[nodiscard]] Moments total(const Moments& sum) const {
@@ -103,7 +103,7 @@ class GradientSweep {
                 (1 / full) * rounding_.density.total(sum.density),
                 rounding_.diffusion.total(sum.less_diffusion),
                 per_square * rounding_.shift.total(sum.less_shift),
-                per_square * rounding_.shift.total(sum.off_solids)};
+                per_square * rounding_.shift.total(sum.off_walls)};
     }
     static Rows unscaled(Rows sum) {
         for (int row = 0; row < D; ++row) sum[row] = per_square * sum[row];
@@ -142,12 +142,12 @@ class GradientSweep {
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);
             const Vec separation = i.position - wall.position;
-            add_solid(i, solid_.rigid(i, wall, separation), past_wall(i, wall, separation), sum);
+            add_solid<true>(i, solid_.rigid(i, wall, separation), past_wall(i, wall, separation), sum);
         }
         for (const std::int32_t index : near.of(PartKind::elastic)) {
             const auto body = elastic_(index);
             const Vec separation = i.position - body.position, past = i.velocity - body.velocity;
-            add_solid(i, elastic_image(i, body), VelocityGradient::past_solid(past, turning, separation), sum);
+            add_solid<false>(i, elastic_image(i, body), VelocityGradient::past_solid(past, turning, separation), sum);
         }
         return total(sum);
     }
@@ -162,7 +162,7 @@ class GradientSweep {
     }
 
     /// `past_in_rate`: v_ij of the density rate.
-    template <class I, class Image>
+    template <bool IsWall, class I, class Image>
     void add_solid(const I& i, const Image& image, const Vec& past_in_rate, Sum& sum) const {
         const Vec separation = i.position - image.position;
         const Vec past = i.velocity - (image.velocity + image.velocity_by_gradient);
@@ -175,7 +175,7 @@ class GradientSweep {
         const L difference = (i.pressure - image.pressure) * (1 / (options_.sound_speed * options_.sound_speed));
         ReproducibleSum::add(sum.density, L(difference), weighted);
         add_shift(distance, weighted, sum.less_shift);
-        ReproducibleSum::add(sum.off_solids, L(full), weighted);
+        if constexpr (IsWall) ReproducibleSum::add(sum.off_walls, L(full), weighted);
     }
 
     /// v_ij of the density rate for a wall.
@@ -227,7 +227,7 @@ class GradientSweep {
         for (int axis = 1; axis < D; ++axis) trace = trace + sum.all.moment.diagonal[axis];
         const L share = options_.free_surface ? Shifting<Kernel>::template kept<D>(trace) : L(1.0);
         solver::store<L, D>((-1.0 * share) * sum.less_shift, group, Field::shift, cluster);
-        solver::store<L, D>(shifting_.normal_of_solids(sum.off_solids), group, Field::off_solids, cluster);
+        solver::store<L, D>(shifting_.normal_of_walls(sum.off_walls), group, Field::off_walls, cluster);
     }
 
     void store_gradients(const Rows& of_velocity, const Vec& of_density, const Cluster& cluster) const {

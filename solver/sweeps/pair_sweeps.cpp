@@ -36,7 +36,7 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
             group.declare({Field::correction, Field::correction_off_diagonal});
         if (is_fluid && settings.corrected)
             group.declare({Field::mean_correction, Field::velocity_gradient, Field::density_gradient,
-                           Field::next_density_gradient, Field::reduced_pressure, Field::off_solids});
+                           Field::next_density_gradient, Field::reduced_pressure, Field::off_walls});
         if (is_fluid && settings.corrected && settings.several_fluids) group.declare({Field::fluid_number});
         if (contact) group.declare({Field::contact_range});
         if (contact && !is_fluid) group.declare({Field::wall_contact_range});

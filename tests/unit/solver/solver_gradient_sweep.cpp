@@ -31,7 +31,7 @@ double gradient_before(std::size_t id, int k) { return 0.3 * k - 0.2 * static_ca
 /// What the sweep leaves of a fluid particle.
 struct Found {
     Matrix velocity_gradient = Matrix::Zero();
-    Vec density_gradient = Vec::Zero(), shift = Vec::Zero(), off_solids = Vec::Zero();
+    Vec density_gradient = Vec::Zero(), shift = Vec::Zero(), off_walls = Vec::Zero();
     double rate = 0, correction = 0;
 };
 
@@ -64,7 +64,7 @@ class Gradients {
                 all[id].velocity_gradient(k / d, k % d) = by_id_.value(Field::velocity_gradient, id, k);
             all[id].density_gradient = by_id_.vector(Field::next_density_gradient, id);
             all[id].shift = by_id_.vector(Field::shift, id);
-            all[id].off_solids = by_id_.vector(Field::off_solids, id);
+            all[id].off_walls = by_id_.vector(Field::off_walls, id);
             all[id].rate = by_id_.value(Field::density_rate, id);
             all[id].correction = by_id_.value(Field::mean_correction, id);
         }
@@ -87,7 +87,7 @@ class Gradients {
 std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, const PairSettings& settings) {
     struct Sum {
         Matrix m = Matrix::Zero(), a_of_rate = Matrix::Zero(), m_own = Matrix::Zero(), a_own = Matrix::Zero();
-        Vec r = Vec::Zero(), shift = Vec::Zero(), off_solids = Vec::Zero();
+        Vec r = Vec::Zero(), shift = Vec::Zero(), off_walls = Vec::Zero();
         double diffusion = 0;
     };
     std::vector<Sum> sums(set.size());
@@ -139,8 +139,8 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
                 Vec past_surface = past + (distance - actual) * before * normal;
                 if (slides) past_surface -= surface_gradient(p.j) * (p.separation - above * normal);
                 past += depth / distance * past_surface;
+                sum.off_walls -= weight * p.separation;
             }
-            sum.off_solids -= weight * p.separation;
         }
         sum.m -= weight * p.separation * p.separation.transpose();
         sum.a_of_rate -= weight * past_in_rate * p.separation.transpose();
@@ -162,7 +162,7 @@ std::vector<Found> of_all_pairs(Gradients& gradients, const ParticleSet& set, co
         const Matrix b = inverse(sum.m, 0.3), b_own = inverse(sum.m_own, 0.03);
         all[id].velocity_gradient = sum.a_own * b_own;
         all[id].density_gradient = b_own * sum.r;
-        all[id].off_solids = sum.off_solids * settings.spacing / std::max(sum.off_solids.norm() * settings.spacing, 0.1);
+        all[id].off_walls = sum.off_walls * settings.spacing / std::max(sum.off_walls.norm() * settings.spacing, 0.1);
         all[id].shift = sum.shift;
         if (settings.free_surface) all[id].shift *= std::clamp(4.0 / set.dimension * sum.m.trace() - 3, 0.0, 1.0);
         all[id].rate = -by_id.value(Field::density, id) *
@@ -204,7 +204,7 @@ void GradientSweepIn::expect_the_sums_of_all_pairs() const {
             EXPECT_LT((found[id].density_gradient - expected[id].density_gradient).norm(),
                       1e-8 * (1 + expected[id].density_gradient.norm()));
             EXPECT_LT((found[id].shift - expected[id].shift).norm(), 1e-10 * (1 + expected[id].shift.norm()));
-            EXPECT_LT((found[id].off_solids - expected[id].off_solids).norm(), 1e-10);
+            EXPECT_LT((found[id].off_walls - expected[id].off_walls).norm(), 1e-10);
             EXPECT_NEAR(found[id].rate, expected[id].rate, 1e-8 * (1 + std::abs(expected[id].rate)));
             EXPECT_NEAR(found[id].correction, expected[id].correction, 1e-9 * expected[id].correction);
         }

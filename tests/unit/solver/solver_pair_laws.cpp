@@ -314,10 +314,10 @@ TEST(Shifting, one_pair_by_hand) {
 
 TEST(Shifting, interpolates_nothing_along_the_normal_of_a_wall) {
     const Shifting<WendlandC2<2>> law(0.2, 3.0, 0.5, kernel);  // dx = 0.5
-    const V2 close = law.normal_of_solids(V2{{0.0, 0.8}}), far = law.normal_of_solids(V2{{0.0, 0.1}});
+    const V2 close = law.normal_of_walls(V2{{0.0, 0.8}}), far = law.normal_of_walls(V2{{0.0, 0.1}});
     expect_near(close, {{0, 1}}, 1e-15);  // dx times the sum is more than 0.1
     expect_near(far, {{0, 0.5}}, 1e-15);
-    expect_near(law.normal_of_solids(V2{{0.0, 0.0}}), {{0, 0}}, 0);
+    expect_near(law.normal_of_walls(V2{{0.0, 0.0}}), {{0, 0}}, 0);
     expect_near(interpolated_part(V2{{0.3, 0.2}}, close), {{0.3, 0}}, 1e-16);
     expect_near(interpolated_part(V2{{0.3, 0.2}}, far), {{0.3, 0.2 - 0.25 * 0.2}}, 1e-16);
 }
