@@ -59,9 +59,10 @@ class Parser {
             ->check(CLI::Range(2.0, 6.0).description(""));
         app_.add_option("--kernel", kernel_, "lucy or wendland_c2; default: wendland_c2")->type_name("NAME");
         app_.add_option("--walls", walls_, "plain or extrapolated; default: plain")->type_name("NAME");
-        app_.add_option("--defaults", defaults_,
-                        "What scenes have by default with numerics.scheme = corrected or plain; default: the plain scheme "
-                        "without shifting, diffusion, contact and extrapolated walls")
+        app_.add_option(
+                "--defaults", defaults_,
+                "What scenes have by default with numerics.scheme = corrected or plain; default: the plain scheme "
+                "without shifting, diffusion, contact and extrapolated walls")
             ->type_name("SCHEME");
         app_.add_flag("--implicit-viscosity", options_.channel.implicit_viscosity,
                       "Solve for the viscous forces instead of taking them from the last velocities");

@@ -196,9 +196,7 @@ void use_defaults_of_scenes(Channel& channel, FluidScheme scheme) {
 }
 
 std::string scene_text(const Channel& channel) {
-    return scene_text(
-        channel,
-        fmt::format(R"toml(kernel = "{}"
+    return scene_text(channel, fmt::format(R"toml(kernel = "{}"
 support = {}
 walls = "{}"
 density_diffusion = {}
@@ -208,10 +206,11 @@ viscosity_stepping = "{}"
 [contact]
 range = {}
 )toml",
-                    to_string(channel.kernel), channel.support, to_string(channel.walls), channel.density_diffusion,
-                    channel.shifting,
-                    to_string(channel.implicit_viscosity ? ViscosityStepping::implicitly : ViscosityStepping::explicitly),
-                    channel.contact_range));
+                                           to_string(channel.kernel), channel.support, to_string(channel.walls),
+                                           channel.density_diffusion, channel.shifting,
+                                           to_string(channel.implicit_viscosity ? ViscosityStepping::implicitly
+                                                                                : ViscosityStepping::explicitly),
+                                           channel.contact_range));
 }
 
 Scene make_scene(const Channel& channel) {
