@@ -13,6 +13,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "geometry/geo_text.hpp"
 #include "geometry/geometry_file.hpp"
 
 namespace dmp::geometry {
@@ -80,6 +81,12 @@ GeometrySource::GeometrySource(const GeometryOptions& options) : file_(options.f
 GeometrySource::~GeometrySource() {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (empty_descriptor_ >= 0) ::close(empty_descriptor_);
+}
+
+SourceLocation GeometrySource::assignment_of(const std::string& name) const {
+    const int line = GeoText(script_ ? script_->text() : file_text(file_)).line_of_assignment(name);
+    if (script_ && line > 0) return script_->written_at(line);
+    return {.file = file_, .line = line};
 }
 
 std::string GeometrySource::in_users_words(std::string message) const {

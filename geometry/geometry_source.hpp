@@ -31,6 +31,9 @@ class GeometrySource {
     /// The user's file where gmsh reads that; -1: it reads a text in memory.
     [[nodiscard]] int descriptor() const { return script_ ? -1 : descriptor_; }
 
+    /// Where a script sets a name to a value at the beginning of a statement; line 0: nowhere.
+    [[nodiscard]] SourceLocation assignment_of(const std::string& name) const;
+
     /// What gmsh says, with the user's names of files and lines.
     [[nodiscard]] std::string in_users_words(std::string message) const;
 

@@ -10,7 +10,6 @@
 #include <omp.h>
 
 #include "base/nearest_name.hpp"
-#include "geometry/geo_text.hpp"
 #include "geometry/geometry_file.hpp"
 
 namespace dmp::geometry {
@@ -126,14 +125,15 @@ std::vector<std::string> offered_constants() {
 }
 
 [[noreturn]] void throw_unknown_parameter(const std::string& name, const std::vector<std::string>& offered,
-                                          const GeometryOptions& options, const SourceLocation& location) {
+                                          const GeometryOptions& options, const GeometrySource& source,
+                                          const SourceLocation& location) {
     const std::string problem = "the geometry '" + options.file + "' offers no constant '" + name + "' for setting";
     const std::string form = "DefineConstant[ " + name + " = {value, Name \"" + name + "\"} ];";
-    if (const int line = GeoText(file_text(options.file)).line_of_assignment(name); line > 0) {
+    if (const SourceLocation set = source.assignment_of(name); set.line > 0) {
         throw InputError(location, problem,
-                         "Line " + std::to_string(line) +
-                             " of the geometry sets it, but not in the one form that can be " +
-                             "set from outside: " + form);
+                         "Line " + std::to_string(set.line) + " of " +
+                             (set.file == options.file ? "the geometry" : "'" + set.file + "'") +
+                             " sets it, but not in the one form that can be set from outside: " + form);
     }
     std::string advice = "It offers " + quoted_list(offered) + ".";
     if (const auto near = nearest_name(name, offered); !near.empty()) advice = "Did you mean '" + near + "'? " + advice;
@@ -141,12 +141,12 @@ std::vector<std::string> offered_constants() {
     throw InputError(location, problem, advice);
 }
 
-void check_parameters(const GeometryOptions& options, const std::map<std::string, double>& known,
-                      const std::vector<std::string>& offered) {
+void check_parameters(const GeometryOptions& options, const GeometrySource& source,
+                      const std::map<std::string, double>& known, const std::vector<std::string>& offered) {
     for (const auto& [name, value] : options.parameters) {
         const auto found = options.parameter_locations.find(name);
         const SourceLocation& location = found != options.parameter_locations.end() ? found->second : options.location;
-        if (!known.contains(name)) throw_unknown_parameter(name, offered, options, location);
+        if (!known.contains(name)) throw_unknown_parameter(name, offered, options, source, location);
         std::vector<double> now;
         gmsh::onelab::getNumber(name, now);
         if (now.empty() || now.front() != value) {
@@ -227,7 +227,7 @@ std::unique_ptr<GmshSession> open_geometry(const GeometryOptions& options, const
         }
     }
     throw_logged_errors(options.file, source);
-    check_parameters(options, known, offered);
+    check_parameters(options, source, known, offered);
     GmshSession::throw_on_error(true);
     return session;
 }

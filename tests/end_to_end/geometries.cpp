@@ -40,7 +40,7 @@ class Geometries : public testing::Test {
         folder_.write("export.geo",
                       "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 3, 0, 0, 0.5};\n"
                       "Physical Volume(\"pipe\") = {1};\nSave \"pipe.step\";\n");
-        EXPECT_EQ(dmp({"inspect", "export.geo"}).code, 0);
+        EXPECT_EQ(dmp({"inspect", "export.geo", "--trust-geometry"}).code, 0);
     }
     CaseFolder folder_;
 };
@@ -206,7 +206,7 @@ TEST_F(Geometries, AFaceOfAStepFileIsADrawingInThePlane) {
                   "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 12, 3};\nDisk(2) = {4, 1.5, 0, 0.5};\n"
                   "BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };\n"
                   "Physical Surface(\"water\") = {3};\nSave \"channel.step\";\n");
-    ASSERT_EQ(dmp({"inspect", "export.geo"}).code, 0);
+    ASSERT_EQ(dmp({"inspect", "export.geo", "--trust-geometry"}).code, 0);
     const Outcome shown = dmp({"inspect", "channel.step"});
     EXPECT_THAT(shown.output, AllOf(HasSubstr("in 2-D"), HasSubstr("12 x 3 x 0 mm"), HasSubstr("35.2")));
     const Outcome made = dmp({"new", "channel", "--from", "channel.step"});
