@@ -56,9 +56,9 @@ TEST(BenchOptions, SpeciesAreCounted) {
 }
 
 TEST(BenchOptions, ASingleChoiceOverrulesTheDefaults) {
-    const Channel channel =
-        options_of({"--case", "channel2d", "--walls", "plain", "--defaults", "plain", "--support=2.6", "--kernel", "lucy"})
-            .channel;
+    const Channel channel = options_of({"--case", "channel2d", "--walls", "plain", "--defaults", "plain",
+                                        "--support=2.6", "--kernel", "lucy"})
+                                .channel;
     EXPECT_EQ(channel.walls, WallModel::plain);
     EXPECT_EQ(channel.support, 2.6);
     EXPECT_EQ(channel.kernel, KernelKind::lucy);
