@@ -19,24 +19,28 @@ constexpr std::size_t deepest_include = 20, most_files = 1000, most_tokens = 50'
 /// The tokens of a script with those of the files that it includes in their places.
 class Includes {
   public:
-    explicit Includes(const std::string& file) : folder_(fs::canonical(file).parent_path()) { add(file); }
+    explicit Includes(const std::string& file) : folder_(fs::canonical(file).parent_path()) {
+        add(fs::canonical(file), file);
+    }
 
     std::vector<ScriptToken> tokens;
     std::vector<std::string> files;
 
   private:
-    void add(const std::string& file) {
+    /// Reads `path`, without links in it: what was checked to lie in the folder. `file`: its name for the user.
+    void add(const fs::path& path, const std::string& file) {
         const int number = static_cast<int>(files.size());
         files.push_back(file);
-        open_.push_back(fs::canonical(file));
-        std::vector<ScriptToken> own = script_tokens(file_text(file), file);
+        open_.push_back(path);
+        std::vector<ScriptToken> own = script_tokens(file_text(path.string()), file);
         for (ScriptToken& token : own) token.file = number;
         for (std::size_t i = 0; i < own.size(); ++i) {
             const bool includes = (own[i].is_word("Include") || own[i].is_word("Merge")) && i + 2 < own.size() &&
                                   own[i + 1].kind == TokenKind::text && own[i + 2].is_symbol(';');
             if (includes) {
                 const SourceLocation where{.file = file, .line = own[i].line, .column = own[i].column};
-                add(included(own[i].text, own[i + 1].text, where));
+                const fs::path named = fs::path(file).parent_path() / own[i + 1].text;  // absolute names stay
+                add(included(named, own[i].text, own[i + 1].text, where), named.lexically_normal().string());
                 i += 2;
             } else {
                 tokens.push_back(own[i]);
@@ -49,9 +53,8 @@ class Includes {
     }
 
     /// The file that a script names, which must lie in its folder and be a script.
-    [[nodiscard]] std::string included(const std::string& word, const std::string& name,
-                                       const SourceLocation& where) const {
-        const fs::path named = fs::path(where.file).parent_path() / name;  // an absolute name stays as it is
+    [[nodiscard]] fs::path included(const fs::path& named, const std::string& word, const std::string& name,
+                                    const SourceLocation& where) const {
         std::error_code error;
         const fs::path file = fs::canonical(named, error);
         if (error)
@@ -67,7 +70,7 @@ class Includes {
         if (std::ranges::find(open_, file) != open_.end() || open_.size() >= deepest_include)
             throw InputError(where, "'" + word + "' of '" + name + "' has no end: it includes itself",
                              "Remove it from the file that is included.");
-        return named.lexically_normal().string();
+        return file;
     }
 
     fs::path folder_;             ///< nothing outside is read

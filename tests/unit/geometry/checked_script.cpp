@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/checked_script.hpp"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 
 #include "temporary_geometry.hpp"
@@ -36,6 +38,16 @@ TEST_F(CheckedScripts, KnowWhereTheirLinesWereWritten) {
     EXPECT_EQ(place(script, 4), "d.geo:4");
     EXPECT_EQ(place(script, 5), "d.geo:5");
     EXPECT_EQ(place(script, 99), "d.geo:5");
+}
+
+TEST_F(CheckedScripts, ReadThePathThatWasChecked) {
+    // With the link followed a/x.geo, which lies in the folder; without it, a file above the folder.
+    namespace fs = std::filesystem;
+    fs::create_directories(path("in/a/b/c"));
+    fs::create_directory_symlink(path("in/a/b/c"), path("in/link"));
+    (void)write("x.geo", "above = 1;\n");
+    (void)write("in/a/x.geo", "inside = 1;\n");
+    EXPECT_EQ(CheckedScript(write("in/d.geo", "Include \"link/../../x.geo\";\n")).text(), "inside = 1;\n");
 }
 
 TEST_F(CheckedScripts, JumpToBeginningsOfLinesOnly) {
