@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "models/springs/spring.hpp"
+#include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/self_contact.hpp"
 
 namespace dmp::solver {
@@ -19,7 +20,8 @@ std::vector<std::string> body_names(const Scene& scene) {
     return names;
 }
 
-InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_part(set.parts.size()) {
+InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, double liquid_density)
+    : of_part(set.parts.size()) {
     const auto parts = scene.parts_of(PartKind::elastic);
     for (std::size_t number = 0; number < set.parts.size(); ++number) {
         const auto& [name, kind] = set.parts[number];
@@ -30,6 +32,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_
                              "mesh the scene again");
         of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag};
     }
+    node_mass = node_masses(scene, set, liquid_density);  // of parts that are known to be in the scene
     const auto joins = scene.joins_of_enabled();
     const auto before = static_cast<int>(body_names(scene).size() - joins.size());
     for (const Bond& bond : set.bonds)
@@ -39,7 +42,7 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene) : of_
 }
 
 InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
-    : of_part(set.parts.size(), {0, part.bond_damping, part.drag}) {}
+    : of_part(set.parts.size(), {0, part.bond_damping, part.drag}), node_mass(set.mass) {}
 
 namespace {
 
@@ -60,6 +63,7 @@ std::vector<int> nodes_of(const ParticleSet& set, int body) {
 }  // namespace
 
 BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int body, double contact_range) {
+    const std::vector<double>& mass = drawn.node_mass;
     BodyParts parts;
     std::unordered_map<int, int> local;
     std::vector<Vec> positions;
@@ -71,7 +75,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         node.of_wall = set.body[id] < 0;
         node.fixed = set.fixed[id] != 0;
         node.origin = source.origin;
-        node.mass = set.mass[id];
+        node.mass = mass[id];
         node.drag = source.drag;
         node.position = node.position_before = node.rest_position = set.position[id];
         parts.nodes.push_back(node);
@@ -83,7 +87,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         if (set.body[bond.a] != body && set.body[bond.b] != body) continue;
         const InitialSprings::Source& source =
             bond.join >= 0 ? drawn.of_join.at(bond.join) : drawn.of_part[set.part[bond.a]];
-        const Spring spring(bond.stiffness, source.damping, reduced_mass(set.mass[bond.a], set.mass[bond.b]));
+        const Spring spring(bond.stiffness, source.damping, reduced_mass(mass[bond.a], mass[bond.b]));
         parts.bonds.push_back(
             {{local.at(bond.a), local.at(bond.b)}, bond.rest_length, spring.stiffness, spring.dashpot, source.origin});
         longest = std::max(longest, bond.rest_length);
@@ -91,7 +95,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
     for (const Hinge& hinge : set.hinges) {
         if (set.body[hinge.centre] != body) continue;
         const auto inertia = [&](int end) {
-            return set.mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
+            return mass[end] * (set.position[end] - set.position[hinge.centre]).squaredNorm();
         };
         const InitialSprings::Source& source = drawn.of_part[set.part[hinge.centre]];
         const Spring spring(hinge.stiffness, source.damping, reduced_mass(inertia(hinge.a), inertia(hinge.b)));
@@ -108,7 +112,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
                              "write dimension = 3, or leave them out");
         const Vec axis = (set.position[dihedral.c] - set.position[dihedral.b]).normalized();
         const auto inertia = [&](int end) {
-            return set.mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
+            return mass[end] * axis.cross(set.position[end] - set.position[dihedral.b]).squaredNorm();
         };
         const InitialSprings::Source& source = drawn.of_part[set.part[dihedral.b]];
         const Spring spring(dihedral.stiffness, source.damping, reduced_mass(inertia(dihedral.a), inertia(dihedral.d)));

@@ -54,11 +54,13 @@ struct InitialSprings {
         double damping = 0;  ///< dashpots, fraction of critical [-]
         double drag = 0;     ///< lab-frame drag of a node [kg/s]
     };
-    std::vector<Source> of_part;  ///< by part number of the particle set
-    std::vector<Source> of_join;  ///< by Bond::join
+    std::vector<Source> of_part;    ///< by part number of the particle set
+    std::vector<Source> of_join;    ///< by Bond::join
+    std::vector<double> node_mass;  ///< by particle [kg]
 
-    /// Throws InputError for particles of an elastic solid that is not in the scene.
-    InitialSprings(const ParticleSet& set, const Scene& scene);
+    /// `liquid_density`: of the liquid in strips and shells (node_masses). Throws InputError for particles of an
+    /// elastic solid that is not in the scene.
+    InitialSprings(const ParticleSet& set, const Scene& scene, double liquid_density = 0);
     /// For a set whose springs all belong to one part.
     InitialSprings(const ParticleSet& set, const Part& part);
 };

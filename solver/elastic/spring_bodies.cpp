@@ -11,7 +11,8 @@
 
 namespace dmp::solver {
 
-SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact)
+SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact,
+                           double liquid_density)
     : ranks_(ranks),
       dimension_(set.dimension),
       space_(static_cast<const ParticleSpace&>(set)),
@@ -22,7 +23,7 @@ SpringBodies::SpringBodies(const ParticleSet& set, const Scene& scene, const Ran
       implicit_(scene.numerics.spring_stepping.value == SpringStepping::implicit),
       step_factor_(scene.numerics.spring_step_factor) {
     const int count = set.body.empty() ? 0 : *std::max_element(set.body.begin(), set.body.end()) + 1;
-    const InitialSprings drawn(set, scene);
+    const InitialSprings drawn(set, scene, liquid_density);
     for (int body = 0; body < count; ++body)
         bodies_.push_back(made_of(initial_body(set, drawn, body, contact.on() ? contact.range : 0)));
     note_step_limits();

@@ -27,7 +27,8 @@ struct BondTally {
 class SpringBodies {
   public:
     /// Every rank stores and advances all bodies identically: they are few, and no rank has to wait for another.
-    SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact = {});
+    SpringBodies(const ParticleSet& set, const Scene& scene, const Ranks& ranks, const SpringContact& contact = {},
+                 double liquid_density = 0);
 
     /// Largest stable explicit step by part name [s].
     struct PartLimit {

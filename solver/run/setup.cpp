@@ -7,6 +7,7 @@
 #include <omp.h>
 
 #include "models/contact/repulsion.hpp"
+#include "solver/elastic/node_mass.hpp"
 #include "solver/run/free_surface.hpp"
 #include "solver/run/starting_state.hpp"
 
@@ -44,11 +45,12 @@ std::vector<double> fluid_numbers(const Scene& scene, const ParticleSet& set) {
 }
 
 /// Least mass of a free elastic node over that of the liquid in its place, at most 1.
-double lightest_solid(const ParticleSet& set, double density) {
+double lightest_solid(const Scene& scene, const ParticleSet& set, const PairSettings& settings) {
+    const std::vector<double> mass = node_masses(scene, set, liquid_in_leaflets(settings));
     double least = 1;
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set.kind(i) == PartKind::elastic && !set.fixed[i])
-            least = std::min(least, set.mass[i] / (density * set.volume[i]));
+            least = std::min(least, mass[i] / (settings.density.largest * set.volume[i]));
     return least;
 }
 
@@ -186,7 +188,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
-    if (settings.corrected) scales.lightest_solid = lightest_solid(set, settings.density.largest);
+    if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))
         scales.kinematic_viscosity = std::max(scales.kinematic_viscosity, part->viscosity / part->density);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/turn_solid.hpp"
 #include "solver/uses.hpp"
 
@@ -43,7 +44,8 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
       sweeps_(make_pair_sweeps(settings, particles)),
       rest_density_(rest_densities_of(state_of_part)),
       passes_(std::move(state_of_part), settings.threads),
-      springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing}),
+      springs_(set, scene, ranks, {{settings.repulsion_strength}, scene.contact.range * scene.particles.spacing},
+               liquid_in_leaflets(settings)),
       walls_(scene, set, particles),
       driving_(scene, set, particles.space()),
       neighbours_(ranks, particles.space(), settings.support, settings.threads),

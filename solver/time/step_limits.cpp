@@ -24,7 +24,7 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
                       "step_factor R / (c0 + U)"});
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
     if (scales.diffusivity > 0 && !scales.implicit_species) limits.push_back(species_step_limit(scales));
-    if (scales.lightest_solid < 1)
+    if (scales.lightest_solid < 1 - 1e-9)  // not by rounding
         // Measured: light nodes coupled to the fluid's pressure are stable at 0.6 sqrt(m / m_liquid) and unstable at
         // 0.7, from 0.012 to 0.25 of the liquid's mass.
         limits.push_back(

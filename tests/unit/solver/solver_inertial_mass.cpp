@@ -4,6 +4,7 @@
 
 #include "driven_scenes.hpp"
 #include "small_scenes.hpp"
+#include "solver/elastic/node_mass.hpp"
 #include "solver/run/setup.hpp"
 #include "tests/modules.hpp"
 
@@ -85,6 +86,68 @@ TEST(InertialMass, of_spring_nodes_resists_the_liquids_push) {
     const double light = momentum_and_speed(10), heavy = momentum_and_speed(90);
     EXPECT_GT(light, 0);
     EXPECT_NEAR(light / heavy, 9, 0.5);
+}
+
+/// A set of one fluid particle and one node of an elastic part, both of 1 cm^3.
+SceneAndParticles one_node_of(const Part& part, double mass) {
+    SceneAndParticles made;
+    made.scene.dimension = 3;
+    Part water;
+    water.name = std::string("water");
+    water.kind = PartKind::fluid;
+    water.density = 1000.0;
+    water.enabled = true;
+    made.scene.parts = {water, part};
+    ParticleSet& set = made.particles;
+    set.parts = {{"water", PartKind::fluid}, {"leaflet", PartKind::elastic}};
+    set.dimension = 3;
+    set.position = {Vec(0, 0, 0), Vec(0.01, 0, 0)};
+    set.volume = {1e-6, 1e-6};
+    set.mass = {1e-3, mass};
+    set.part = {0, 1};
+    return made;
+}
+
+Part leaflet_of(double density) {
+    Part part;
+    part.name = std::string("leaflet");
+    part.kind = PartKind::elastic;
+    part.enabled = true;
+    if (density > 0) part.density = Value<double>(density, SourceLocation{"scene.toml", 1});
+    return part;
+}
+
+/// Beyond its buoyancy [kg], given with the material's volume [m^3].
+double weight_in_water(double density, double volume) {
+    const SceneAndParticles made = one_node_of(leaflet_of(density), density * volume);
+    return node_masses(made.scene, made.particles, 1000)[1] - 1000 * 1e-6;
+}
+
+TEST(InertialMass, of_a_shells_node_includes_the_liquid_beside_the_material) {
+    for (const double density : {1100.0, 7800.0, 300.0})
+        EXPECT_NEAR(weight_in_water(density, 2e-7), (density - 1000) * 2e-7, 1e-15) << density;
+    EXPECT_NEAR(weight_in_water(1100, 1e-6), 1e-4, 1e-15) << "a solid fills the volume of its nodes";
+    EXPECT_NEAR(weight_in_water(1100, 3e-6), 2.3e-3, 1e-15) << "a thick shell keeps its mass";
+}
+
+TEST(InertialMass, of_a_strips_node_is_at_least_that_of_the_liquid_it_displaces) {
+    const auto mass = [](double of_material) {
+        const SceneAndParticles made = one_node_of(leaflet_of(0), of_material);
+        return node_masses(made.scene, made.particles, 1000)[1];
+    };
+    EXPECT_NEAR(mass(2e-4), 1e-3, 1e-15);
+    EXPECT_EQ(mass(2e-3), 2e-3);
+}
+
+TEST(InertialMass, stays_as_given_where_no_liquid_is_all_around) {
+    PairSettings settings;
+    settings.density.largest = 1000;
+    settings.subtracts_level = false;  // a solid that is wet on one side, or the plain scheme
+    EXPECT_EQ(liquid_in_leaflets(settings), 0);
+    const SceneAndParticles made = one_node_of(leaflet_of(1100), 2e-4);
+    EXPECT_EQ(node_masses(made.scene, made.particles, liquid_in_leaflets(settings)), made.particles.mass);
+    settings.subtracts_level = true;
+    EXPECT_EQ(liquid_in_leaflets(settings), 1000);
 }
 
 }  // namespace

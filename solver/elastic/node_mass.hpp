@@ -1,0 +1,26 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "particles/particle_set.hpp"
+#include "scene/scene.hpp"
+#include "solver/sweeps/pair_sweeps.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// Mass by particle [kg]: of the nodes of strips and shells with the liquid in them. Their two layers of nodes take the
+/// room of two spacings, a thin leaflet does not: what is in the difference is liquid of `liquid_density` [kg/m^3; 0:
+/// none], which moves with the leaflet. So a node weighs in the liquid what its material does, and is never much
+/// lighter than the liquid it displaces, which would need short steps (docs/scheme.md). The thickness of a strip is not
+/// known: a strip lighter than the liquid it displaces is taken to have the liquid's density. Solids fill their volume.
+std::vector<double> node_masses(const Scene& scene, const ParticleSet& set, double liquid_density);
+
+/// Density of that liquid [kg/m^3], of several fluids the densest; 0: solids are not wet all around, or the scheme is
+/// the plain one, which takes masses as given, as the published studies do.
+inline double liquid_in_leaflets(const PairSettings& settings) {
+    return settings.subtracts_level ? settings.density.largest : 0;
+}
+
+}  // namespace dmp::solver
