@@ -24,13 +24,17 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
                       "step_factor R / (c0 + U)"});
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
     if (scales.diffusivity > 0 && !scales.implicit_species) limits.push_back(species_step_limit(scales));
-    if (scales.lightest_solid < 1 - 1e-9)  // not by rounding
+    if (scales.lightest_solid < 1 - 1e-9) {  // not by rounding
         // Measured: light nodes coupled to the fluid's pressure are stable at 0.6 sqrt(m / m_liquid) and unstable at
         // 0.7, from 0.012 to 0.25 of the liquid's mass.
         limits.push_back(
             {"light solids",
              0.4 * std::sqrt(scales.lightest_solid) * scales.support / (scales.sound_speed + largest_speed),
              "0.4 sqrt(m / m_liquid) R / (c0 + U) of the lightest elastic node"});
+        if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity)
+            limits.push_back({"viscosity at light solids", scales.lightest_solid * viscous_step_limit(scales).dt,
+                              "the viscous limit times m / m_liquid of the lightest elastic node"});
+    }
     if (acceleration > 0)
         limits.push_back({"body force", 0.25 * std::sqrt(0.5 * scales.support / acceleration), "0.25 sqrt(R / 2g)"});
     if (scales.shifting > 0 && largest_speed > 0)
