@@ -121,11 +121,11 @@ TEST(Gravity, of_a_held_node_goes_to_what_holds_it) {
     EXPECT_LT(summary.momentum_residual, 1e-13);
 }
 
-enum class ThicknessOf { solid, strip };
+enum class ElasticForm { solid, strip };
 
 /// How far a rod in a tank of water at rest has risen after half a second [m]. A solid has a density and fills its
 /// volume; the thickness of a strip is not known.
-double rises_with(double node_mass, ThicknessOf kind = ThicknessOf::solid) {
+double rises_with(double node_mass, ElasticForm form = ElasticForm::solid) {
     WalledWater tank(8, 10, {"box"}, [](int, int) { return 1; });
     SceneAndParticles made{tank.scene, tank.particles};
     ParticleSet& set = made.particles;
@@ -138,7 +138,7 @@ double rises_with(double node_mass, ThicknessOf kind = ThicknessOf::solid) {
     // Two particles of the water become the nodes.
     add_flags(made);
     for (Part& part : made.scene.parts)
-        if (part.kind == PartKind::elastic && kind == ThicknessOf::solid)
+        if (part.kind == PartKind::elastic && form == ElasticForm::solid)
             part.density = Value<double>(node_mass / 0.01, SourceLocation{"scene.toml", 1});
     const auto at = [&](double x, double y) {
         for (std::size_t i = 0; i < set.size(); ++i)
@@ -162,8 +162,8 @@ double rises_with(double node_mass, ThicknessOf kind = ThicknessOf::solid) {
 TEST(Gravity, lets_solids_sink_that_are_denser_than_the_liquid_and_rise_that_are_lighter) {
     EXPECT_LT(rises_with(40), -0.01);
     EXPECT_GT(rises_with(2.5), 0.01);
-    EXPECT_LT(rises_with(40, ThicknessOf::strip), -0.01);
-    EXPECT_NEAR(rises_with(2.5, ThicknessOf::strip), 0, 1e-3) << "thin, with liquid in its nodes";
+    EXPECT_LT(rises_with(40, ElasticForm::strip), -0.01);
+    EXPECT_NEAR(rises_with(2.5, ElasticForm::strip), 0, 1e-3) << "thin, with liquid in its nodes";
 }
 
 TEST(PressureGradient, drives_a_liquid_without_walls_at_its_force_over_the_density) {
