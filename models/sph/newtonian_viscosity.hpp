@@ -27,7 +27,7 @@ struct NewtonianViscosity {
 
     template <class P, class T>
     static auto law(const P& p, const T& twice_mean) {
-        return strength(p, twice_mean) * ((p.i.velocity - p.j.velocity) + by_gradients(p));
+        return strength(p, twice_mean) * with_gradients(p, past_image(p));
     }
     /// The part in v_ij: symmetric and positive definite, for implicit stepping.
     template <class P, class T>
@@ -37,7 +37,7 @@ struct NewtonianViscosity {
     /// The rest of it.
     template <class P, class T>
     static auto law_of_gradients(const P& p, const T& twice_mean) {
-        return strength(p, twice_mean) * by_gradients(p);
+        return strength(p, twice_mean) * with_gradients(p, p.i.velocity_by_gradient - p.j.velocity_by_gradient);
     }
 
     static double step_share() { return 1; }
@@ -49,12 +49,17 @@ struct NewtonianViscosity {
     static auto strength(const P& p, const T& twice_mean) {
         return p.weight() * twice_mean * (0.5 * (p.i.correction + p.j.correction));
     }
-    /// (G_i + G_j)^T x_ij / 2, and the part of v_ij that an image in a wall takes from G.
+    /// v_ij, with the part that an image in a wall takes from G.
+    template <class P>
+    static auto past_image(const P& p) {
+        return (p.i.velocity - p.j.velocity) - (p.j.velocity_by_gradient - p.i.velocity_by_gradient);
+    }
+    /// velocity + (G_i + G_j)^T x_ij / 2
     template <class I, class J, class T, int D, class R, class S>
-    static auto by_gradients(const Pair<I, J, Vector<T, D>, R, S>& p) {
-        Vector<T, D> sum = p.i.velocity_by_gradient - p.j.velocity_by_gradient;
-        for (int row = 0; row < D; ++row) sum += (0.5 * p.separation[row]) * (p.i.gradient[row] + p.j.gradient[row]);
-        return sum;
+    static Vector<T, D> with_gradients(const Pair<I, J, Vector<T, D>, R, S>& p, Vector<T, D> velocity) {
+        for (int row = 0; row < D; ++row)
+            velocity += (0.5 * p.separation[row]) * (p.i.gradient[row] + p.j.gradient[row]);
+        return velocity;
     }
 };
 

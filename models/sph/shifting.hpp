@@ -22,20 +22,19 @@ struct Shifting {
     double strength;  ///< s [-]
     double support;   ///< R [m]
     double spacing;   ///< dx [m]
-    double inverse_kernel_at_spacing;
+    double fourth_factor;  ///< 0.2 / W(dx)^4
 
     Shifting(double s, double support_radius, double dx, const Kernel& kernel)
-        : strength(s), support(support_radius), spacing(dx), inverse_kernel_at_spacing(1 / kernel.value(dx)) {}
+        : strength(s), support(support_radius), spacing(dx), fourth_factor(0.2 / square(square(kernel.value(dx)))) {}
 
     template <class P>
     [[nodiscard]] auto law(const P& p, const Kernel& kernel) const {
         return factor(p.distance, kernel) * ((p.j.volume * p.slope) * p.separation);
     }
-    /// 1 + 0.2 (W_ij / W(dx))^4
+    /// 1 + 0.2 (W_ij / W(dx))^4, times `scale`.
     template <class T>
-    [[nodiscard]] auto factor(const T& distance, const Kernel& kernel) const {
-        const auto ratio = kernel.value(distance) * inverse_kernel_at_spacing;
-        return 0.2 * square(square(ratio)) + 1.0;
+    [[nodiscard]] auto factor(const T& distance, const Kernel& kernel, double scale = 1) const {
+        return (scale * fourth_factor) * square(square(kernel.value(distance))) + scale;
     }
 
     /// Term of the divergence of position [-].

@@ -47,14 +47,16 @@ class ForceSweep {
     // Flattened: inlines every law into the loop, regardless of size.
     [[nodiscard, gnu::flatten]] Force force_on_fluid(const Neighbourhood& near) const {
         const auto i = fluid_(near.cluster);
-        Force force = Force::zero();
+        Force sum;
+        rounding_.start(sum);
         for (const std::int32_t index : near.of(PartKind::fluid)) {
             const auto j = fluid_(index);
-            force += rounding_(fluid_pair(i, j, i.position - j.position));
+            add_pair(sum, L(1.0), i, j, i.position - j.position);
         }
-        for (const std::int32_t index : near.of(PartKind::rigid)) force += force_by<true>(i, rigid_(index));
-        for (const std::int32_t index : near.of(PartKind::elastic)) force += force_by<false>(i, springs_(index));
-        return force + contact_(near, PartKind::rigid, Field::contact_range) +
+        for (const std::int32_t index : near.of(PartKind::rigid)) add_force_by<true>(sum, L(1.0), i, rigid_(index));
+        for (const std::int32_t index : near.of(PartKind::elastic))
+            add_force_by<false>(sum, L(1.0), i, springs_(index));
+        return rounding_.total(sum) + contact_(near, PartKind::rigid, Field::contact_range) +
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
@@ -67,31 +69,35 @@ class ForceSweep {
                contact_(near, PartKind::elastic, Field::contact_range);
     }
 
-    /// Force on a fluid particle by a solid particle, which the wall model replaces by a fluid particle.
-    template <bool IsRigid, class F, class S>
-    [[nodiscard]] Force force_by(const F& fluid, const S& solid) const {
-        const auto separation = fluid.position - solid.position;
-        if constexpr (IsRigid) {
-            return rounding_(fluid_pair(fluid, solid_.rigid(fluid, solid, separation), separation));
-        } else {
-            return rounding_(fluid_pair(fluid, solid_.springs(fluid, solid, separation), separation));
-        }
-    }
-
     /// Reaction to the force on the fluid, on the solid.
     template <bool IsRigid, class Reader>
     [[nodiscard]] Force reaction_to_fluid(const Neighbourhood& near, const Reader& read) const {
         const auto solid = read(near.cluster);
-        Force force = contact_(near, PartKind::fluid, Field::contact_range);
-        for (const std::int32_t index : near.of(PartKind::fluid)) force -= force_by<IsRigid>(fluid_(index), solid);
-        return force;
+        Force sum;
+        rounding_.start(sum);
+        for (const std::int32_t index : near.of(PartKind::fluid))
+            add_force_by<IsRigid>(sum, L(-1.0), fluid_(index), solid);
+        return rounding_.total(sum) + contact_(near, PartKind::fluid, Field::contact_range);
     }
 
+    /// Adds the force on a fluid particle by a solid particle, which the wall model replaces by a fluid particle.
+    template <bool IsRigid, class F, class S>
+    void add_force_by(Force& sum, const L& sign, const F& fluid, const S& solid) const {
+        const auto separation = fluid.position - solid.position;
+        if constexpr (IsRigid) {
+            add_pair(sum, sign, fluid, solid_.rigid(fluid, solid, separation), separation);
+        } else {
+            add_pair(sum, sign, fluid, solid_.springs(fluid, solid, separation), separation);
+        }
+    }
+
+    /// Adds `sign` times the force on i. The slope and the laws are products that have all their bits (see
+    /// ReproducibleSum::add), so that the force on j is exactly the opposite one.
     template <class I, class J>
-    [[nodiscard]] auto fluid_pair(const I& i, const J& j, const Vector<L, D>& separation) const {
+    void add_pair(Force& sum, const L& sign, const I& i, const J& j, const Vector<L, D>& separation) const {
         const L distance = sqrt(dot(separation, separation));
         const Pair pair{i, j, separation, distance, 1.0};
-        return kernel_.slope(distance) * (PressureForce::law(pair) + viscosity_.law(pair));
+        ReproducibleSum::add(sum, sign * kernel_.slope(distance), PressureForce::law(pair) + viscosity_.law(pair));
     }
 
     ParticleStore& particles_;

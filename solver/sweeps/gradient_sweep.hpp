@@ -67,12 +67,13 @@ class GradientSweep {
         Matrix moment;  ///< M
         Rows velocity;  ///< A
     };
+    /// While they run, sums are of V_j (1/r dW/dr), and those that are defined with a minus have the other sign.
     struct Sum {
         Moments all, of_one_fluid;  ///< the second only of `Several`
         Rows excess;                ///< A of the density rate, less that of the velocity gradient
         Vec density;                ///< - SUM_j V_j (1/r dW/dr) (rho_i - rho_j) x_ij, that is M g
-        L less_diffusion;           ///< minus the density's diffusion
-        Vec less_shift;             ///< minus the shifting vector
+        L diffusion;                ///< of the density
+        Vec shift;                  ///< the shifting vector
         Vec off_walls;              ///< - SUM_j V_j (1/r dW/dr) x_ij over the walls
     };
     void start(Moments& sum) const {
@@ -86,27 +87,27 @@ class GradientSweep {
         start(sum.of_one_fluid);
         rounding_.velocity.start(sum.excess);
         rounding_.density.start(sum.density);
-        rounding_.diffusion.start(sum.less_diffusion);
-        rounding_.shift.start(sum.less_shift);
+        rounding_.diffusion.start(sum.diffusion);
+        rounding_.shift.start(sum.shift);
         rounding_.shift.start(sum.off_walls);
         return sum;
     }
     [[nodiscard]] Moments total(const Moments& sum) const {
-        return {{per_square * rounding_.moment.total(sum.moment.diagonal),
-                 per_square * rounding_.moment.total(sum.moment.off)},
-                unscaled(rounding_.velocity.total(sum.velocity))};
+        return {{-per_square * rounding_.moment.total(sum.moment.diagonal),
+                 -per_square * rounding_.moment.total(sum.moment.off)},
+                rows(rounding_.velocity.total(sum.velocity))};
     }
     [[nodiscard]] Sum total(const Sum& sum) const {
         return {total(sum.all),
                 total(sum.of_one_fluid),
-                unscaled(rounding_.velocity.total(sum.excess)),
-                (1 / full) * rounding_.density.total(sum.density),
-                rounding_.diffusion.total(sum.less_diffusion),
-                per_square * rounding_.shift.total(sum.less_shift),
-                per_square * rounding_.shift.total(sum.off_walls)};
+                rows(rounding_.velocity.total(sum.excess)),
+                (-1 / full) * rounding_.density.total(sum.density),
+                rounding_.diffusion.total(sum.diffusion),
+                per_square * rounding_.shift.total(sum.shift),
+                -per_square * rounding_.shift.total(sum.off_walls)};
     }
-    static Rows unscaled(Rows sum) {
-        for (int row = 0; row < D; ++row) sum[row] = per_square * sum[row];
+    static Rows rows(Rows sum) {
+        for (int row = 0; row < D; ++row) sum[row] = -per_square * sum[row];
         return sum;
     }
 
@@ -123,10 +124,10 @@ class GradientSweep {
             const auto j = fluid_(index);
             const Vec separation = i.position - j.position, past = i.velocity - j.velocity;
             const L distance = sqrt(dot(separation, separation));
-            L weight = -1.0 * j.volume * kernel_.slope(distance);
+            L weight = j.volume * kernel_.slope(distance);
             Vec weighted = weight * (full * separation);
             add_moments(weighted, separation, past, sum.all);
-            add_shift(distance, weighted, sum.less_shift);
+            add_shift(distance, weighted, sum.shift);
             if constexpr (Several) {
                 const L same = equal(own_number, fluid_number_[index]);
                 weight = same * weight;
@@ -136,7 +137,7 @@ class GradientSweep {
             const L difference = i.density - j.density;
             ReproducibleSum::add(sum.density, difference, weighted);
             const Vec gradients = own_gradient + load_vector<L, D>(density_gradient_, index);
-            ReproducibleSum::add(sum.less_diffusion, weight,
+            ReproducibleSum::add(sum.diffusion, weight,
                                  SmoothDensityDiffusion::law(difference, gradients, separation));
         }
         for (const std::int32_t index : near.of(PartKind::rigid)) {
@@ -152,7 +153,7 @@ class GradientSweep {
         return total(sum);
     }
 
-    /// `weighted`: `full` times the separation times -V_j (1/r) dW/dr.
+    /// `weighted`: `full` times the separation times V_j (1/r) dW/dr.
     static void add_moments(const Vec& weighted, const Vec& separation, const Vec& past, Moments& sum) {
         const Vec x = full * separation;
         for (int a = 0; a < D; ++a) ReproducibleSum::add(sum.moment.diagonal[a], weighted[a], x[a]);
@@ -167,14 +168,14 @@ class GradientSweep {
         const Vec separation = i.position - image.position;
         const Vec past = i.velocity - (image.velocity + image.velocity_by_gradient);
         const L distance = sqrt(dot(separation, separation));
-        const Vec weighted = (-1.0 * image.volume * kernel_.slope(distance)) * (full * separation);
+        const Vec weighted = (image.volume * kernel_.slope(distance)) * (full * separation);
         add_moments(weighted, separation, past, sum.all);
         if constexpr (Several) add_moments(weighted, separation, past, sum.of_one_fluid);
         const Vec beyond = past_in_rate - past;
         for (int row = 0; row < D; ++row) ReproducibleSum::add(sum.excess[row], full * beyond[row], weighted);
         const L difference = (i.pressure - image.pressure) * (1 / (options_.sound_speed * options_.sound_speed));
         ReproducibleSum::add(sum.density, L(difference), weighted);
-        add_shift(distance, weighted, sum.less_shift);
+        add_shift(distance, weighted, sum.shift);
         if constexpr (IsWall) ReproducibleSum::add(sum.off_walls, L(full), weighted);
     }
 
@@ -198,7 +199,7 @@ class GradientSweep {
     }
 
     void add_shift(const L& distance, const Vec& weighted, Vec& sum) const {
-        if (options_.shifts) ReproducibleSum::add(sum, full * shifting_.factor(distance, kernel_), weighted);
+        if (options_.shifts) ReproducibleSum::add(sum, shifting_.factor(distance, kernel_, full), weighted);
     }
 
     static L equal(const L& a, double b) {
@@ -215,8 +216,7 @@ class GradientSweep {
                 ? VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess)
                 : VelocityGradient::divergence(VelocityGradient::corrected(sum.all.velocity, inverse)) +
                       VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
-        const L rate = -1.0 * (options_.diffusion * sum.less_diffusion) -
-                       load<L>(group.data(Field::density), cluster) * divergence;
+        const L rate = options_.diffusion * sum.diffusion - load<L>(group.data(Field::density), cluster) * divergence;
         store_scalar(rate, Field::density_rate, cluster);
         store_scalar(VelocityGradient::mean(inverse), Field::mean_correction, cluster);
         const Moments& kept = Several ? sum.of_one_fluid : sum.all;
@@ -226,7 +226,7 @@ class GradientSweep {
         L trace = sum.all.moment.diagonal[0];
         for (int axis = 1; axis < D; ++axis) trace = trace + sum.all.moment.diagonal[axis];
         const L share = options_.free_surface ? Shifting<Kernel>::template kept<D>(trace) : L(1.0);
-        solver::store<L, D>((-1.0 * share) * sum.less_shift, group, Field::shift, cluster);
+        solver::store<L, D>(share * sum.shift, group, Field::shift, cluster);
         solver::store<L, D>(shifting_.normal_of_walls(sum.off_walls), group, Field::off_walls, cluster);
     }
 
