@@ -19,9 +19,9 @@ namespace dmp::models {
 /// the sum into a displacement [m].
 template <class Kernel>
 struct Shifting {
-    double strength;  ///< s [-]
-    double support;   ///< R [m]
-    double spacing;   ///< dx [m]
+    double strength;       ///< s [-]
+    double support;        ///< R [m]
+    double spacing;        ///< dx [m]
     double fourth_factor;  ///< 0.2 / W(dx)^4
 
     Shifting(double s, double support_radius, double dx, const Kernel& kernel)

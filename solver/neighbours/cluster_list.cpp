@@ -99,7 +99,7 @@ void ClusterList::find_for(const ParticleStore& particles, const std::vector<Sea
     }
     std::int32_t* first = entries.data();
     for (std::size_t k = 3 * begin; k < 3 * end; first += list.count[k++]) list.first[k] = first;
-    std::copy_n(list.count.data() + 3 * begin, 3 * (end - begin), list.near.data() + 3 * begin);
+    for (std::size_t k = 3 * begin; k < 3 * end; ++k) list.near[k] = {0, list.count[k], list.count[k]};
 }
 
 template <int D>
@@ -132,7 +132,8 @@ void ClusterList::find(const ParticleStore& particles, double reach, int threads
         for (const std::int32_t count : list.count) longest = std::max(longest, count);
     }
     longest_ = static_cast<std::size_t>(longest);
-    far_.resize(static_cast<std::size_t>(threads) * (longest_ + 1));
+    // One more for each: while a list is pruned, an entry is written behind each of them.
+    pruned_.resize(3 * static_cast<std::size_t>(threads) * (longest_ + 1));
 }
 
 void ClusterList::build(const ParticleStore& particles, std::array<std::vector<Cluster>, 3> clusters, double reach,

@@ -14,10 +14,11 @@ struct Neighbourhood {
     PartKind kind;       ///< of the cluster
     std::size_t number;  ///< of the cluster
     Cluster cluster;     ///< the part of it that is in the lanes
+    Members members;     ///< which this part is among
 
     /// Indices into the group of `other`.
     [[nodiscard]] std::span<const std::int32_t> of(PartKind other) const {
-        return list.neighbours(kind, number, other);
+        return list.neighbours(kind, number, other, members);
     }
 };
 
@@ -33,7 +34,10 @@ void for_each_cluster(const ClusterList& list, PartKind kind, ClusterChoice choi
         if (!list.chosen(kind, static_cast<std::size_t>(c), choice)) continue;
         for (std::int32_t done = 0; done < clusters[c].count; done += width) {
             const Cluster part{clusters[c].first + done, std::min(width, clusters[c].count - done)};
-            visit(Neighbourhood{list, kind, static_cast<std::size_t>(c), part});
+            const Members members = width == cluster_size     ? Members::all
+                                    : done < cluster_size / 2 ? Members::first_half
+                                                              : Members::second_half;
+            visit(Neighbourhood{list, kind, static_cast<std::size_t>(c), part, members});
         }
     }
 }

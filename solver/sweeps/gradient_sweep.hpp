@@ -137,8 +137,7 @@ class GradientSweep {
             const L difference = i.density - j.density;
             ReproducibleSum::add(sum.density, difference, weighted);
             const Vec gradients = own_gradient + load_vector<L, D>(density_gradient_, index);
-            ReproducibleSum::add(sum.diffusion, weight,
-                                 SmoothDensityDiffusion::law(difference, gradients, separation));
+            ReproducibleSum::add(sum.diffusion, weight, SmoothDensityDiffusion::law(difference, gradients, separation));
         }
         for (const std::int32_t index : near.of(PartKind::rigid)) {
             const auto wall = rigid_(index);

@@ -26,10 +26,10 @@ class PruneSweep {
 
   private:
     static constexpr std::size_t parts = (cluster_size + L::width - 1) / L::width;
-    using Members = std::array<Vector<L, D>, parts>;
+    using Positions = std::array<Vector<L, D>, parts>;
 
     void search_around(PartKind own, std::size_t number) {
-        const Members members = members_of(particles_.of(own), list_.clusters(own)[number]);
+        const Positions members = members_of(particles_.of(own), list_.clusters(own)[number]);
         for (const PartKind other : all_kinds) {
             const auto positions = axes_of<D>(particles_.of(other), Field::position);
             list_.prune(
@@ -40,8 +40,8 @@ class PruneSweep {
     }
 
     /// Lanes without a member repeat the first one.
-    static Members members_of(const ParticleGroup& group, const Cluster& cluster) {
-        Members members;
+    static Positions members_of(const ParticleGroup& group, const Cluster& cluster) {
+        Positions members;
         for (int axis = 0; axis < D; ++axis) {
             const double* x = group.data(Field::position, axis) + cluster.first;
             for (std::size_t k = 0; k < parts * L::width; ++k)
@@ -50,13 +50,13 @@ class PruneSweep {
         return members;
     }
 
-    [[nodiscard]] bool is_near(const Members& members, const Vector<double, D>& position) const {
-        bool near = false;
-        for (const Vector<L, D>& some : members) {
-            const auto separation = some - position;
-            near |= any_less(dot(separation, separation), L(reach_square_));
+    [[nodiscard]] NearHalves is_near(const Positions& members, const Vector<double, D>& position) const {
+        std::array<bool, 2> near{};
+        for (std::size_t part = 0; part < parts; ++part) {
+            const auto separation = members[part] - position;
+            near[2 * part / parts] |= any_less(dot(separation, separation), L(reach_square_));
         }
-        return near;
+        return {near[0], parts == 1 ? near[0] : near[1]};
     }
 
     const ParticleStore& particles_;

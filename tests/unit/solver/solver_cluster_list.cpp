@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -247,17 +248,60 @@ TEST(ClusterList, keeps_the_near_ones_and_finds_the_others_again) {
             for (std::size_t c = 0; c < list.clusters(own).size(); ++c)
                 for (const PartKind other : all_kinds) list.prune(own, c, other, is_near, static_cast<int>(c % 2));
     };
-    keep([](std::int32_t index) { return index % 3 == 0; });
+    const auto with_all = [](bool near) { return NearHalves{near, near}; };
+    keep([&](std::int32_t index) { return with_all(index % 3 == 0); });
     std::vector<std::int32_t> expected = all;
     std::erase_if(expected, [](std::int32_t index) { return index >= 0 && index % 3 != 0; });
     EXPECT_EQ(neighbours_in(list), expected) << "in their order";
     EXPECT_LT(expected.size(), all.size());
     EXPECT_EQ(list.size(), listed) << "the others are listed still";
-    keep([](std::int32_t) { return true; });
+    keep([&](std::int32_t) { return with_all(true); });
     std::vector<std::int32_t> again = neighbours_in(list), sorted = all;
     std::ranges::sort(again);
     std::ranges::sort(sorted);
     EXPECT_EQ(again, sorted);
+}
+
+TEST(ClusterList, each_half_of_a_cluster_keeps_the_ones_near_to_it) {
+    ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
+    constexpr double reach = 0.3;
+    ClusterList list;
+    list.build(particles, sorted_with_ghosts(particles, reach), reach, 1);
+    const auto in_first = [](std::int32_t index) { return index % 4 == 0 || index % 4 == 1; };
+    const auto in_second = [](std::int32_t index) { return index % 4 == 1 || index % 4 == 2; };
+    std::size_t kept = 0;
+    for (const PartKind own : all_kinds)
+        for (std::size_t c = 0; c < list.clusters(own).size(); ++c)
+            for (const PartKind other : all_kinds) {
+                std::vector<std::int32_t> all;
+                for (const std::int32_t index : list.neighbours(own, c, other)) all.push_back(index);
+                const auto kept_by = [&](Members members) {
+                    const auto some = list.neighbours(own, c, other, members);
+                    std::vector<std::int32_t> sorted(some.begin(), some.end());
+                    std::ranges::sort(sorted);
+                    return sorted;
+                };
+                const auto expected = [&](const auto& keeps) {
+                    std::vector<std::int32_t> some;
+                    std::ranges::copy_if(all, std::back_inserter(some), keeps);
+                    std::ranges::sort(some);
+                    return some;
+                };
+                EXPECT_EQ(kept_by(Members::first_half), kept_by(Members::all)) << "before it is pruned";
+                EXPECT_EQ(kept_by(Members::second_half), kept_by(Members::all));
+                list.prune(
+                    own, c, other,
+                    [&](std::int32_t index) {
+                        return NearHalves{in_first(index), in_second(index)};
+                    },
+                    0);
+                EXPECT_EQ(kept_by(Members::first_half), expected(in_first));
+                EXPECT_EQ(kept_by(Members::second_half), expected(in_second));
+                EXPECT_EQ(kept_by(Members::all),
+                          expected([&](std::int32_t index) { return in_first(index) || in_second(index); }));
+                kept += list.neighbours(own, c, other).size();
+            }
+    EXPECT_GT(kept, 1000U);
 }
 
 TEST(ClusterList, tells_clusters_near_copies_from_all_others) {
