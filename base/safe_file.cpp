@@ -120,6 +120,14 @@ void write_file(const fs::path& file, std::string_view content) {
     }
 }
 
+void append_to_file(const fs::path& file, std::string_view content) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (descriptor < 0) throw_write_error(file, system_text(errno));
+    int error = write_all(descriptor, content);
+    if (::close(descriptor) != 0 && error == 0) error = errno;
+    if (error != 0) throw_write_error(file, system_text(error));
+}
+
 std::string read_file(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream || fs::is_directory(file))

@@ -15,6 +15,9 @@ void make_folder(const std::filesystem::path& folder);
 /// Throws ResourceError when it cannot; the old file then stays as it was.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
+/// Adds to the end of a file that is there, in one go. Throws ResourceError if it cannot be written.
+void append_to_file(const std::filesystem::path& file, std::string_view content);
+
 /// The name `file` is written under until it is whole: in the same folder, so that the renaming is one step.
 [[nodiscard]] std::filesystem::path unfinished_name(const std::filesystem::path& file);
 

@@ -19,6 +19,7 @@
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
+#include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "cli/workstation.hpp"
 #include "postproc/tables.hpp"
@@ -89,10 +90,7 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
 std::vector<std::string> write_results(const fs::path& folder, const Scene& scene, const RunSummary& summary,
                                        std::vector<std::string> files, FrameFormat format, ProgressLine& line) {
     files.emplace_back(resolved_scene_name);
-    if (!summary.measures.names.empty()) {
-        write_measures_csv(folder, summary.measures);
-        files.emplace_back(measures_file_name);
-    }
+    if (!summary.measures.names.empty()) files.emplace_back(measures_file_name);
     files.emplace_back(summary_file_name);
     // Before the pictures, so that whoever stops those has the numbers.
     write_summary(folder, summary, {label_of(scene), files});
@@ -177,6 +175,15 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         destination->results.check();
         line.show(progress);
     };
+    options.warn = [&](double time, const Warning& warning) {
+        line.clear();
+        fmt::print(stderr, "{} at {}: {}\n", Style(Stream::error).warning("warning:"), quantity_text(time, "s"),
+                   warning.text());
+    };
+    MeasuresFile measures(folder);
+    options.measured = [&](const MeasureSeries& series) {
+        if (!series.names.empty()) measures.write(series);
+    };
     options.stop = &signals.flag();
     const RunSummary summary = simulate(simulation, options, folder);
     line.clear();
@@ -185,6 +192,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     flush_output();
     const auto files = write_results(folder, scene, summary, sink->files(), format, line);
     print("\n" + results_text(folder, files));
+    flush_output();
+    for (const Warning& warning : summary.warnings)
+        fmt::print(stderr, "{} {}\n", Style(Stream::error).warning("warning:"), warning.text());
     if (summary.interrupted)
         print("Stopped before its end" + std::string(summary.out_of_time ? ", out of its wall time" : "") +
               ". Go on with the same command and --resume.\n  " +

@@ -96,6 +96,20 @@ Json summary_of_measure(const MeasureSeries& measures, std::size_t column) {
     return json;
 }
 
+/// The rows from `first` on, a line each.
+std::string rows_text(const MeasureSeries& measures, std::size_t first) {
+    std::string text;
+    for (std::size_t i = first; i < measures.rows.size(); ++i) {
+        append_number(text, measures.time[i]);
+        for (const double value : measures.rows[i]) {
+            text += ',';
+            append_number(text, value);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 Json summary_of_measures(const MeasureSeries& measures) {
     check(measures);
     Json json = Json::object();
@@ -129,16 +143,18 @@ void write_measures_csv(const fs::path& folder, const MeasureSeries& measures) {
     for (std::size_t i = 0; i < measures.names.size(); ++i)
         text += "," + csv_cell(measures.names[i] + " [" + measures.units[i] + "]");
     text += '\n';
-    for (std::size_t i = 0; i < measures.rows.size(); ++i) {
-        append_number(text, measures.time[i]);
-        for (const double value : measures.rows[i]) {
-            text += ',';
-            append_number(text, value);
-        }
-        text += '\n';
-    }
     make_folder(folder);
-    write_file(folder / measures_file_name, text);
+    write_file(folder / measures_file_name, text + rows_text(measures, 0));
+}
+
+void MeasuresFile::write(const MeasureSeries& measures) {
+    if (!rows_) {
+        write_measures_csv(folder_, measures);
+    } else if (measures.rows.size() > *rows_) {
+        check(measures);
+        append_to_file(folder_ / measures_file_name, rows_text(measures, *rows_));
+    }
+    rows_ = measures.rows.size();
 }
 
 MeasureSeries read_measures_csv(const fs::path& folder) {
@@ -176,10 +192,13 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         limits[limit.model] = limit.dt;
         formulas[limit.model] = limit.formula;
     }
+    Json warnings = Json::array();
+    for (const Warning& warning : summary.warnings) warnings.push_back(warning.text());
     Json json{{"title", extra.label.title},
               {"version", extra.label.version},
               {"scene_hash", extra.label.scene_hash},
               {"interrupted", summary.interrupted},
+              {"warnings", warnings},
               {"particles", object_of(summary.particles)},
               {"steps", summary.steps},
               {"simulated_s", summary.simulated_s},
@@ -197,6 +216,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"dt_formulas", formulas},
               {"ruling_limit", summary.ruling_limit},
               {"sound_speed", summary.sound_speed},
+              {"largest_speed", summary.largest_speed},
               {"density_low", summary.density_low},
               {"density_high", summary.density_high},
               {"density_drift", summary.density_drift},

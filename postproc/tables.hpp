@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "postproc/uses.hpp"
@@ -20,6 +21,19 @@ inline constexpr const char* summary_file_name = "summary.json";
 /// reads back as the same double; missing values are "nan". Throws ResourceError if the file cannot be written,
 /// std::invalid_argument if the numbers of names, units and values do not match.
 void write_measures_csv(const std::filesystem::path& folder, const MeasureSeries& measures);
+
+/// folder/measures.csv of a run that goes on: what has been measured is in the file whatever ends the run.
+class MeasuresFile {
+  public:
+    explicit MeasuresFile(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// The first time as write_measures_csv; then adds the rows that are new.
+    void write(const MeasureSeries& measures);
+
+  private:
+    std::filesystem::path folder_;
+    std::optional<std::size_t> rows_;  ///< in the file; none before the first time
+};
 
 /// Reads the series from folder/measures.csv. Throws InputError with file and line if it is missing or malformed.
 MeasureSeries read_measures_csv(const std::filesystem::path& folder);

@@ -84,7 +84,10 @@ struct RunSummary {
     int ranks = 1;
     std::vector<StepLimit> limits;
     std::string ruling_limit;
-    double sound_speed = 0;
+    double sound_speed = 0;    ///< [m/s]
+    double largest_speed = 0;  ///< that the fluid reached [m/s]
+    /// Where the flow that was reached is not the one that was planned.
+    std::vector<Warning> warnings;
     Conserved start, end;
     std::array<double, 3> impulse_of_body_forces{};  ///< given to moving particles [N s]
     std::array<double, 3> impulse_of_fixed{};        ///< given to moving particles by walls and anchors [N s]

@@ -46,6 +46,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       measures_(scene_, set, settings_, ranks_),
       events_(scene_, set, ranks_),
       monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
+      reached_(scene_, sound_),
       frame_times_(scene_.output.every),
       measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
     for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
@@ -119,8 +120,7 @@ void FluidRun::archive(Archive& file) {
     measure_times_.archive(file, "measures_due");
     file("frames_", frames_);
     file("last_frame_", last_frame_);
-    file("density_low_", density_low_);
-    file("density_high_", density_high_);
+    reached_.archive(file);
     file("mass_at_start", at_start_.mass);
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
@@ -248,8 +248,8 @@ void FluidRun::advance(const RunOptions& options, double until) {
     ++step_;
 
     monitor_.walls_have_moved(fluid_.walls().farthest());
-    density_low_ = std::min(density_low_, extremes_.density_low);
-    density_high_ = std::max(density_high_, extremes_.density_high);
+    for (const Warning& warning : reached_.add(extremes_))
+        if (options.warn) options.warn(time_, warning);
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
     // The next step follows from what there is after it, as it does after a restart.
     if (events_.act(time_, particles_, fluid_)) extremes_ = fluid_.extremes();
@@ -306,8 +306,10 @@ RunSummary FluidRun::summary() const {
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
     const double rest_density = equations_of_state(scene_, particles_.space()).front().rest_density;
-    summary.density_low = density_low_ * rest_density;
-    summary.density_high = density_high_ * rest_density;
+    summary.density_low = reached_.density_low() * rest_density;
+    summary.density_high = reached_.density_high() * rest_density;
+    summary.largest_speed = reached_.largest_speed();
+    summary.warnings = reached_.warnings(time_ >= scene_.run.duration);
     summary.density_drift = fluid_.reference().density_drift();
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));

@@ -7,6 +7,7 @@
 #include "solver/output/mean_displacement.hpp"
 #include "solver/output/measures.hpp"
 #include "solver/output/residence_times.hpp"
+#include "solver/run/reached.hpp"
 #include "solver/run/setup.hpp"
 #include "solver/solidify/body_events.hpp"
 #include "solver/state/schedule.hpp"
@@ -36,6 +37,7 @@ class FluidRun final : public Run {
     void write_diverged_frame(FrameSink* sink) override;
     void archive(Archive& file) override;
     [[nodiscard]] RunProgress progress(double until) const override;
+    [[nodiscard]] const MeasureSeries& series() const override { return measures_.series(); }
     [[nodiscard]] RunSummary summary() const override;
     [[nodiscard]] RankShares shares(std::int64_t steps) const override;
 
@@ -67,10 +69,10 @@ class FluidRun final : public Run {
     double time_ = 0;  ///< [s]
     std::int64_t step_ = 0;
     FluidExtremes extremes_{};  ///< of the last step
+    Reached reached_;           ///< of all steps
     Schedule frame_times_, measure_times_;
     std::int64_t frames_ = 0;
-    double last_frame_ = 0;                                                            ///< time of the last frame [s]
-    double density_low_ = std::numeric_limits<double>::infinity(), density_high_ = 0;  ///< so far, relative
+    double last_frame_ = 0;  ///< time of the last frame [s]
     Conserved at_start_;
 };
 

@@ -30,6 +30,7 @@ class SphereRun final : public Run {
     void write_diverged_frame(FrameSink* sink) override { write_frame(sink); }
     void archive(Archive& file) override;
     [[nodiscard]] RunProgress progress(double until) const override;
+    [[nodiscard]] const MeasureSeries& series() const override { return measures_.series(); }
     [[nodiscard]] RunSummary summary() const override;
     [[nodiscard]] RankShares shares(std::int64_t steps) const override;
 

@@ -31,6 +31,7 @@ RunSummary Run::run(const RunOptions& options) {
     Checkpoints checkpoints(ranks(), options.checkpoints);
     const std::int64_t first_step = step();
     start(options.sink);
+    if (options.measured) options.measured(series());
     const End end = step_until(checkpoints, options, until);
     finish(options.sink);
 
@@ -70,7 +71,9 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
             break;
         }
         if (requests[2] > 0) save();
+        const std::size_t rows = series().rows.size();
         advance(options, until);
+        if (options.measured && series().rows.size() > rows) options.measured(series());
         if (options.progress && ranks().is_first() && seconds_since(last_progress) > 0.2) {
             last_progress = WallClock::now();
             options.progress(progress(until));

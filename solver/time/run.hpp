@@ -26,8 +26,12 @@ struct RunOptions {
     double until = 0;  ///< [s]; 0 = the scene's duration
     FrameSink* sink = nullptr;
     std::function<void(const RunProgress&)> progress;  ///< called a few times a second at most
-    const std::atomic<bool>* stop = nullptr;           ///< set from a signal handler: finish the step, write, leave
-    double wall_limit = 0;                             ///< wall time after which to write and leave [s]; 0: none
+    /// Called as soon as the run leaves what it was planned for, at a time [s].
+    std::function<void(double, const Warning&)> warn;
+    /// Called with all that has been measured, at the start and after each new row.
+    std::function<void(const MeasureSeries&)> measured;
+    const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler: finish the step, write, leave
+    double wall_limit = 0;                    ///< wall time after which to write and leave [s]; 0: none
     CheckpointOptions checkpoints;
 };
 
@@ -68,6 +72,7 @@ class Run {
     virtual void write_diverged_frame(FrameSink* sink) = 0;
     virtual void archive(Archive& file) = 0;
     [[nodiscard]] virtual RunProgress progress(double until) const = 0;
+    [[nodiscard]] virtual const MeasureSeries& series() const = 0;
     /// Without limits, wall time and shares, which run() adds.
     [[nodiscard]] virtual RunSummary summary() const = 0;
     /// Over this many steps.

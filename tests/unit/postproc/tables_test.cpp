@@ -36,6 +36,7 @@ RunSummary some_summary() {
     summary.limits = {{"sound", 1.25e-5, "0.3 h / c0"}, {"viscosity", 4e-4, "h^2 / (8 nu)"}};
     summary.ruling_limit = "sound";
     summary.sound_speed = 2.2;
+    summary.warnings = {{"flow.largest_speed", {}, "is too slow", "give more"}};
     summary.start = {1.0, {0, 0, 0}};
     summary.end = {1.0, {0.5, -0.25, 0}};
     summary.impulse_of_body_forces = {0.75, 0, 0};
@@ -82,6 +83,29 @@ TEST(MeasuresCsv, ComesBackBitForBit) {
     EXPECT_EQ(back.rows[2], series.rows[2]);
 }
 
+TEST(MeasuresCsv, GrowsWithTheRun) {
+    const TemporaryFolder folder, at_once;
+    const MeasureSeries all = two_measures();
+    MeasureSeries series = all;
+    series.time.resize(1);
+    series.rows.resize(1);
+    std::ofstream(folder.path() / "measures.csv") << "of an earlier run\n";
+    MeasuresFile file(folder.path());
+    file.write(series);  // of a run that goes on from a checkpoint, say
+    EXPECT_EQ(read_measures_csv(folder.path()).rows.size(), 1U);
+    file.write(series);
+    EXPECT_EQ(read_measures_csv(folder.path()).rows.size(), 1U);
+    file.write(all);
+    write_measures_csv(at_once.path(), all);
+    EXPECT_EQ(read_file(folder.path() / "measures.csv"), read_file(at_once.path() / "measures.csv"));
+
+    std::filesystem::remove(folder.path() / "measures.csv");
+    series = all;
+    series.time.push_back(0.3);
+    series.rows.push_back({1, 2});
+    EXPECT_THROW(file.write(series), ResourceError) << "somebody took it away";
+}
+
 TEST(MeasuresCsv, WithoutMeasuresIsTheHeadingAlone) {
     const TemporaryFolder folder;
     write_measures_csv(folder.path(), {});
@@ -115,11 +139,12 @@ TEST(MeasuresCsv, RowsThatDoNotFitAreRefused) {
 
 TEST(Summary, HasTheKeysThatScriptsWant) {
     const nlohmann::json json = written(some_summary());
-    for (const char* key : {"particles",   "steps",       "simulated_s",  "wall_s",       "particle_steps_per_s",
-                            "threads",     "ranks",       "dt_limits",    "ruling_limit", "conserved",
-                            "lost",        "measures",    "state_hash",   "title",        "version",
-                            "scene_hash",  "density_low", "density_high", "sound_speed",  "seconds_by_stage",
-                            "interrupted", "files",       "vector_unit",  "rank_shares",  "density_drift"})
+    for (const char* key : {"particles",   "steps",        "simulated_s",  "wall_s",       "particle_steps_per_s",
+                            "threads",     "ranks",        "dt_limits",    "ruling_limit", "conserved",
+                            "lost",        "measures",     "state_hash",   "title",        "version",
+                            "scene_hash",  "density_low",  "density_high", "sound_speed",  "seconds_by_stage",
+                            "interrupted", "files",        "vector_unit",  "rank_shares",  "density_drift",
+                            "warnings",    "largest_speed"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["particles"], (nlohmann::json{{"fluid", 1000}, {"rigid", 200}, {"elastic", 18}}));
     EXPECT_EQ(json["steps"], 4321);
@@ -128,6 +153,7 @@ TEST(Summary, HasTheKeysThatScriptsWant) {
     EXPECT_EQ(json["ruling_limit"], "sound");
     EXPECT_EQ(json["lost"], 0);
     EXPECT_EQ(json["interrupted"], false);
+    EXPECT_EQ(json["warnings"], nlohmann::json::array({"flow.largest_speed is too slow; give more"}));
     EXPECT_EQ(json["state_hash"], "00ff00ff00ff00ff");
     EXPECT_EQ(json["files"], nlohmann::json::array({"fluid.pvd"}));
     EXPECT_EQ(json["scene_hash"], "0123456789abcdef");
