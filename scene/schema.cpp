@@ -197,8 +197,9 @@ std::vector<Key<Flow>> flow_keys() {
         {"largest_speed", &Flow::largest_speed, quantity("0.2 m/s", positive), not_given,
          "Largest speed expected; required if numerics.sound_speed is \"auto\"."},
         {"largest_pressure", &Flow::largest_pressure, quantity("2 kPa", positive), not_given,
-         "Largest pressure expected; by default the fluid's extent times density and body acceleration, or viscosity "
-         "times flow.largest_speed over four spacings if that is more (corrected scheme, explicit viscosity)."},
+         "Largest pressure expected; by default that of the fluid's weight or drive (along periodic axes: where solids "
+         "stand in the way), or viscosity times flow.largest_speed over four spacings if that is more (corrected "
+         "scheme, explicit viscosity)."},
         {"initial_velocity", &Flow::initial_velocity, formulas("0.1 m/s"), "[0, 0]",
          "Initial velocity of the fluid, as formulas of x, y, z."},
         {"initial_pressure", &Flow::initial_pressure, formula("100 Pa"), "0",

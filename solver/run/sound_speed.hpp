@@ -8,14 +8,12 @@
 
 namespace dmp::solver {
 
-/// Where the scene leaves the pressure open, it is the larger of two. One is that of a column of the densest liquid
-/// under the body acceleration, as long as the fluid is at the start, summed over the axes that are not periodic; the
-/// acceleration is the largest of 64 instants of the run (components that depend on place count 0). A mean pressure
-/// gradient, along periodic axes alone, has no column. The other is the viscous pressure mu U / l next to a body that
-/// moves at the largest speed, l being four spacings, half of the smallest body that particles resolve. Where it
-/// determines c0, U R / nu < 0.75, and the viscous step limit is far shorter than that of sound, so that it costs
-/// nothing. It is left out with implicit viscosity, where it would, and with the plain scheme, whose answer depends on
-/// c0.
+/// "auto" is the fastest that any of these requires (SoundSpeed): the largest speed; the largest pressure, if given, in
+/// the lightest fluid; else the pressures of column_pressures, each by the density of its fluid, and the viscous
+/// pressure mu U / l next to a body that moves at the largest speed, l being four spacings, half of the smallest body
+/// that particles resolve. Where the last determines c0, U R / nu < 0.75, and the viscous step limit is far shorter
+/// than that of sound, so that it costs nothing. It is left out with implicit viscosity, where it would, and with the
+/// plain scheme, whose answer depends on c0.
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
 
 /// The scene with that speed of sound in place of an "auto" that looks at speeds alone.
