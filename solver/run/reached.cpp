@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "solver/run/sound_speed.hpp"
+
 namespace dmp::solver {
 
 namespace {
@@ -19,12 +21,6 @@ std::string text_of(const char* format, double value) {
 }
 std::string with_unit(double value, const std::string& unit) { return text_of("%.3g ", value) + unit; }
 std::string percent(double share) { return text_of("%+.1f %%", 100 * share); }
-
-double lightest_density(const Scene& scene) {
-    double lightest = std::numeric_limits<double>::infinity();
-    for (const Part* part : scene.parts_of(PartKind::fluid)) lightest = std::min(lightest, part->density.value);
-    return lightest;
-}
 
 /// "give flow.largest_speed = "0.9 m/s"": the key that leads to this speed of sound, and its value.
 std::string give(const std::string& key, double value, const std::string& unit) {

@@ -22,12 +22,6 @@ double viscous_pressure(const Scene& scene) {
     return viscosity * scene.flow.largest_speed / (4 * scene.particles.spacing);
 }
 
-double lightest_density(const Scene& scene) {
-    double lightest = std::numeric_limits<double>::infinity();
-    for (const Part* part : scene.parts_of(PartKind::fluid)) lightest = std::min(lightest, part->density.value);
-    return lightest;
-}
-
 /// A pressure, and the speed of sound at which it changes the density by Ma^2.
 SoundSpeed by_pressure(const Scene& scene, double pressure, double density, SoundSpeed::Origin origin) {
     return {.value = std::sqrt(pressure / density) / *scene.numerics.mach_number,
@@ -53,6 +47,12 @@ SoundSpeed by_expected_pressure(const Scene& scene, const ParticleSet& set) {
 }
 
 }  // namespace
+
+double lightest_density(const Scene& scene) {
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const Part* part : scene.parts_of(PartKind::fluid)) lightest = std::min(lightest, part->density.value);
+    return lightest;
+}
 
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
     if (*scene.numerics.sound_speed > 0) return {.value = scene.numerics.sound_speed};

@@ -16,6 +16,9 @@ namespace dmp::solver {
 /// plain scheme, whose answer depends on c0.
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
 
+/// Of the scene's fluids [kg/m^3]; infinite without any.
+double lightest_density(const Scene& scene);
+
 /// The scene with that speed of sound in place of an "auto" that looks at speeds alone.
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen);
 
