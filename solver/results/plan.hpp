@@ -51,7 +51,9 @@ struct Warning {
     std::string what_to_do;   ///< "leave it out"
 
     /// In one line: location, key, problem, what to do.
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string text() const {
+        return (location.known() ? location.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
+    }
 };
 
 /// A preview of a run.

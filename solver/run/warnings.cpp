@@ -224,10 +224,6 @@ class Warnings {
 
 }  // namespace
 
-std::string Warning::text() const {
-    return (location.known() ? location.text() + ": " : "") + key + " " + problem + "; " + what_to_do;
-}
-
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
 
 }  // namespace dmp::solver
