@@ -25,9 +25,12 @@ struct DensityDiffusion {
 ///   drho_i/dt = 2 delta h c0 SUM_j V_j [(rho_i - rho_j) - (g_i + g_j) . x_ij / 2] (1/r dW/dr)
 /// with the corrected gradient g of the density among particles of one fluid. The law is the bracket.
 struct SmoothDensityDiffusion {
-    template <class Difference, class G, class X>
-    static auto law(const Difference& difference, const G& sum_of_gradients, const X& separation) {
-        return difference - 0.5 * dot(sum_of_gradients, separation);
+    template <class T, int D>
+    static T law(const T& difference, const Vector<T, D>& sum_of_gradients, const Vector<T, D>& separation) {
+        // Fused by name: of a sum of two products compilers may fuse either, and the bits would depend on that.
+        T linear = sum_of_gradients[0] * separation[0];
+        for (int axis = 1; axis < D; ++axis) linear = multiply_add(sum_of_gradients[axis], separation[axis], linear);
+        return difference - 0.5 * linear;
     }
 };
 

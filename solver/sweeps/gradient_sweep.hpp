@@ -215,7 +215,9 @@ class GradientSweep {
                 ? VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess)
                 : VelocityGradient::divergence(VelocityGradient::corrected(sum.all.velocity, inverse)) +
                       VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
-        const L rate = options_.diffusion * sum.diffusion - load<L>(group.data(Field::density), cluster) * divergence;
+        // Fused by name, see SmoothDensityDiffusion.
+        const L rate = multiply_add(L(options_.diffusion), sum.diffusion,
+                                    -1.0 * (load<L>(group.data(Field::density), cluster) * divergence));
         store_scalar(rate, Field::density_rate, cluster);
         store_scalar(VelocityGradient::mean(inverse), Field::mean_correction, cluster);
         const Moments& kept = Several ? sum.of_one_fluid : sum.all;
