@@ -185,8 +185,9 @@ class GradientSweep {
         const Vec past = i.velocity - wall.motion;
         const Vec at_rest = VelocityGradient::past_solid(past, i.gradient, separation);
         if constexpr (!Solid::needs_motion) return at_rest;
-        return (1.0 - wall.sliding) * at_rest +
-               wall.sliding * VelocityGradient::past_sliding_wall(past, i.gradient, separation, wall.normal, wall.slip);
+        const Vec slides =
+            VelocityGradient::past_sliding_wall(past, i.gradient, separation, wall.normal, wall.slip) - at_rest;
+        return at_rest + wall.sliding * slides;
     }
 
     /// An elastic particle moves as itself; the pressure continues to it as to a wall.
