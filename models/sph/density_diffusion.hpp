@@ -27,7 +27,7 @@ struct DensityDiffusion {
 struct SmoothDensityDiffusion {
     template <class T, int D>
     static T law(const T& difference, const Vector<T, D>& sum_of_gradients, const Vector<T, D>& separation) {
-        // Fused by name: of a sum of two products compilers may fuse either, and the bits would depend on that.
+        // Fused by name, see gradient_correction.hpp.
         T linear = sum_of_gradients[0] * separation[0];
         for (int axis = 1; axis < D; ++axis) linear = multiply_add(sum_of_gradients[axis], separation[axis], linear);
         return difference - 0.5 * linear;

@@ -7,6 +7,19 @@
 
 namespace dmp::models {
 
+// Of a sum of two products compilers may fuse either, and not always the same one: fused by name, its bits do not
+// depend on that.
+
+/// a b + c d
+template <class A, class B>
+auto sum_of_products(const A& a, const B& b, const A& c, const B& d) {
+    return multiply_add(c, d, a * b);
+}
+template <class A, class B>
+auto sum_of_products(const A& a, const B& b, const A& c, const B& d, const A& e, const B& f) {
+    return multiply_add(e, f, sum_of_products(a, b, c, d));
+}
+
 /// A symmetric matrix in D dimensions: its diagonal, then xy (and yz, zx in 3-D).
 template <class T, int D>
 struct Symmetric {
@@ -18,12 +31,12 @@ struct Symmetric {
     [[nodiscard]] auto operator*(const Vector<U, D>& v) const {
         Vector<Wider<T, U>, D> product;
         if constexpr (D == 2) {
-            product[0] = diagonal[0] * v[0] + off[0] * v[1];
-            product[1] = off[0] * v[0] + diagonal[1] * v[1];
+            product[0] = sum_of_products(diagonal[0], v[0], off[0], v[1]);
+            product[1] = sum_of_products(off[0], v[0], diagonal[1], v[1]);
         } else {
-            product[0] = diagonal[0] * v[0] + off[0] * v[1] + off[2] * v[2];
-            product[1] = off[0] * v[0] + diagonal[1] * v[1] + off[1] * v[2];
-            product[2] = off[2] * v[0] + off[1] * v[1] + diagonal[2] * v[2];
+            product[0] = sum_of_products(diagonal[0], v[0], off[0], v[1], off[2], v[2]);
+            product[1] = sum_of_products(off[0], v[0], diagonal[1], v[1], off[1], v[2]);
+            product[2] = sum_of_products(off[2], v[0], off[1], v[1], diagonal[2], v[2]);
         }
         return product;
     }
@@ -63,13 +76,16 @@ struct GradientCorrection {
         Symmetric<T, D> adjugate;
         T determinant;
         const auto& [d, o] = m;
+        const auto less = [](const T& product, const T& a, const T& b) { return multiply_add(-1.0 * a, b, product); };
         if constexpr (D == 2) {
             adjugate = {{{d[1], d[0]}}, {{-o[0]}}};
-            determinant = d[0] * d[1] - o[0] * o[0];
+            determinant = less(d[0] * d[1], o[0], o[0]);
         } else {
-            adjugate.diagonal = {{d[1] * d[2] - o[1] * o[1], d[2] * d[0] - o[2] * o[2], d[0] * d[1] - o[0] * o[0]}};
-            adjugate.off = {{o[2] * o[1] - o[0] * d[2], o[0] * o[2] - o[1] * d[0], o[0] * o[1] - o[2] * d[1]}};
-            determinant = d[0] * adjugate.diagonal[0] + o[0] * adjugate.off[0] + o[2] * adjugate.off[2];
+            adjugate.diagonal = {
+                {less(d[1] * d[2], o[1], o[1]), less(d[2] * d[0], o[2], o[2]), less(d[0] * d[1], o[0], o[0])}};
+            adjugate.off = {
+                {less(o[2] * o[1], o[0], d[2]), less(o[0] * o[2], o[1], d[0]), less(o[0] * o[1], o[2], d[1])}};
+            determinant = sum_of_products(d[0], adjugate.diagonal[0], o[0], adjugate.off[0], o[2], adjugate.off[2]);
         }
         const auto unless_few = [&](const T& value, double otherwise) {
             return where_less(determinant, T(smallest), T(otherwise), value);

@@ -46,7 +46,7 @@ struct VelocityGradient {
         Vector<T, D> v;
         for (int a = 0; a < D; ++a) {
             v[a] = 2.0 * past[a];
-            for (int b = 0; b < D; ++b)  // fused by name, see SmoothDensityDiffusion
+            for (int b = 0; b < D; ++b)  // fused by name, see gradient_correction.hpp
                 if (a != b) v[a] = multiply_add(0.5 * (g[b][a] - g[a][b]), x[b], v[a]);
         }
         return v;

@@ -216,7 +216,7 @@ class GradientSweep {
                 ? VelocityGradient::divergence(sum.all.velocity) + VelocityGradient::divergence(sum.excess)
                 : VelocityGradient::divergence(VelocityGradient::corrected(sum.all.velocity, inverse)) +
                       VelocityGradient::divergence(VelocityGradient::corrected(sum.excess, inverse));
-        // Fused by name, see SmoothDensityDiffusion.
+        // Fused by name, see gradient_correction.hpp.
         const L rate = multiply_add(L(options_.diffusion), sum.diffusion,
                                     -1.0 * (load<L>(group.data(Field::density), cluster) * divergence));
         store_scalar(rate, Field::density_rate, cluster);
