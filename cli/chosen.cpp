@@ -47,7 +47,7 @@ std::string sound_speed_text(const Scene& scene, const Plan& plan) {
         case SoundSpeed::Origin::given_pressure:
             return by_pressure(origin_text(scene.flow.largest_pressure, "flow.largest_pressure"));
         case SoundSpeed::Origin::column_pressure:
-            return by_pressure("by the body acceleration over the fluid's extent");
+            return by_pressure("by the body forces over the fluid's extent");
         case SoundSpeed::Origin::viscous_pressure:
             return by_pressure("by the viscosity at the largest speed over 4 spacings");
     }

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace dmp::solver {
 
@@ -82,6 +84,7 @@ class Layers {
 /// spacings that have some of it do not form whole rows.
 bool blocks_the_flow(const ParticleSet& set, int axis) {
     const double cell = 2 * set.spacing;
+    std::optional<Vec> first;  // a quarter of a cell from an edge, so that rows of a lattice do not lie on edges
     std::map<std::array<std::int64_t, 2>, std::vector<bool>> rows;
     const double low = set.box.low[axis];
     const auto length = static_cast<std::size_t>(std::max(1.0, std::floor((set.box.high[axis] - low) / cell)));
@@ -89,7 +92,10 @@ bool blocks_the_flow(const ParticleSet& set, int axis) {
         if (set.kind(i) == PartKind::fluid) continue;
         if (set.kind(i) == PartKind::elastic) return true;
         const auto& x = set.position[i];
-        const auto cell_of = [&](int across) { return static_cast<std::int64_t>(std::floor(x[across] / cell)); };
+        if (!first) first = x;
+        const auto cell_of = [&](int across) {
+            return static_cast<std::int64_t>(std::floor((x[across] - (*first)[across]) / cell + 0.25));
+        };
         const std::array<std::int64_t, 2> row{cell_of((axis + 1) % 3), cell_of((axis + 2) % 3)};
         auto& cells = rows.try_emplace(row, length, false).first->second;
         const double along = (x[axis] - low) / (set.box.high[axis] - low) * static_cast<double>(length);
