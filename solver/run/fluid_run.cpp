@@ -248,9 +248,10 @@ void FluidRun::advance(const RunOptions& options, double until) {
     ++step_;
 
     monitor_.walls_have_moved(fluid_.walls().farthest());
-    for (const Warning& warning : reached_.add(extremes_))
-        if (options.warn) options.warn(time_, warning);
+    const std::vector<Warning> warnings = reached_.add(extremes_);
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
+    for (const Warning& warning : warnings)
+        if (options.warn) options.warn(time_, warning);
     // The next step follows from what there is after it, as it does after a restart.
     if (events_.act(time_, particles_, fluid_)) extremes_ = fluid_.extremes();
     write_what_is_due(options.sink);

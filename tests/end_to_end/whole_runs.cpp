@@ -137,7 +137,8 @@ TEST_F(Poiseuille, ARunThatDivergesEndsWithThreeAndLeavesTheFramesUpToThere) {
         dmp({"run", ".", "--out", "out", "--threads", "1", "--set", "flow.pressure_gradient=[\"-10 kPa/m\", 0]"});
     EXPECT_EQ(outcome.code, 3) << outcome.output;
     EXPECT_THAT(outcome.errors, testing::AllOf(testing::StartsWith("error: "), HasSubstr("diverged"),
-                                               HasSubstr("particle"), HasSubstr("The frames up to there are in out")));
+                                               HasSubstr("particle"), HasSubstr("is below what the drive produces"),
+                                               HasSubstr("The frames up to there are in out")));
     EXPECT_TRUE(has("out/fluid.pvd"));
     EXPECT_FALSE(has("out/summary.json"));
 }

@@ -184,8 +184,13 @@ TEST(BlowUps, springs_with_a_step_a_little_too_long) {
 }
 
 TEST(BlowUps, speeds_a_thousand_times_those_expected) {
-    const SceneAndParticles made = small_valve({"flow.largest_speed=0.0001 m/s", "numerics.sound_speed=auto",
-                                                "flow.pressure_gradient=[\"-77.09 Pa/m * cos(2*pi*t / 4 s)\", 0]"});
+    SceneAndParticles made = small_valve({"flow.largest_speed=0.0001 m/s", "numerics.sound_speed=auto",
+                                          "flow.pressure_gradient=[\"-77.09 Pa/m * cos(2*pi*t / 4 s)\", 0]"});
+    // The pressure that the leaflets hold back gives a speed of sound that is high enough.
+    const Ending of_auto = ending_of(made, 0.5);
+    EXPECT_EQ(of_auto.problem, "");
+    EXPECT_FALSE(of_auto.first_bad);
+    made.scene.flow.largest_pressure = 1e-4;  // rho c0^2 Ma^2
     expect_found_in_time(ending_of(made, 2), "flow.largest_speed = 0.0001 m/s is below what the drive produces");
 }
 
