@@ -276,7 +276,8 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
     const ReproducibleSum rounded(at_least_something(largest_momentum));
     const double longest_square = shift.longest * shift.longest;
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    constexpr std::ptrdiff_t at_a_time = 32;  // sums of so few are exact
+    constexpr std::ptrdiff_t at_a_time = 32;           // sums of so few are exact, of terms of up to
+    const double largest_term = 4 * largest_momentum;  // (fluid at rest beside a body that is set in motion has larger)
     Shifted result;
     double farthest = 0;
 #pragma omp parallel num_threads(threads_)
@@ -303,7 +304,11 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
                     x[a][i] += quantum.round(d[a]);
                     v[a][i] += change;
                     density[i] += g[a][i] * interpolated[a];
-                    momentum[a] += rounded(mass[i] * change);
+                    const double term = mass[i] * change;
+                    if (std::abs(term) <= largest_term)
+                        momentum[a] += rounded(term);
+                    else
+                        momentum_here[a].add(term);
                 }
                 farthest_here = std::max(farthest_here, std::min(square, longest_square));
             }

@@ -1,5 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <ostream>
@@ -301,6 +302,41 @@ INSTANTIATE_TEST_SUITE_P(Variants, FluidPassesOn,
                                          Variant{"3d_two_liquids", 3, WallModel::extrapolated, true},
                                          Variant{"3d_plain_walls", 3, WallModel::plain, false}),
                          [](const auto& variant) { return variant.param.name; });
+
+/// What velocities interpolated anew add to the momentum, by particles in their order or in the reverse one.
+std::array<double, 3> momentum_of_shift(bool reversed, double largest_momentum) {
+    ParticleStore particles(crowd(2, {true, false, false}), {1000, 1000, 1000});
+    ParticleGroup& fluid = particles.fluid();
+    make_pair_sweeps({.spacing = particles.space().spacing,
+                      .support = 3 * particles.space().spacing,
+                      .sound_speed = 20,
+                      .corrected = true,
+                      .density = {.largest = 1000},
+                      .shifting = 0.2},
+                     particles);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const std::size_t count = fluid.owned();
+    for (const Field field : {Field::velocity, Field::velocity_gradient, Field::shift, Field::off_walls,
+                              Field::next_density_gradient, Field::density})
+        for (int axis = 0; axis < fluid.axes(field); ++axis)
+            for (std::size_t i = 0; i < count; ++i)
+                // From 1e-6 to 1, so that most of the bits of a sum depend on its order.
+                fluid.data(field, axis)[reversed ? count - 1 - i : i] =
+                    unit(random) * std::pow(10, 3 * unit(random) - 3);
+    std::fill_n(fluid.data(Field::mass), count, 0.3);
+    auto shifted = FluidPasses({{20, 1000}, {20, 1000}, {20, 1000}}, 1)
+                       .shift(particles, 1e-3, {.per_sum = 1e-3, .longest = 1e-2}, largest_momentum, 0);
+    return {shifted.momentum[0].value(), shifted.momentum[1].value(), shifted.momentum[2].value()};
+}
+
+TEST(FluidPasses, momentum_of_a_shift_is_the_same_bits_in_any_order) {
+    for (const double largest : {1e-3, 1e-5, 1e-12, 0.0}) {  // the largest is about 6e-4
+        const auto momentum = momentum_of_shift(false, largest);
+        EXPECT_NE(momentum[0], 0) << largest;
+        EXPECT_EQ(momentum, momentum_of_shift(true, largest)) << largest;
+    }
+}
 
 TEST(FluidPasses, of_no_fluid_have_no_speed) {
     ParticleSet set;
