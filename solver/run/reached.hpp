@@ -26,7 +26,7 @@ class Reached {
     std::vector<Warning> add(const FluidExtremes& extremes);
     [[nodiscard]] std::vector<Warning> warnings(bool complete) const;
 
-    [[nodiscard]] double largest_speed() const { return speed_; }        ///< of fluid and elastic solids [m/s]
+    [[nodiscard]] double largest_speed() const { return speed_; }        ///< of the fluid [m/s]
     [[nodiscard]] double density_low() const { return density_low_; }    ///< over the rest density [-]
     [[nodiscard]] double density_high() const { return density_high_; }  ///< over the rest density [-]
 

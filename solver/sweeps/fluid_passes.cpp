@@ -276,8 +276,10 @@ FluidPasses::Shifted FluidPasses::shift_and_interpolate(ParticleStore& particles
     const ReproducibleSum rounded(at_least_something(largest_momentum));
     const double longest_square = shift.longest * shift.longest;
     const auto count = static_cast<std::ptrdiff_t>(fluid.owned());
-    constexpr std::ptrdiff_t at_a_time = 32;           // sums of so few are exact, of terms of up to
-    const double largest_term = 4 * largest_momentum;  // (fluid at rest beside a body that is set in motion has larger)
+    // Sums of so few terms of up to this size are exact. Larger terms, as of fluid at rest beside a body that is set in
+    // motion, are added one by one.
+    constexpr std::ptrdiff_t at_a_time = 32;
+    const double largest_term = 4 * largest_momentum;
     Shifted result;
     double farthest = 0;
 #pragma omp parallel num_threads(threads_)

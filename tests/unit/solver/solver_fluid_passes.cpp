@@ -331,7 +331,7 @@ std::array<double, 3> momentum_of_shift(bool reversed, double largest_momentum) 
 }
 
 TEST(FluidPasses, momentum_of_a_shift_is_the_same_bits_in_any_order) {
-    for (const double largest : {1e-3, 1e-5, 1e-12, 0.0}) {  // the largest is about 6e-4
+    for (const double largest : {1e-3, 1e-5, 1e-12, 0.0}) {  // terms are 6e-4 at most
         const auto momentum = momentum_of_shift(false, largest);
         EXPECT_NE(momentum[0], 0) << largest;
         EXPECT_EQ(momentum, momentum_of_shift(true, largest)) << largest;
