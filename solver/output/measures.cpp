@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <iterator>
 
 #include "base/errors.hpp"
 #include "solver/elastic/body_change.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
+#include "solver/output/probe.hpp"
 
 namespace dmp::solver {
 
@@ -35,15 +35,6 @@ const char* unit_of(FluidField field) {
             break;
     }
     return "Pa";
-}
-
-/// The components of vectors and tensors that a probe has columns for: in 2-D those that are not 0.
-std::vector<std::size_t> probed_components(int components, int dimension) {
-    if (components == 3 && dimension == 2) return {0, 1};
-    if (components == 6 && dimension == 2) return {0, 1, 2, 3};
-    std::vector<std::size_t> all(static_cast<std::size_t>(components));
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
 }
 
 /// Endings of the names of a probe's columns.
@@ -235,31 +226,13 @@ bool Measures::need_neighbours() const {
 }
 
 std::vector<double> Measures::probe(const Measure& measure, const FluidMoment& moment) const {
-    const auto& [time, particles, step, series, first] = moment;
-    const ParticleGroup& fluid = particles.fluid();
-    ExactSum weights;
-    std::vector<std::pair<std::size_t, double>> near;  // particle and weight
-    for_each_offset(fluid, measure.point, [&](std::size_t i, const Vec& offset) {
-        const double distance = offset.norm();
-        if (distance >= settings_.support) return;
-        near.emplace_back(i, fluid.data(Field::volume)[i] * step.sweeps().kernel_value(distance));
-        weights.add(near.back().second);
-    });
-    const double all_weights = over_all_ranks(weights);
-    if (series.rows.empty() && !(all_weights > 0))
+    const Probe probe(measure.point, moment.particles, moment.step, settings_, ranks_);
+    if (moment.series.rows.empty() && !probe.is_in_fluid())
         throw InputError(measure.point.location, "the probe '" + *measure.name + "' stands where there is no fluid",
-                         "move its point into the fluid: no particle is within the kernel's support of it");
+                         "move its point into the fluid: no particle is within 1.5 spacings of it");
     std::vector<double> values;
-    for (const FluidValues& array : FluidFields(scene_, particles, step).of(measure.field)) {
-        const auto components = static_cast<std::size_t>(array.components);
-        for (const std::size_t c : probed_components(array.components, space_.dimension)) {
-            ExactSum sum;
-            for (const auto& [i, weight] : near) sum.add(weight * array.values[components * i + c]);
-            const double value = over_all_ranks(sum);
-            // No fluid there now: not a number, which the tables write as empty.
-            values.push_back(all_weights > 0 ? value / all_weights : std::numeric_limits<double>::quiet_NaN());
-        }
-    }
+    for (const FluidValues& array : FluidFields(scene_, moment.particles, moment.step).of(measure.field))
+        std::ranges::copy(probe.of(measure.field, array), std::back_inserter(values));
     return values;
 }
 

@@ -1,0 +1,106 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/output/probe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "solver/elastic/body_change.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+Vec vector_of(const ParticleGroup& group, Field field, std::size_t i) {
+    Vec value = Vec::Zero();
+    for (int axis = 0; axis < group.dimension(); ++axis) value[axis] = group.data(field, axis)[i];
+    return value;
+}
+
+/// Whether the walls' velocity is that of their surface now. With the plain scheme it is that of their particles
+/// between steps (WallMotion).
+bool walls_show_their_surface(const PairSettings& settings) {
+    return settings.corrected || !(settings.walls.moving || settings.walls.sliding);
+}
+
+}  // namespace
+
+std::vector<std::size_t> probed_components(int components, int dimension) {
+    if (components == 3 && dimension == 2) return {0, 1};
+    if (components == 6 && dimension == 2) return {0, 1, 2, 3};
+    std::vector<std::size_t> all(static_cast<std::size_t>(components));
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+Probe::Probe(const Vec& point, const ParticleStore& particles, const FluidStep& step, const PairSettings& settings,
+             const Ranks& ranks)
+    : particles_(particles), step_(step), ranks_(ranks) {
+    find_fluid(point, settings.support);
+    if (walls_show_their_surface(settings)) find_walls(point, settings.support);
+    for (const Sample& sample : fluid_) {
+        of_fluid_.add(sample.x, sample.weight);
+        with_walls_.add(sample.x, sample.weight);
+    }
+    for (const Sample& sample : walls_) with_walls_.add(sample.x, sample.weight);
+    of_fluid_.finish(ranks, particles.space().spacing);
+    with_walls_.finish(ranks, particles.space().spacing);
+}
+
+Vec Probe::from_point(const ParticleGroup& group, std::size_t i, const Vec& point) const {
+    Vec apart = Vec::Zero();
+    for (int axis = 0; axis < group.dimension(); ++axis)
+        apart[axis] = group.data(Field::position, axis)[i] - point[axis];
+    return nearest_image(apart, particles_.space());
+}
+
+void Probe::find_fluid(const Vec& point, double support) {
+    const ParticleGroup& fluid = particles_.fluid();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < fluid.owned(); ++i) {
+        const Vec x = from_point(fluid, i, point);
+        const double distance = x.norm();
+        nearest = std::min(nearest, distance);
+        const double weight = fluid.data(Field::volume)[i] * step_.sweeps().kernel_value(distance);
+        if (distance < support && weight > 0) fluid_.push_back({i, x, weight});
+    }
+    nearest_ = ranks_.smallest(nearest);
+}
+
+void Probe::find_walls(const Vec& point, double support) {
+    const ParticleGroup& walls = particles_.of(PartKind::rigid);
+    for (std::size_t i = 0; i < walls.owned(); ++i) {
+        const double depth = walls.data(Field::wall_distance)[i];
+        if (depth > particles_.space().spacing) continue;
+        if (walls.has(Field::wall_slip) && walls.data(Field::wall_slip)[i] > 0) continue;
+        const Vec x = from_point(walls, i, point) + depth * vector_of(walls, Field::wall_normal, i);
+        const double distance = x.norm();
+        const double weight = walls.data(Field::volume)[i] * step_.sweeps().kernel_value(distance);
+        if (distance < support && weight > 0) walls_.push_back({i, x, weight});
+    }
+}
+
+std::vector<double> Probe::of(FluidField field, const FluidValues& array) const {
+    const auto components = static_cast<std::size_t>(array.components);
+    const std::vector<std::size_t> probed = probed_components(array.components, particles_.dimension());
+    if (!is_in_fluid()) return std::vector<double>(probed.size(), std::numeric_limits<double>::quiet_NaN());
+    const bool with_walls = field == FluidField::velocity;
+    const LinearFit& fit = with_walls ? with_walls_ : of_fluid_;
+    std::vector<ExactSum> sums(probed.size());
+    for (const auto& [i, x, weight] : fluid_)
+        for (std::size_t c = 0; c < probed.size(); ++c)
+            sums[c].add(fit.share(x, weight) * array.values[components * i + probed[c]]);
+    if (with_walls) {
+        const ParticleGroup& walls = particles_.of(PartKind::rigid);
+        for (const auto& [i, x, weight] : walls_)
+            for (std::size_t c = 0; c < probed.size(); ++c)
+                sums[c].add(fit.share(x, weight) * walls.data(Field::velocity, static_cast<int>(probed[c]))[i]);
+    }
+    ranks_.sum(sums);
+    std::vector<double> values;
+    for (const ExactSum& sum : sums) values.push_back(sum.value());
+    return values;
+}
+
+}  // namespace dmp::solver

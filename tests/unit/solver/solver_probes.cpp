@@ -1,0 +1,116 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// What probes read beside walls.
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "small_scenes.hpp"
+#include "solver/output/linear_fit.hpp"
+#include "tests/modules.hpp"
+
+namespace dmp::tests::solver_probes_tests {
+namespace {
+
+struct Fitted {
+    double value = 0, shares = 0;
+};
+
+/// The fit of `field` at the origin from samples at `places`, nearer ones counting more.
+template <class FieldOf>
+Fitted fitted(const std::vector<Vec>& places, const FieldOf& field) {
+    const auto weight = [](const Vec& x) { return std::exp(-x.squaredNorm()); };
+    LinearFit fit;
+    for (const Vec& x : places) fit.add(x, weight(x));
+    fit.finish(Ranks::alone(), 1);
+    Fitted found;
+    for (const Vec& x : places) {
+        found.value += fit.share(x, weight(x)) * field(x);
+        found.shares += fit.share(x, weight(x));
+    }
+    return found;
+}
+
+double linear(const Vec& x) { return 7 + 2 * x[0] - 3 * x[1] + 5 * x[2]; }
+
+TEST(LinearFit, is_exact_for_linear_functions_beside_a_wall) {
+    std::vector<Vec> above;
+    for (int i = -3; i <= 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = -3; k <= 3; ++k) above.emplace_back(i + 0.1 * j, 0.5 + j, k - 0.2 * j);
+    const Fitted found = fitted(above, linear);
+    EXPECT_NEAR(found.value, 7, 1e-12);
+    EXPECT_NEAR(found.shares, 1, 1e-14);
+}
+
+TEST(LinearFit, takes_the_mean_along_directions_in_which_samples_do_not_spread) {
+    std::vector<Vec> row;
+    for (int i = -3; i <= 3; ++i) row.emplace_back(i + 0.3, 0.4, 0);
+    const Fitted found = fitted(row, linear);
+    EXPECT_NEAR(found.value, 7 - 3 * 0.4, 1e-12);
+    EXPECT_NEAR(fitted({Vec(0.4, 0.1, 0)}, linear).value, linear(Vec(0.4, 0.1, 0)), 1e-14);
+}
+
+TEST(LinearFit, without_samples_says_so) {
+    LinearFit fit;
+    fit.finish(Ranks::alone(), 1);
+    EXPECT_FALSE(fit.has_samples());
+}
+
+/// Probes at x = 0.2 mm and these y [m], of a channel 1 mm wide.
+std::vector<Measure> probes_at(const std::vector<double>& places, FluidField field) {
+    std::vector<Measure> probes;
+    for (const double y : places) {
+        Measure probe;
+        probe.name = "at_" + std::to_string(probes.size());
+        probe.kind = MeasureKind::probe;
+        probe.point = Vec(0.2e-3, y, 0);
+        probe.field = field;
+        probes.push_back(probe);
+    }
+    return probes;
+}
+
+std::vector<double> last_row(SceneAndParticles made, std::vector<Measure> probes) {
+    made.scene.measures = std::move(probes);
+    return Simulation(made.scene, made.particles, 1).run({}).measures.rows.back();
+}
+
+const std::vector<double> beside_the_wall{0, 0.0125e-3, 0.025e-3, 0.05e-3, 0.1e-3, 0.15e-3, 0.2e-3};
+
+TEST(ProbesBesideWalls, read_the_parabola) {
+    // Shepard's mean over the fluid alone read 5.4 % of the largest speed on the wall, and 9.4 % for 9.75 at 0.025 mm.
+    const auto made = case_of("verification/poiseuille", {"particles.spacing=\"0.05 mm\""});
+    const auto row = last_row(made, probes_at(beside_the_wall, FluidField::velocity));
+    for (std::size_t k = 0; k < beside_the_wall.size(); ++k) {
+        const double y = beside_the_wall[k] / 1e-3;
+        EXPECT_NEAR(row[2 * k] / 1.25e-5, 4 * y * (1 - y), 0.01) << "y = " << y;
+        EXPECT_NEAR(row[2 * k + 1] / 1.25e-5, 0, 0.001) << "y = " << y;
+    }
+}
+
+TEST(ProbesBesideWalls, read_the_speed_of_a_lid_on_it) {
+    for (const std::string scheme : {"corrected", "plain"}) {
+        const auto made = case_of("verification/couette", {"numerics.scheme=" + scheme, "run.duration=\"2 s\""});
+        const auto row = last_row(made, probes_at({1e-3, 0.975e-3, 0.9e-3, 0}, FluidField::velocity));
+        const std::array<double, 4> expected{1, 0.975, 0.9, 0};
+        for (std::size_t k = 0; k < expected.size(); ++k)
+            EXPECT_NEAR(row[2 * k] / 1.25e-5, expected[k], 0.01) << scheme << ", probe " << k;
+    }
+}
+
+TEST(ProbesBesideWalls, read_the_pressure_at_bottom_and_top) {
+    auto made = case_of("verification/hydrostatic", {"run.duration=\"1 s\""});
+    std::vector<Measure> probes = probes_at({0, 0.005, 0.02, 0.5, 0.98, 1}, FluidField::pressure);
+    for (Measure& probe : probes) probe.point.value[0] = 0.2;
+    const auto row = last_row(made, probes);
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        const double height = probes[k].point.value[1];
+        EXPECT_NEAR(row[k] / 9810, 1 - height, 0.01) << "y = " << height;
+    }
+}
+
+}  // namespace
+}  // namespace dmp::tests::solver_probes_tests
