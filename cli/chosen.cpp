@@ -64,24 +64,19 @@ std::string contact_text(const Scene& scene) {
                        origin_text(contact.strength, "contact.strength"));
 }
 
-}  // namespace
-
-std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
-    if (!scene.parts_of(PartKind::spheres).empty()) return chosen_of_spheres_text(scene, plan, origin);
+void add_kernel_and_walls(Listing& list, const Scene& scene) {
     const auto& numerics = scene.numerics;
     const Origins origin_text(scene);
-    Listing list;
-    list.add("quality", fmt::format("{} ({})", to_string(*scene.quality), origin_text(scene.quality, "quality")));
-    list.add("sound speed", sound_speed_text(scene, plan));
     list.add("kernel", fmt::format("{} ({}), support {:.4g} spacings ({})", to_string(*numerics.kernel),
                                    origin_text(numerics.kernel, "numerics.kernel"), *numerics.support,
                                    origin_text(numerics.support, "numerics.support")));
     list.add("walls",
              fmt::format("{} ({})", to_string(*numerics.walls), origin_text(numerics.walls, "numerics.walls")));
-    for (const Part* part : scene.parts_of(PartKind::rigid)) {
-        const std::string key = "part." + *part->name + ".layers";
-        list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
-    }
+}
+
+void add_fluid_models(Listing& list, const Scene& scene) {
+    const auto& numerics = scene.numerics;
+    const Origins origin_text(scene);
     list.add("liquid",
              fmt::format("{} equation of state ({}), density by {} ({})", to_string(*numerics.equation_of_state),
                          origin_text(numerics.equation_of_state, "numerics.equation_of_state"),
@@ -98,6 +93,24 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                         origin_text(numerics.viscosity_stepping, "numerics.viscosity_stepping"),
                                         *numerics.viscosity_tolerance,
                                         origin_text(numerics.viscosity_tolerance, "numerics.viscosity_tolerance")));
+}
+
+}  // namespace
+
+std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
+    if (!scene.parts_of(PartKind::spheres).empty()) return chosen_of_spheres_text(scene, plan, origin);
+    const auto& numerics = scene.numerics;
+    const Origins origin_text(scene);
+    const bool has_fluid = !scene.parts_of(PartKind::fluid).empty();
+    Listing list;
+    list.add("quality", fmt::format("{} ({})", to_string(*scene.quality), origin_text(scene.quality, "quality")));
+    list.add("sound speed", sound_speed_text(scene, plan));
+    if (has_fluid) add_kernel_and_walls(list, scene);
+    for (const Part* part : scene.parts_of(PartKind::rigid)) {
+        const std::string key = "part." + *part->name + ".layers";
+        list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
+    }
+    if (has_fluid) add_fluid_models(list, scene);
     for (const Species& species : scene.species)
         list.add("species " + *species.name,
                  fmt::format("in {}, diffusion stepped {}ly ({})", species.concentration_unit(),

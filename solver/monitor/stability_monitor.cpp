@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "base/number_text.hpp"
+
 namespace dmp::solver {
 
 namespace {
@@ -22,13 +24,7 @@ double speed_of(const ParticleGroup& group, std::size_t i) {
     return std::sqrt(square);
 }
 
-std::string text_of(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
-
-std::string setting(const std::string& key, double value) { return key + " = " + text_of(value); }
+std::string setting(const std::string& key, double value) { return key + " = " + number_text(value); }
 
 /// Largest change of a bond's length over its length at rest; not finite when a node's place is not.
 double largest_strain(const SpringBodies& springs) {
@@ -106,8 +102,8 @@ std::optional<StabilityMonitor::Violation> StabilityMonitor::first_that_left(con
     for_those_that_left(particles, list, [&](std::size_t i, double depth) {
         std::string limit = "has left the domain";
         if (depth > 0)
-            limit += ": it is " + text_of(depth) + " m behind the wall's surface, more than the spacing of " +
-                     text_of(space_.spacing) + " m";
+            limit += ": it is " + number_text(depth) + " m behind the wall's surface, more than the spacing of " +
+                     number_text(space_.spacing) + " m";
         found.emplace(Violation{&particles.fluid(), i, limit, true});
         return false;
     });
@@ -164,7 +160,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
     if (numerics.step_factor > usual.step_factor)
         causes.emplace_back(!violation.left && numerics.step_factor > 2 * usual.step_factor ? 6 : 3,
                             setting("numerics.step_factor", numerics.step_factor) + " is too large; the default is " +
-                                text_of(usual.step_factor));
+                                number_text(usual.step_factor));
     if (violation.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
     if (!springs.empty() && !springs.implicit()) {
         const double strain = largest_strain(springs);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "particles/apart.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/run/models_in_use.hpp"
+#include "solver/run/resolution.hpp"
 #include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
 #include "solver/run/warnings.hpp"
@@ -36,6 +38,7 @@ std::string text_of(const std::optional<StabilityMonitor::Finding>& finding) {
 FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
     : sound_(choose_sound_speed(s, set)),
       scene_(with_sound_speed(std::move(s), sound_)),
+      of_resolution_(resolution_warnings(scene_, set)),
       ranks_(resources.ranks),
       settings_(pair_settings(scene_, checked(set), resources)),
       particles_(starting_particles(scene_, set, equations_of_state(scene_, set), ranks_)),
@@ -188,6 +191,7 @@ Plan FluidRun::plan() const {
     add_limits_of_elastic_solids(plan);
     plan.models = models_in_use(scene_, settings_, fluid_.sweeps(), fluid_.springs());
     plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
+    plan.warnings.insert(plan.warnings.end(), of_resolution_.begin(), of_resolution_.end());
     add_fields(plan);
     return plan;
 }
@@ -310,7 +314,8 @@ RunSummary FluidRun::summary() const {
     summary.density_low = reached_.density_low() * rest_density;
     summary.density_high = reached_.density_high() * rest_density;
     summary.largest_speed = reached_.largest_speed();
-    summary.warnings = reached_.warnings(time_ >= scene_.run.duration);
+    summary.warnings = of_resolution_;
+    std::ranges::move(reached_.warnings(time_ >= scene_.run.duration), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));

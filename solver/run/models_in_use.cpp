@@ -1,12 +1,11 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/models_in_use.hpp"
 
-#include <iomanip>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "base/nearest_name.hpp"
+#include "base/number_text.hpp"
 #include "models/sph/viscous_laws.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/elastic/body_parts.hpp"
@@ -18,11 +17,7 @@ namespace dmp::solver {
 
 namespace {
 
-std::string three_digits(double value) {
-    std::ostringstream text;
-    text << std::setprecision(3) << value;
-    return text.str();
-}
+std::string three_digits(double value) { return number_text(value, 3); }
 
 std::string on_the_lattice(const LatticeViscosity& viscosity) {
     return "on the lattice " + three_digits(viscosity.shear) + " of the viscosity in shear, " +

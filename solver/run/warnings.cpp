@@ -54,7 +54,7 @@ class Warnings {
     }
 
     void about_drive() {
-        if (is_driven()) return;
+        if (is_driven() || !scene_.species.empty()) return;  // species diffuse at rest too
         add("flow.acceleration", {}, "is 0 and nothing else drives the scene: nothing will move",
             "give a body acceleration, or flow.pressure_gradient along a periodic axis");
     }
