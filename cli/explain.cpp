@@ -53,14 +53,15 @@ std::string models_text(const Plan& plan, const std::optional<ModelCosts>& costs
     return text;
 }
 
-std::string costs_text(const ModelCosts& costs) {
+std::string costs_text(const Scene& scene, const ModelCosts& costs) {
     Listing list;
     list.add("whole step", time_text(costs.step));
     for (const MeasuredTime& stage : costs.stages) list.add(stage.of, fmt::format("{:.3g} ns", stage.ns));
     list.add("", fmt::format("fastest of some rounds on this machine as it is now, {}, in the scene's first {}",
                              count_text(static_cast<std::size_t>(costs.threads), "thread"),
                              count_text(static_cast<std::size_t>(costs.steps), "step")));
-    list.add("", "'forces' holds pressure, viscosity, walls and repulsion, 'density' continuity, diffusion, shifting");
+    if (!scene.parts_of(PartKind::fluid).empty())
+        list.add("", "'forces' holds pressure, viscosity, walls and repulsion, 'density' continuity, diffusion, shifting");
     return Style(Stream::output).strong("Measured") + "\n" + list.text();
 }
 
@@ -105,7 +106,7 @@ int execute(const ExplainCommand& command) {
     if (command.measure) {
         try {
             costs = measure_costs(prepared.scene, prepared.particles, threads, measuring_seconds);
-            measured = "\n" + costs_text(*costs);
+            measured = "\n" + costs_text(prepared.scene, *costs);
         } catch (const DivergenceError& error) {
             measured = "\nNothing was measured: " + std::string(error.problem()) + "\n";
         }

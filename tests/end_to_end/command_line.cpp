@@ -8,6 +8,7 @@ namespace dmp::tests::command_line_tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 Outcome run_here(const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) {
@@ -82,6 +83,22 @@ TEST(CommandLine, ExplainsAKey) {
     const auto outcome = run_here({"explain", "particles.spacing"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("particles.spacing"), HasSubstr("length")));
+}
+
+TEST(CommandLine, ExplainsOnlyWhatASceneHas) {
+    const CaseFolder folder;
+    folder.copy_case("verification/cantilever");
+    const auto solid = run_dmp(folder.path(), {"explain", "."});
+    EXPECT_EQ(solid.code, 0) << solid.errors;
+    EXPECT_THAT(solid.output, HasSubstr("springs strip"));
+    for (const char* of_fluids : {"equation of state", "kernel", "shifting", "walls  "})
+        EXPECT_THAT(solid.output, Not(HasSubstr(of_fluids)));
+
+    const CaseFolder at_rest;
+    at_rest.copy_case("verification/diffusion");
+    const auto species = run_dmp(at_rest.path(), {"explain", "."});
+    EXPECT_THAT(species.output, HasSubstr("equation of state"));
+    EXPECT_THAT(species.output + species.errors, Not(HasSubstr("nothing will move"))) << "it diffuses";
 }
 
 TEST(CommandLine, CommandsThatDoNotUseSeveralRanksRefuseThem) {
