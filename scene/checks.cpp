@@ -9,6 +9,7 @@
 #include "base/nearest_name.hpp"
 #include "scene/driving_keys.hpp"
 #include "scene/join_keys.hpp"
+#include "scene/measure_subject.hpp"
 #include "scene/numerics_checks.hpp"
 #include "scene/quantity.hpp"
 #include "scene/schema.hpp"
@@ -250,7 +251,8 @@ void need_regions(const Scene& scene, const TomlNode& document) {
     if (!scene.regions.empty() || !(pictured || scene.asks_for(FluidField::residence_time))) return;
     const SourceLocation* of_probe = nullptr;
     for (const Measure& measure : scene.measures) {
-        if (*measure.field == FluidField::residence_time) of_probe = &measure.field.location;
+        if (reads_a_field(measure.kind) && *measure.field == FluidField::residence_time)
+            of_probe = &measure.field.location;
     }
     throw InputError(
         first_known(scene, {of_probe, document.location_of("output.fields"), &scene.output.picture_field.location}),
@@ -262,7 +264,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
         if (scene.dimension == 2) need_plane_point(*point);
     }
-    if (*measure.kind == MeasureKind::flux && *measure.from == *measure.to) {
+    if ((*measure.kind == MeasureKind::flux || *measure.kind == MeasureKind::line) && *measure.from == *measure.to) {
         throw InputError(measure.to.location,
                          "the line of measure '" + *measure.name + "' starts and ends at the same point",
                          "give two different points");

@@ -49,6 +49,7 @@ enum class MeasureKind {
     density,
     kinetic_energy,
     probe,
+    line,
     amount,
     mean_concentration,
     profile,
@@ -125,8 +126,8 @@ template <>
 inline constexpr auto enum_names<scene::Axis> = std::to_array<std::string_view>({"x", "y", "z"});
 template <>
 inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string_view>(
-    {"flux", "gap", "largest_speed", "density", "kinetic_energy", "probe", "amount", "mean_concentration", "profile",
-     "spread", "wall_flux", "peclet", "velocity", "spin", "wall_force", "detached", "aggregate"});
+    {"flux", "gap", "largest_speed", "density", "kinetic_energy", "probe", "line", "amount", "mean_concentration",
+     "profile", "spread", "wall_flux", "peclet", "velocity", "spin", "wall_force", "detached", "aggregate"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});

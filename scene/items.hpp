@@ -79,10 +79,11 @@ struct Species {
 struct Measure {
     Value<std::string> name;
     Value<MeasureKind> kind;
-    Value<Vec> from{Vec::Zero()};                    ///< flux: the line's start [m]
-    Value<Vec> to{Vec::Zero()};                      ///< flux: the line's end [m]
+    Value<Vec> from{Vec::Zero()};                    ///< flux, line: the line's start [m]
+    Value<Vec> to{Vec::Zero()};                      ///< flux, line: the line's end [m]
     Value<Vec> point{Vec::Zero()};                   ///< probe: its position [m]
-    Value<FluidField> field = FluidField::velocity;  ///< probe: field to measure
+    Value<FluidField> field = FluidField::velocity;  ///< probe, line: field to measure
+    Value<int> points = 20;                          ///< line: number of points along it, its ends among them
     Value<std::string> part;     ///< gap: elastic solid; wall_flux: rigid part; velocity, spin, detached: spheres;
                                  ///< aggregate: [[solidify]] or elastic solid
     Value<std::string> species;  ///< measures of species: its name; empty: the only one

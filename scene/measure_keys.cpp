@@ -48,7 +48,7 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 }
 
 std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, flux = {"flux"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"};
+    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"}, line = {"line"};
     const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
     const Kinds of_species = measures_of(MeasureSubject::species);
@@ -56,13 +56,16 @@ std::vector<Key<Measure>> measure_keys() {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
-         "kinetic energy, field at a probe; of a species its amount, mean concentration, profile, spread, flux into "
+         "kinetic energy, field at a probe or along a line; of a species its amount, mean concentration, profile, spread, flux into "
          "a wall, Peclet number; of spheres their velocity, spin, force on the walls, number detached from a "
          "sphere; size, pieces and bonds of an aggregate."},
-        {"from", flux, &Measure::from, point(), required, "Start of the line."},
-        {"to", flux, &Measure::to, point(), required, "End of the line."},
+        {"from", lines, &Measure::from, point(), required, "Start of the line."},
+        {"to", lines, &Measure::to, point(), required, "End of the line."},
+        {"points", line, &Measure::points, integer(Range{2, 1000, false, {}}), "20",
+         "Number of points along the line, evenly spaced from its start to its end; the field at each is a column."},
         {"point", probe, &Measure::point, point(), required, "Position of the probe."},
-        {"field", probe, &Measure::field, one_of<FluidField>(), "velocity", "Field that the probe measures."},
+        {"field", fields, &Measure::field, one_of<FluidField>(), "velocity",
+         "Field that the probe or line measures."},
         {"part", of_part, &Measure::part, name(), required,
          "gap: the elastic solid between whose pieces the smallest distance is measured. velocity, spin: the part "
          "of spheres over which the mean is taken. detached: the part of the one sphere from which others may "

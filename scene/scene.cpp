@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/measure_subject.hpp"
+
 namespace dmp::scene {
 
 bool Part::slides() const { return !std::ranges::all_of(surface_velocity.value, &Expression::is_zero); }
@@ -88,7 +90,7 @@ const ContactPair* Scene::contact_between(const std::string& a, const std::strin
 
 bool Scene::asks_for(FluidField field) const {
     const auto probes_it = [&](const Measure& measure) {
-        return *measure.kind == MeasureKind::probe && *measure.field == field;
+        return reads_a_field(measure.kind) && *measure.field == field;
     };
     const auto waits_for_it = [&](const Solidify& rule) {
         return field == FluidField::residence_time && (*rule.seed_residence_above > 0 || *rule.residence_above > 0);

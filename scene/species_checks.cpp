@@ -144,9 +144,10 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
 
 void check_species_measure(const Scene& scene, const Measure& measure) {
     using enum MeasureKind;
-    if (*measure.kind == probe && *measure.field == FluidField::concentration && scene.species.empty())
+    if (reads_a_field(measure.kind) && *measure.field == FluidField::concentration && scene.species.empty())
         throw InputError(measure.field.location,
-                         "the probe '" + *measure.name + "' reads a concentration, and the scene has no species",
+                         "the " + to_string(*measure.kind) + " '" + *measure.name +
+                             "' reads a concentration, and the scene has no species",
                          "add a [[species]], or read another field");
     if (!is_of_species(*measure.kind)) return;
     need_species(scene, measure);

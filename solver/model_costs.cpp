@@ -57,8 +57,8 @@ std::vector<Omission> omissions(const Scene& scene) {
     for (std::size_t number = 0; number < scene.species.size(); ++number)
         leave_out(true, "diffusion of '" + *scene.species[number].name + "'", [number, &scene](Scene& s) {
             std::erase_if(s.measures, [&](const Measure& measure) {
-                const bool of_any = is_of_species(*measure.kind) || (*measure.kind == MeasureKind::probe &&
-                                                                     *measure.field == FluidField::concentration);
+                const bool of_any = is_of_species(*measure.kind) ||
+                                    (reads_a_field(measure.kind) && *measure.field == FluidField::concentration);
                 return of_any && scene.species_of(measure) == number;
             });
             s.species.erase(s.species.begin() + static_cast<std::ptrdiff_t>(number));

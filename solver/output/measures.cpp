@@ -126,15 +126,24 @@ struct Measures::Rows {
              return values;
          }},
         {MeasureKind::probe,
+         [](const Measures& self, const Measure& measure) { return self.field_columns(measure, measure.name); },
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             return self.field_at({measure.point}, measure.point.location, measure, moment);
+         }},
+        {MeasureKind::line,
          [](const Measures& self, const Measure& measure) {
              Columns columns;
-             for (const std::string& ending : column_endings(self.scene_, measure.field, self.space_.dimension))
-                 columns.push_back(
-                     {*measure.name + ending, unit_of_column(self.scene_, measure.field, columns.size())});
+             for (int k = 1; k <= *measure.points; ++k)
+                 std::ranges::move(self.field_columns(measure, *measure.name + "_" + std::to_string(k)),
+                                   std::back_inserter(columns));
              return columns;
          },
          [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
-             return self.probe(measure, moment);
+             std::vector<Vec> points;
+             for (int k = 0; k < *measure.points; ++k)
+                 points.push_back(measure.from.value +
+                                  (measure.to.value - measure.from.value) * k / (*measure.points - 1));
+             return self.field_at(points, measure.from.location, measure, moment);
          }},
     });
 };
@@ -221,18 +230,32 @@ double Measures::kinetic_energy(const ParticleGroup& fluid) const {
 
 bool Measures::need_neighbours() const {
     return std::ranges::any_of(measures_, [](const Measure* measure) {
-        return *measure->kind == MeasureKind::probe && FluidFields::need_neighbours(measure->field);
+        return reads_a_field(measure->kind) && FluidFields::need_neighbours(measure->field);
     });
 }
 
-std::vector<double> Measures::probe(const Measure& measure, const FluidMoment& moment) const {
-    const Probe probe(measure.point, moment.particles, moment.step, settings_, ranks_);
-    if (moment.series.rows.empty() && !probe.is_in_fluid())
-        throw InputError(measure.point.location, "the probe '" + *measure.name + "' stands where there is no fluid",
-                         "move its point into the fluid: no particle is within 1.5 spacings of it");
+std::vector<MeasureColumn> Measures::field_columns(const Measure& measure, const std::string& name) const {
+    std::vector<MeasureColumn> columns;
+    for (const std::string& ending : column_endings(scene_, measure.field, space_.dimension))
+        columns.push_back({name + ending, unit_of_column(scene_, measure.field, columns.size())});
+    return columns;
+}
+
+std::vector<double> Measures::field_at(const std::vector<Vec>& points, const SourceLocation& location,
+                                       const Measure& measure, const FluidMoment& moment) const {
+    const std::vector<FluidValues> arrays = FluidFields(scene_, moment.particles, moment.step).of(measure.field);
+    bool any_in_fluid = false;
     std::vector<double> values;
-    for (const FluidValues& array : FluidFields(scene_, moment.particles, moment.step).of(measure.field))
-        std::ranges::copy(probe.of(measure.field, array), std::back_inserter(values));
+    for (const Vec& point : points) {
+        const Probe probe(point, moment.particles, moment.step, settings_, ranks_);
+        any_in_fluid = any_in_fluid || probe.is_in_fluid();
+        for (const FluidValues& array : arrays)
+            std::ranges::move(probe.of(measure.field, array), std::back_inserter(values));
+    }
+    if (moment.series.rows.empty() && !any_in_fluid)
+        throw InputError(location,
+                         "the " + to_string(*measure.kind) + " '" + *measure.name + "' stands where there is no fluid",
+                         "move it into the fluid: no particle is within 1.5 spacings of it");
     return values;
 }
 

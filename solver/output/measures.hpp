@@ -24,17 +24,18 @@ namespace dmp::solver {
 ///   probe          a fluid field at a point (Probe); vectors and tensors have one column a component, residence_time
 ///   one
 ///                  a region, concentration one a species; NaN, which the tables write as empty, where no fluid is
+///   line           the same at points along a line, those of each point one after the other, NAME_1 ...
 /// Those of a species: SpeciesMeasures.
 class Measures {
   public:
     Measures(const Scene& scene, const ParticleSet& set, const PairSettings& settings, const Ranks& ranks);
 
-    /// Adds a row. Throws InputError when a probe finds no fluid in the first one.
+    /// Adds a row. Throws InputError when a probe or line finds no fluid in the first one.
     void take(double time, const ParticleStore& particles, const FluidStep& fluid);
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
     void archive(Archive& file);
-    /// Whether a probe reads what follows from neighbours.
+    /// Whether a probe or line reads what follows from neighbours.
     [[nodiscard]] bool need_neighbours() const;
 
   private:
@@ -46,8 +47,11 @@ class Measures {
     [[nodiscard]] double over_all_ranks(ExactSum sum) const;
     [[nodiscard]] double flux(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] double kinetic_energy(const ParticleGroup& fluid) const;
-    /// A value a column of the probe.
-    [[nodiscard]] std::vector<double> probe(const Measure& measure, const FluidMoment& moment) const;
+    /// The columns of a field at one point.
+    [[nodiscard]] std::vector<MeasureColumn> field_columns(const Measure& measure, const std::string& name) const;
+    /// Their values at each of the points. Throws InputError, with this location, when none finds fluid at first.
+    [[nodiscard]] std::vector<double> field_at(const std::vector<Vec>& points, const SourceLocation& location,
+                                               const Measure& measure, const FluidMoment& moment) const;
 
     const Scene& scene_;
     ParticleSpace space_;

@@ -101,6 +101,27 @@ TEST(ProbesBesideWalls, read_the_speed_of_a_lid_on_it) {
     }
 }
 
+TEST(Line, reads_what_probes_read_at_its_points) {
+    auto made = case_of("verification/poiseuille", {"particles.spacing=\"0.1 mm\"", "run.duration=\"0.1 s\""});
+    std::vector<Measure> measures = probes_at({-0.5e-3, 0, 0.5e-3, 1e-3}, FluidField::velocity);
+    Measure line = measures[0];
+    measures.erase(measures.begin());
+    line.name = "profile";
+    line.kind = MeasureKind::line;
+    line.from = Vec(0.2e-3, -0.5e-3, 0);
+    line.to = Vec(0.2e-3, 1e-3, 0);
+    line.points = 4;
+    measures.push_back(line);
+    made.scene.measures = measures;
+    const MeasureSeries series = Simulation(made.scene, made.particles, 1).run({}).measures;
+    ASSERT_EQ(series.names.size(), 14U);
+    EXPECT_EQ(series.names[6], "profile_1_x");
+    EXPECT_EQ(series.names[13], "profile_4_y");
+    const auto& row = series.rows.back();
+    EXPECT_TRUE(std::isnan(row[6])) << "it starts in the wall";
+    for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(row[8 + k], row[k]);
+}
+
 TEST(ProbesBesideWalls, read_the_pressure_at_bottom_and_top) {
     auto made = case_of("verification/hydrostatic", {"run.duration=\"1 s\""});
     std::vector<Measure> probes = probes_at({0, 0.005, 0.02, 0.5, 0.98, 1}, FluidField::pressure);
