@@ -188,6 +188,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
+    scales.density_diffusion = scene.numerics.density_diffusion;
     if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))

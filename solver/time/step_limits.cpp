@@ -41,6 +41,11 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         // A particle may be moved by shifting no further than the sum's own scale allows.
         limits.push_back(
             {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
+    // Measured: stable at delta c0 dt / R = 0.15, unstable from 0.2 (corrected scheme) or 0.2 to 0.25 (plain).
+    if (scales.density_diffusion * scales.step_factor > 0.12)
+        limits.push_back({"density diffusion",
+                          0.12 * scales.support / (scales.density_diffusion * (scales.sound_speed + largest_speed)),
+                          "delta (c0 + U) dt / R <= 0.12"});
     if (scales.contact_limit > 0)
         limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion, at touch or nearer"});
     return limits;

@@ -16,6 +16,7 @@ struct StepScales {
     double viscous_limit = 0;        ///< of the kernel, nu dt / R^2 [-]
     double step_factor = 0;          ///< c0 dt / R asked for [-]
     double shifting = 0;             ///< s [-]
+    double density_diffusion = 0;    ///< delta [-]
     double contact_limit = 0;        ///< [s]; 0: no contact
     double lightest_solid = 1;  ///< least mass of an elastic node over that of the liquid it displaces, at most 1 [-]
     bool implicit_viscosity = false;

@@ -49,6 +49,14 @@ TEST(StepLimits, by_their_formulas) {
     for (const StepLimit& limit : limits) EXPECT_FALSE(limit.formula.empty()) << limit.model;
 }
 
+TEST(StepLimits, strong_density_diffusion_needs_shorter_steps) {
+    StepScales strong = scales();
+    strong.density_diffusion = 1;
+    EXPECT_NEAR(limit_of("density diffusion", fluid_step_limits(strong, 0.5, 10)), 0.12 * 3e-4 / 2.5, 1e-18);
+    strong.density_diffusion = 0.1;
+    EXPECT_EQ(limit_of("density diffusion", fluid_step_limits(strong, 0.5, 10)), -1) << "far from ruling";
+}
+
 TEST(StepLimits, what_is_not_there_sets_no_limit) {
     StepScales s = scales();
     s.kinematic_viscosity = 0;
