@@ -23,6 +23,12 @@ namespace {
 
 constexpr int steps_between_checks = 50;
 
+std::vector<Warning> foreseen_warnings(const Scene& scene, const ParticleSet& set, const SoundSpeed& sound) {
+    std::vector<Warning> warnings = sound_speed_warnings(scene, set, sound);
+    std::ranges::move(resolution_warnings(scene, set), std::back_inserter(warnings));
+    return warnings;
+}
+
 /// The set itself, in which no two particles have the same position.
 const ParticleSet& checked(const ParticleSet& set) {
     check_apart(set);
@@ -38,7 +44,7 @@ std::string text_of(const std::optional<StabilityMonitor::Finding>& finding) {
 FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
     : sound_(choose_sound_speed(s, set)),
       scene_(with_sound_speed(std::move(s), sound_)),
-      of_resolution_(resolution_warnings(scene_, set)),
+      foreseen_(foreseen_warnings(scene_, set, sound_)),
       ranks_(resources.ranks),
       settings_(pair_settings(scene_, checked(set), resources)),
       particles_(starting_particles(scene_, set, equations_of_state(scene_, set), ranks_)),
@@ -191,7 +197,7 @@ Plan FluidRun::plan() const {
     add_limits_of_elastic_solids(plan);
     plan.models = models_in_use(scene_, settings_, fluid_.sweeps(), fluid_.springs());
     plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
-    plan.warnings.insert(plan.warnings.end(), of_resolution_.begin(), of_resolution_.end());
+    plan.warnings.insert(plan.warnings.end(), foreseen_.begin(), foreseen_.end());
     add_fields(plan);
     return plan;
 }
@@ -314,7 +320,7 @@ RunSummary FluidRun::summary() const {
     summary.density_low = reached_.density_low() * rest_density;
     summary.density_high = reached_.density_high() * rest_density;
     summary.largest_speed = reached_.largest_speed();
-    summary.warnings = of_resolution_;
+    summary.warnings = foreseen_;
     std::ranges::move(reached_.warnings(time_ >= scene_.run.duration), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
     summary.lost = static_cast<std::size_t>(

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "solver/run/column_pressure.hpp"
 
 namespace dmp::solver {
@@ -31,12 +32,9 @@ SoundSpeed by_pressure(const Scene& scene, double pressure, double density, Soun
 
 const SoundSpeed& faster(const SoundSpeed& a, const SoundSpeed& b) { return b.value > a.value ? b : a; }
 
-/// By the pressure that is given, or by those that can be estimated.
-SoundSpeed by_expected_pressure(const Scene& scene, const ParticleSet& set) {
-    const double lightest = lightest_density(scene);
-    if (*scene.flow.largest_pressure > 0)
-        return by_pressure(scene, scene.flow.largest_pressure, lightest, SoundSpeed::Origin::given_pressure);
-    SoundSpeed fastest = by_pressure(scene, viscous_pressure(scene), lightest, SoundSpeed::Origin::viscous_pressure);
+/// By the pressures of column_pressures, each by its fluid's density; 0 without any.
+SoundSpeed by_columns(const Scene& scene, const ParticleSet& set) {
+    SoundSpeed fastest{.value = 0, .origin = SoundSpeed::Origin::column_pressure};
     const std::vector<double> columns = column_pressures(scene, set);
     for (std::size_t part = 0; part < columns.size(); ++part) {
         if (columns[part] == 0) continue;
@@ -44,6 +42,15 @@ SoundSpeed by_expected_pressure(const Scene& scene, const ParticleSet& set) {
         fastest = faster(fastest, by_pressure(scene, columns[part], density, SoundSpeed::Origin::column_pressure));
     }
     return fastest;
+}
+
+/// By the pressure that is given, or by those that can be estimated.
+SoundSpeed by_expected_pressure(const Scene& scene, const ParticleSet& set) {
+    const double lightest = lightest_density(scene);
+    if (*scene.flow.largest_pressure > 0)
+        return by_pressure(scene, scene.flow.largest_pressure, lightest, SoundSpeed::Origin::given_pressure);
+    return faster(by_pressure(scene, viscous_pressure(scene), lightest, SoundSpeed::Origin::viscous_pressure),
+                  by_columns(scene, set));
 }
 
 }  // namespace
@@ -60,6 +67,23 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
                               .origin = SoundSpeed::Origin::largest_speed};
     if (scene.parts_of(PartKind::fluid).empty()) return by_speed;
     return faster(by_speed, by_expected_pressure(scene, set));
+}
+
+std::vector<Warning> sound_speed_warnings(const Scene& scene, const ParticleSet& set, const SoundSpeed& chosen) {
+    constexpr double most_of_density = 0.05;
+    const bool by_hand = chosen.origin == SoundSpeed::Origin::scene;
+    if (!by_hand && chosen.origin != SoundSpeed::Origin::given_pressure) return {};
+    const SoundSpeed needed = by_columns(scene, set);
+    const double of_density = std::pow(*scene.numerics.mach_number * needed.value / chosen.value, 2);
+    if (!(of_density > most_of_density)) return {};
+    const std::string pressure = number_text(needed.largest_pressure, 3) + " Pa";
+    const std::string problem = "is too low: the pressure by the body forces over the fluid's extent, " + pressure +
+                                ", changes the density by " + number_text(100 * of_density, 2) + " %";
+    if (by_hand)
+        return {{"numerics.sound_speed", scene.numerics.sound_speed.location, problem,
+                 "give \"" + number_text(needed.value, 3) + " m/s\" or more, or leave it out"}};
+    return {{"flow.largest_pressure", scene.flow.largest_pressure.location, problem,
+             "give \"" + pressure + "\" or more, or leave it out"}};
 }
 
 Scene with_sound_speed(Scene scene, const SoundSpeed& chosen) {

@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
 #include "solver/results/plan.hpp"
@@ -15,6 +17,11 @@ namespace dmp::solver {
 /// than that of sound, so that it costs nothing. It is left out with implicit viscosity, where it would, and with the
 /// plain scheme, whose answer depends on c0.
 SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set);
+
+/// Warns of a speed of sound, given or by a pressure that is given, with which the pressures of column_pressures change
+/// a density by more than 5 %. As long as sound needs to cross the fluid the change is not seen in the densities
+/// reached.
+std::vector<Warning> sound_speed_warnings(const Scene& scene, const ParticleSet& set, const SoundSpeed& chosen);
 
 /// Of the scene's fluids [kg/m^3]; infinite without any.
 double lightest_density(const Scene& scene);

@@ -106,7 +106,7 @@ TEST(Line, reads_what_probes_read_at_its_points) {
     std::vector<Measure> measures = probes_at({-0.5e-3, 0, 0.5e-3, 1e-3}, FluidField::velocity);
     Measure line = measures[0];
     measures.erase(measures.begin());
-    line.name = "profile";
+    line.name = std::string("profile");
     line.kind = MeasureKind::line;
     line.from = Vec(0.2e-3, -0.5e-3, 0);
     line.to = Vec(0.2e-3, 1e-3, 0);
