@@ -78,7 +78,7 @@ std::vector<Warning> sound_speed_warnings(const Scene& scene, const ParticleSet&
     if (!(of_density > most_of_density)) return {};
     const std::string pressure = number_text(needed.largest_pressure, 3) + " Pa";
     const std::string problem = "is too low: the pressure by the body forces over the fluid's extent, " + pressure +
-                                ", changes the density by " + number_text(100 * of_density, 2) + " %";
+                                ", changes the density by " + number_text(100 * of_density, 3) + " %";
     if (by_hand)
         return {{"numerics.sound_speed", scene.numerics.sound_speed.location, problem,
                  "give \"" + number_text(needed.value, 3) + " m/s\" or more, or leave it out"}};
