@@ -226,6 +226,7 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"state_hash", summary.state_hash},
               {"seconds_by_stage", object_of(summary.seconds_by_stage)},
               {"files", extra.files}};
+    if (summary.velocity_change) json["velocity_change_per_spacing"] = *summary.velocity_change;
     const ViscousSolves& viscous = summary.viscous_solves;
     if (viscous.solves > 0)
         json["implicit_viscosity"] = {{"solves", viscous.solves},

@@ -86,6 +86,8 @@ struct RunSummary {
     std::string ruling_limit;
     double sound_speed = 0;    ///< [m/s]
     double largest_speed = 0;  ///< that the fluid reached [m/s]
+    /// From one particle to the next, of itself (VelocityChange) [-]; nothing with the plain scheme.
+    std::optional<double> velocity_change;
     /// Where the flow that was reached is not the one that was planned.
     std::vector<Warning> warnings;
     Conserved start, end;

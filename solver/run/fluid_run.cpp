@@ -10,7 +10,6 @@
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
 #include "solver/run/models_in_use.hpp"
-#include "solver/run/resolution.hpp"
 #include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
 #include "solver/run/warnings.hpp"
@@ -22,12 +21,6 @@ namespace dmp::solver {
 namespace {
 
 constexpr int steps_between_checks = 50;
-
-std::vector<Warning> foreseen_warnings(const Scene& scene, const ParticleSet& set, const SoundSpeed& sound) {
-    std::vector<Warning> warnings = sound_speed_warnings(scene, set, sound);
-    std::ranges::move(resolution_warnings(scene, set), std::back_inserter(warnings));
-    return warnings;
-}
 
 /// The set itself, in which no two particles have the same position.
 const ParticleSet& checked(const ParticleSet& set) {
@@ -44,7 +37,7 @@ std::string text_of(const std::optional<StabilityMonitor::Finding>& finding) {
 FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
     : sound_(choose_sound_speed(s, set)),
       scene_(with_sound_speed(std::move(s), sound_)),
-      foreseen_(foreseen_warnings(scene_, set, sound_)),
+      foreseen_(sound_speed_warnings(scene_, set, sound_)),
       ranks_(resources.ranks),
       settings_(pair_settings(scene_, checked(set), resources)),
       particles_(starting_particles(scene_, set, equations_of_state(scene_, set), ranks_)),
@@ -130,6 +123,7 @@ void FluidRun::archive(Archive& file) {
     file("frames_", frames_);
     file("last_frame_", last_frame_);
     reached_.archive(file);
+    velocity_change_.archive(file);
     file("mass_at_start", at_start_.mass);
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
@@ -260,6 +254,7 @@ void FluidRun::advance(const RunOptions& options, double until) {
     monitor_.walls_have_moved(fluid_.walls().farthest());
     const std::vector<Warning> warnings = reached_.add(extremes_);
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
+    if (step_ % steps_between_checks == 0) velocity_change_.add(particles_, ranks_);
     for (const Warning& warning : warnings)
         if (options.warn) options.warn(time_, warning);
     // The next step follows from what there is after it, as it does after a restart.
@@ -322,6 +317,8 @@ RunSummary FluidRun::summary() const {
     summary.largest_speed = reached_.largest_speed();
     summary.warnings = foreseen_;
     std::ranges::move(reached_.warnings(time_ >= scene_.run.duration), std::back_inserter(summary.warnings));
+    summary.velocity_change = velocity_change_.value(settings_.spacing);
+    if (const auto coarse = velocity_change_.warning(scene_)) summary.warnings.push_back(*coarse);
     summary.density_drift = fluid_.reference().density_drift();
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));
