@@ -165,28 +165,29 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
     return setup;
 }
 
-std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space,
-                                          double speed) {
+std::vector<StepLimit> contact_step_limits(const SphereSetup& setup, double speed, double steps) {
     std::vector<StepLimit> limits;
-    const double steps = scene.numerics.steps_per_contact, finer = StepsPerContact::standard / steps;
-    if (scene.numerics.contact_step > 0) {
-        limits.push_back({"contact_step", scene.numerics.contact_step, "asked for"});
-        return limits;
-    }
-    const double fastest = std::max<double>(speed, scene.flow.largest_speed);
+    const double part = StepsPerContact::standard / steps * adhesion_part;
     for (const auto* pairs : {&setup.pairs, &setup.wall_pairs})
         for (const SpherePair& pair : *pairs) {
-            if (fastest > 0)
+            if (speed > 0)
                 limits.push_back({"contact of " + pair.parts,
-                                  ContactTimes::impact(pair.radius, pair.mass, fastest, pair.constants) / steps,
-                                  "impact at " + text_of(fastest) + " m/s in " + text_of(steps) + " steps"});
+                                  ContactTimes::impact(pair.radius, pair.mass, speed, pair.constants) / steps,
+                                  "impact at " + text_of(speed) + " m/s in " + text_of(steps) + " steps"});
             const double stiffness =
                 pair.model.adhesion.visit([&]<class Law>() { return Law::stiffness(pair.radius, pair.constants); });
             if (stiffness > 0)
-                limits.push_back({"adhesion of " + pair.parts,
-                                  finer * adhesion_part * ContactTimes::stable(stiffness, pair.mass),
-                                  text_of(finer * adhesion_part) + " of 2 sqrt(m* / largest slope of the force)"});
+                limits.push_back({"adhesion of " + pair.parts, part * ContactTimes::stable(stiffness, pair.mass),
+                                  text_of(part) + " of 2 sqrt(m* / largest slope of the force)"});
         }
+    return limits;
+}
+
+std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space,
+                                          double speed) {
+    const double steps = scene.numerics.steps_per_contact, finer = StepsPerContact::standard / steps;
+    std::vector<StepLimit> limits =
+        contact_step_limits(setup, std::max<double>(speed, scene.flow.largest_speed), steps);
     for (std::size_t k = 0; k < space.parts.size(); ++k) {
         const double radius = setup.smallest_by_part[k];
         if (radius == 0) continue;

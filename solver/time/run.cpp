@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "base/wall_clock.hpp"
+
 namespace dmp::solver {
 
 namespace {
