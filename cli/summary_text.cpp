@@ -101,6 +101,13 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
     if (scene.dimension == 3) momentum += fmt::format(", {:.4g}", summary.end.momentum[2]);
     list.add("momentum", fmt::format("({}) kg m/s; {:.2g} of what the forces gave is unaccounted for", momentum,
                                      summary.momentum_residual));
+    if (summary.spheres) {
+        const SphereEnergy &start = summary.spheres->start, &end = summary.spheres->end;
+        list.add("energy",
+                 fmt::format("{:.4g} J at the start, {:.4g} J at the end: {:.4g} translation, {:.4g} rotation, "
+                             "{:.4g} in contacts",
+                             start.total(), end.total(), end.translation, end.rotation, end.contacts));
+    }
     if (scene.parts_of(PartKind::spheres).empty()) list.add("density", density_text(scene, summary));
     list.add("lost", count_text(summary.lost, "particle"));
     const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",

@@ -243,6 +243,12 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
         json["implicit_diffusion"] = {{"solves", diffusion.solves},
                                       {"iterations_mean", diffusion.mean_iterations()},
                                       {"iterations_most", diffusion.most_iterations}};
+    if (summary.spheres) {
+        const auto energy = [](const SphereEnergy& of) {
+            return Json{{"translation", of.translation}, {"rotation", of.rotation}, {"contacts", of.contacts}};
+        };
+        json["energy"] = {{"start", energy(summary.spheres->start)}, {"end", energy(summary.spheres->end)}};
+    }
     for (const Aggregate& of : summary.aggregates)
         json["aggregates"][of.name] = {{"particles", of.particles},   {"mass", of.mass},
                                        {"pieces", of.pieces},         {"largest", of.largest},

@@ -87,7 +87,7 @@ struct Scene {
         Value<double> spring_step_factor = 0.5;  ///< fraction of the largest stable step of the springs [-]
         Value<SpeciesStepping> species_stepping = SpeciesStepping::explicitly;
         Value<double> species_tolerance = 1e-8;  ///< implicit diffusion: relative error of the concentrations [-]
-        Value<double> steps_per_contact = 20.0;  ///< spheres: steps in the shortest elastic impact [-]
+        Value<double> steps_per_contact = 30.0;  ///< spheres: steps in the shortest elastic impact [-]
         Value<double> contact_step = 0.0;        ///< spheres: time step [s]; 0 = "auto": from steps_per_contact
     } numerics;
 

@@ -275,10 +275,10 @@ std::vector<Key<Numerics>> numerics_keys() {
         {"species_tolerance", &Numerics::species_tolerance, number(between(1e-14, 0.01)), "1e-8",
          "Implicit diffusion: the iteration ends when the residual's estimate of the concentration error, divided "
          "by the concentrations, is below this."},
-        {"steps_per_contact", &Numerics::steps_per_contact, number(at_least(5)), ByQuality{"10", "20", "50"},
+        {"steps_per_contact", &Numerics::steps_per_contact, number(at_least(5)), ByQuality{"15", "30", "75"},
          "Spheres: number of time steps in the shortest elastic impact, if contact_step is \"auto\"."},
         {"contact_step", &Numerics::contact_step, quantity_or_auto("1 ns"), "auto",
-         "Spheres: time step; \"auto\" derives it from steps_per_contact."},
+         "Spheres: time step, at most a fifth of the shortest impact; \"auto\" derives it from steps_per_contact."},
     };
 }
 

@@ -45,6 +45,24 @@ struct ContactLaw {
         return std::max(Normal::reach(radius, pair), Adhesion::reach(radius, pair));
     }
 
+    /// Energy that the contact stores [J]; of adhesion, relative to bodies far apart.
+    static double energy(double overlap, double radius, const ContactConstants<>& pair,
+                         const History<double>& history) {
+        double held = 0, energy = 0;
+        if constexpr (keeps_touch) held = history[history_values - 1];
+        Contact<double> contact{};
+        contact.overlap = overlap;
+        contact.radius = radius;
+        const double touch = Normal::law(contact, pair, held).touch;
+        if (touch > 0)
+            energy = Normal::energy(overlap, radius, pair) +
+                     Tangential::energy(vector_of(history, 0), touch, pair.tangential_stiffness);
+        if constexpr (history_vectors == 2)
+            energy += Rolling::energy(vector_of(history, 1), {pair.normal_stiffness * touch, 0}, radius, pair);
+        if constexpr (!std::is_same_v<Adhesion, NoAdhesion>) energy += Adhesion::energy(overlap, radius, pair);
+        return energy;
+    }
+
     /// The force of a contact after its surfaces have moved for dt [s] with the given velocities; updates `history`.
     /// With dt = 0 the history stays the same, and the force is the current one. If nothing touches, the history is
     /// zero and the force is the adhesion across the gap, if any. Constants is ContactConstants of double or T.
@@ -57,10 +75,12 @@ struct ContactLaw {
         const NormalContact<T> normal = Normal::law(contact, pair, before);
 
         const T root = sqrt(contact.mass * normal.touch), mass_touch = contact.mass * normal.touch;
-        const T least = pair.least_normal + where_less(normal.force, zero, normal.force, zero);
+        const T pulling = where_less(normal.force, zero, normal.force, zero), least = pair.least_normal + pulling;
         const auto press = [&](const T& ends) {
             const T dashpot = pair.normal_dashpot * (ends * root) + pair.normal_rate * mass_touch;
-            const T damped = normal.force - Tangential::in_steps(dashpot, contact.mass, dt) * contact.normal_velocity;
+            const T end = Tangential::end_of_step(dashpot, contact.mass, dt);
+            // What pulls is left as it is: a pull-off force does not depend on the step.
+            const T damped = pulling + (normal.force - pulling - dashpot * contact.normal_velocity) / end;
             return where_less(damped, least, least, damped);
         };
         T pressing = press(T(1.0));
@@ -75,9 +95,9 @@ struct ContactLaw {
         }
         const T normal_load = Tangential::normal_load(pressing + normal.adhesive_force);
 
-        const ShearContact<T> shear{normal.touch, T(pair.tangential_stiffness),
-                                    pair.tangential_dashpot * root + pair.tangential_rate * mass_touch,
-                                    pair.friction * normal_load};
+        const ShearContact<T> shear{
+            normal.touch, mean_root(contact, normal.touch, before, dt), T(pair.tangential_stiffness),
+            pair.tangential_dashpot * root + pair.tangential_rate * mass_touch, pair.friction * normal_load};
         const Shear<T> sheared = Tangential::law(contact, shear, vector_of(history, 0), dt);
         ContactForce<T> force{pressing, sheared.force, Vector<T, 3>::zero()};
         if (dt > 0) keep(history, 0, sheared.kept, normal.touch);
@@ -97,6 +117,21 @@ struct ContactLaw {
     }
 
   private:
+    /// Mean of sqrt(a) over a step [m^(1/2)], to second order, also where the overlap begins within it.
+    template <class T>
+    static T mean_root(const Contact<T>& contact, const T& touch, const T& before, double dt) {
+        using std::sqrt;
+        const T zero(0.0), one(1.0);
+        const auto positive = [&](const T& value) { return where_less(zero, value, value, zero); };
+        const T last = contact.overlap + T(dt) * contact.normal_velocity, now = positive(contact.overlap);
+        // Of the step, in contact.
+        const T part = where_less(last, zero, now / (now + where_less(last, zero, -last, one)), one);
+        if constexpr (keeps_touch)
+            return where_less(zero, before, sqrt(0.5 * (before + touch)), part * sqrt(touch));
+        else
+            return where_less(last, zero, 0.8 * part * sqrt(touch),
+                              sqrt(sqrt(contact.radius * positive(0.5 * (last + contact.overlap)))));
+    }
     template <class T>
     static Vector<T, 3> vector_of(const History<T>& history, std::size_t number) {
         return {{history[3 * number], history[3 * number + 1], history[3 * number + 2]}};

@@ -18,10 +18,11 @@ struct Shear {
 /// Input of the tangential laws besides the slip.
 template <class T>
 struct ShearContact {
-    T touch;    ///< contact radius a [m]
-    T modulus;  ///< k_t [Pa]
-    T dashpot;  ///< c_t [N s/m]
-    T largest;  ///< Coulomb's limit: mu times the pressing force [N]
+    T touch;      ///< contact radius a [m]
+    T mean_root;  ///< mean of sqrt(a) over the step, of 0 while the surfaces do not touch [m^(1/2)]
+    T modulus;    ///< k_t [Pa]
+    T dashpot;    ///< c_t [N s/m]
+    T largest;    ///< Coulomb's limit: mu times the pressing force [N]
 };
 
 /// A tangential spring and dashpot with Coulomb's limit:
@@ -37,14 +38,13 @@ struct RescaledHistory {
     /// Forces use the directions at mid-step; the dashpot starts and ends with the overlap.
     static constexpr bool centred = true;
 
-    /// The dashpot corrected for a moving mass [kg] and steps of dt: c / max(1 + x/4, x), x = c dt / m. The force
-    /// uses the velocity half a step earlier, which makes the dashpot too strong by a fraction x/4 in the energy
-    /// balance; the maximum ensures that a dashpot of any strength can stop a motion but not reverse it.
+    /// Divides the force of a spring and a dashpot that was found with the velocity of half a step ago, for a moving
+    /// mass [kg] and steps of dt, into that with the velocity at the end of the step, the force itself included: 1 +
+    /// x/2, x = c dt / m. At least x, so that a dashpot of any strength can stop a motion but not reverse it.
     template <class T>
-    static T in_steps(const T& dashpot, const T& mass, double dt) {
-        const T step = T(dt) * dashpot / mass;
-        const T delayed = T(1.0) + 0.25 * step;
-        return dashpot / where_less(delayed, step, step, delayed);
+    static T end_of_step(const T& dashpot, const T& mass, double dt) {
+        const T step = T(dt) * dashpot / mass, half = T(1.0) + 0.5 * step;
+        return where_less(half, step, step, half);
     }
 
     template <class T>
@@ -52,15 +52,16 @@ struct RescaledHistory {
                         double dt) {
         using std::sqrt;
         const T tiny(1e-300), one(1.0);
-        const T root = sqrt(shear.touch);
-        const Vector<T, 3> moved = turned(kept_before, contact.normal) + (T(dt) * root) * contact.slip;
-        const T per_kept = shear.modulus * root;  // k_t a xi = k_t sqrt(a) (xi sqrt(a))
-        const T held = per_kept * sqrt(dot(moved, moved));
-        const Vector<T, 3> kept = where_less(shear.largest, held, shear.largest / (held + tiny), one) * moved;
-
         // 2/7 m*: a tangential force also rotates solid spheres.
-        const T dashpot = in_steps(shear.dashpot, (2.0 / 7) * contact.mass, dt);
-        const Vector<T, 3> force = -per_kept * kept - dashpot * contact.slip;
+        const T end = end_of_step(shear.dashpot, (2.0 / 7) * contact.mass, dt);
+        const Vector<T, 3> moved = turned(kept_before, contact.normal) + (T(dt) * shear.mean_root) * contact.slip;
+        const T per_kept = shear.modulus * sqrt(shear.touch);  // k_t a xi = k_t sqrt(a) (xi sqrt(a))
+        const T held = per_kept * sqrt(dot(moved, moved));
+        // The spring's own limit, but so that what rests is held up to Coulomb's.
+        const T still = end * shear.largest - shear.dashpot * sqrt(dot(contact.slip, contact.slip));
+        const T most = where_less(shear.largest, still, still, shear.largest);
+        const Vector<T, 3> kept = where_less(most, held, most / (held + tiny), one) * moved;
+        const Vector<T, 3> force = (one / end) * (-per_kept * kept - shear.dashpot * contact.slip);
         const T size = sqrt(dot(force, force));
         return {where_less(shear.largest, size, shear.largest / (size + tiny), one) * force, kept};
     }
@@ -122,8 +123,8 @@ struct PlainHistory {
     }
 
     template <class T>
-    static T in_steps(const T& dashpot, const T& /*mass*/, double /*dt*/) {
-        return dashpot;
+    static T end_of_step(const T& /*dashpot*/, const T& /*mass*/, double /*dt*/) {
+        return T(1.0);
     }
     template <class T>
     static T lever(const T& radius, const T& /*effective_radius*/, const T& /*overlap*/) {

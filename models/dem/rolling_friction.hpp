@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/dem/contact.hpp"
+#include "models/dem/contact_constants.hpp"
 #include "models/registry.hpp"
 
 namespace dmp::models {
@@ -72,7 +73,7 @@ struct RollingSpring {
         const Vector<T, 3> rate = rolling_rate(contact);
         const Vector<T, 3> angle = angle_before - dot(angle_before, contact.normal) * contact.normal + T(dt) * rate;
         const T arm = pair.rolling_friction * contact.radius;
-        const T stiffness = 2.25 * rolling.stiffness * arm * arm;
+        const T stiffness = spring(rolling.stiffness, arm);
         const T most = arm * rolling.pressing;
         const T size = stiffness * sqrt(dot(angle, angle));
         const Vector<T, 3> kept = where_less(most, size, most / (size + tiny), one) * angle;
@@ -81,6 +82,19 @@ struct RollingSpring {
         const Vector<T, 3> torque = -stiffness * kept - dashpot * rate;
         const T total = sqrt(dot(torque, torque));
         return {where_less(most, total, most / (total + tiny), one) * torque, kept};
+    }
+
+    /// Energy stored in the spring [J].
+    static double energy(const Vector<double, 3>& angle, const RollingContact<double>& rolling, double radius,
+                         const ContactConstants<>& pair) {
+        return 0.5 * spring(rolling.stiffness, pair.rolling_friction * radius) * dot(angle, angle);
+    }
+
+  private:
+    /// k_r [N m], `arm` = mu_r R*.
+    template <class T>
+    static T spring(const T& stiffness, const T& arm) {
+        return 2.25 * stiffness * arm * arm;
     }
 };
 

@@ -53,7 +53,9 @@ struct RankShares {
 /// Mechanical energy of spheres.
 struct SphereEnergy {
     double translation = 0, rotation = 0;  ///< of free spheres [J]
+    double contacts = 0;  ///< stored in contacts, also at walls; of adhesion, relative to bodies far apart [J]
     [[nodiscard]] double kinetic() const { return translation + rotation; }
+    [[nodiscard]] double total() const { return kinetic() + contacts; }
 };
 
 /// Results of a run of spheres.

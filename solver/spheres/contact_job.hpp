@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "models/dem/contact_constants.hpp"
 #include "models/dem/contact_law.hpp"
@@ -58,6 +59,9 @@ ContactSweep contact_sweep(const ContactModel& model, VectorUnit unit);
 
 /// How many numbers the law remembers.
 int history_values(const ContactModel& model);
+/// Energy that a contact with this overlap and effective radius [m] stores, `history` being what the law remembers [J].
+double contact_energy(const ContactModel& model, const ContactConstants<double>& pair, double overlap, double radius,
+                      std::span<const double> history);
 /// Largest gap across which a force acts between bodies of this effective radius [m]; 0: only where they touch.
 double contact_reach(const ContactModel& model, const ContactConstants<double>& pair, double radius);
 

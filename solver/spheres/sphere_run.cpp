@@ -8,6 +8,7 @@
 #include <omp.h>
 
 #include "base/errors.hpp"
+#include "solver/spheres/sphere_energy.hpp"
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_monitor.hpp"
 #include "solver/spheres/sphere_output.hpp"
@@ -63,6 +64,8 @@ SphereRun::SphereRun(Scene scene, const ParticleSet& set, const Resources& resou
       frame_times_(scene_.output.every),
       measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
     count_["spheres"] = set.size();
+    fastest_ = rounded_speed(step_.speed_for_limits(0));
+    by_hand_.check(fastest_);
 }
 
 std::vector<StepLimit> SphereRun::contact_limits() const {
@@ -70,19 +73,30 @@ std::vector<StepLimit> SphereRun::contact_limits() const {
 }
 
 std::vector<StepLimit> SphereRun::limits() const {
-    std::vector<StepLimit> all = contact_limits();
+    std::vector<StepLimit> all = by_hand_.added_to(contact_limits());
     add_driving_limit(all, step_.driving(), setup_.smallest_radius, time_);
     if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
     return all;
 }
 
+StepLimit SphereRun::ruling_of(std::vector<StepLimit> all) const {
+    if (by_hand_.given())
+        std::erase_if(all,
+                      [](const StepLimit& limit) { return limit.model != "contact_step" && limit.model != "driving"; });
+    return ruling_limit(all);
+}
+
 /// The limits with their words take longer than a step of a few spheres.
-double SphereRun::longest_step() {
+double SphereRun::longest_step(const RunOptions& options) {
     const double speed = rounded_speed(step_.speed_for_limits(time_));
     if (speed != limited_speed_) {
         limited_speed_ = speed;
-        const std::vector<StepLimit> limits = contact_limits();
-        longest_step_ = limits.empty() ? scene_.output.every.value : ruling_limit(limits).dt;
+        const std::vector<StepLimit> limits = by_hand_.added_to(contact_limits());
+        longest_step_ = limits.empty() ? scene_.output.every.value : ruling_of(limits).dt;
+        const bool was_too_long = by_hand_.too_long_at(fastest_).has_value();
+        fastest_ = std::max(fastest_, speed);
+        const std::optional<Warning> too_long = by_hand_.too_long_at(fastest_);
+        if (too_long && !was_too_long && options.warn) options.warn(time_, *too_long);
     }
     const Driving& driving = step_.driving();
     return driving.empty() ? longest_step_ : std::min(longest_step_, driving.step_limit(setup_.smallest_radius, time_));
@@ -101,7 +115,11 @@ Conserved SphereRun::conserved() const {
     return {mass.value(), {momentum[0].value(), momentum[1].value(), momentum[2].value()}};
 }
 
-SphereEnergy SphereRun::energy() const { return kinetic_energy(step_, ranks_); }
+SphereEnergy SphereRun::energy() const {
+    SphereEnergy energy = kinetic_energy(step_, ranks_);
+    energy.contacts = energy_in_contacts(step_, ranks_);
+    return energy;
+}
 
 Plan SphereRun::plan() const {
     Plan plan;
@@ -109,11 +127,12 @@ Plan SphereRun::plan() const {
     plan.bytes_per_particle = (group_.bytes() + step_.bytes()) / std::max<std::size_t>(1, group_.owned());
     plan.largest_speed = std::max<double>(scene_.flow.largest_speed, step_.speed_for_limits(time_));
     plan.limits = limits();
-    const StepLimit ruling = ruling_limit(plan.limits);
+    const StepLimit ruling = ruling_of(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
     plan.models = sphere_models(scene_, setup_, space_);
+    if (const auto warning = by_hand_.inaccurate_at(fastest_)) plan.warnings.push_back(*warning);
     for (const Field field : group_.declared()) {
         const auto bytes = static_cast<std::size_t>(group_.axes(field)) * sizeof(double);
         plan.fields.push_back("spheres: " + std::string(info(field).name) + ", " + std::to_string(bytes) + " bytes");
@@ -139,6 +158,8 @@ void SphereRun::archive(Archive& file) {
     file("momentum_at_start", at_start_.momentum);
     file("translation_at_start", energy_at_start_.translation);
     file("rotation_at_start", energy_at_start_.rotation);
+    file("contact_energy_at_start", energy_at_start_.contacts);
+    file("fastest", fastest_);
     measures_.archive(file);
     steady_state_.archive(file);
     file("spheres", group_);
@@ -164,7 +185,7 @@ void SphereRun::write_what_is_due(FrameSink* sink) {
 void SphereRun::stop_if_diverged(FrameSink* sink) { stop_on_violation(sink, trouble_with_spheres(step_, space_)); }
 
 void SphereRun::advance(const RunOptions& options, double until) {
-    const double longest = longest_step();
+    const double longest = longest_step(options);
     // Times that are alike but for their last digits are one.
     const double change = step_.driving().next_change(time_ + 1e-6 * longest);
     const double target = std::min({until, frame_times_.next(), measure_times_.next(), change});
@@ -184,7 +205,7 @@ RunProgress SphereRun::progress(double until) const {
     return {time_,
             until,
             static_cast<long>(step_count_),
-            ruling_limit(limits()).dt,
+            ruling_of(limits()).dt,
             step_.largest_speed(),
             static_cast<long>(frames_)};
 }
@@ -213,6 +234,21 @@ RankShares SphereRun::shares(std::int64_t steps) const {
             a_step(halo.traffic().bytes)};
 }
 
+bool SphereRun::is_driven() const {
+    const auto moves = [](const Part* wall) { return wall->moves(); };
+    return !step_.driving().empty() || !std::ranges::all_of(scene_.flow.acceleration, &Expression::is_zero) ||
+           std::ranges::any_of(scene_.parts_of(PartKind::plane), moves) ||
+           std::ranges::any_of(scene_.parts_of(PartKind::surface), moves);
+}
+
+std::vector<Warning> SphereRun::warnings(const SphereEnergy& end) const {
+    std::vector<Warning> warnings;
+    if (const auto too_long = by_hand_.too_long_at(fastest_)) warnings.push_back(*too_long);
+    if (const auto grown = grown_energy(scene_, energy_at_start_, end); grown && !is_driven())
+        warnings.push_back(*grown);
+    return warnings;
+}
+
 RunSummary SphereRun::summary() const {
     RunSummary summary;
     summary.particles = count_;
@@ -234,7 +270,9 @@ RunSummary SphereRun::summary() const {
     }
     summary.momentum_residual = scale > 0 ? residual / scale : residual;
     const LargestOverlap overlap = largest_overlap(step_);
-    summary.spheres = SphereSummary{energy_at_start_, energy(),
+    const SphereEnergy energy_at_end = energy();
+    summary.warnings = warnings(energy_at_end);
+    summary.spheres = SphereSummary{energy_at_start_, energy_at_end,
                                     static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(overlap.touching))),
                                     ranks_.largest(overlap.ratio), steady_state_.since()};
     summary.state_hash = state_hash(std::span(&group_, 1), space_, ranks_);

@@ -4,6 +4,7 @@
 #include "solver/spheres/sphere_measures.hpp"
 #include "solver/spheres/sphere_step.hpp"
 #include "solver/spheres/steady_state.hpp"
+#include "solver/spheres/step_by_hand.hpp"
 #include "solver/state/schedule.hpp"
 #include "solver/time/run.hpp"
 
@@ -36,8 +37,12 @@ class SphereRun final : public Run {
 
   private:
     [[nodiscard]] std::vector<StepLimit> contact_limits() const;
+    /// The one that determines the step.
+    [[nodiscard]] StepLimit ruling_of(std::vector<StepLimit> all) const;
     [[nodiscard]] std::vector<StepLimit> limits() const;
-    [[nodiscard]] double longest_step();
+    [[nodiscard]] double longest_step(const RunOptions& options);
+    [[nodiscard]] bool is_driven() const;
+    [[nodiscard]] std::vector<Warning> warnings(const SphereEnergy& end) const;
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] SphereEnergy energy() const;
     void write_what_is_due(FrameSink* sink);
@@ -48,6 +53,7 @@ class SphereRun final : public Run {
     Resources resources_;
     ParticleSpace space_;
     SphereSetup setup_;
+    StepByHand by_hand_{scene_, setup_};
     ParticleGroup group_;
     SphereStep step_;
     SphereMeasures measures_;
@@ -61,6 +67,7 @@ class SphereRun final : public Run {
     double last_frame_ = 0;                         ///< [s]
     bool begun_ = false;                            ///< lists and forces are there
     double limited_speed_ = -1, longest_step_ = 0;  ///< the speed for which the longest step is known [m/s], [s]
+    double fastest_ = 0;                            ///< of the speeds for which it was found [m/s]
     Conserved at_start_;
     SphereEnergy energy_at_start_;
 };

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
+#include "base/number_text.hpp"
 #include "models/dem/contact_material.hpp"
 #include "models/dem/contact_steps.hpp"
 #include "solver/forcing/driving_models.hpp"
@@ -103,12 +103,6 @@ void check_periods(const ParticleSet& set, double reach) {
                              "make a period longer than twice the largest sphere's diameter");
 }
 
-std::string text_of(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
-
 }  // namespace
 
 SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
@@ -165,28 +159,29 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
     return setup;
 }
 
-std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space,
-                                          double speed) {
+std::vector<StepLimit> contact_step_limits(const SphereSetup& setup, double speed, double steps) {
     std::vector<StepLimit> limits;
-    const double steps = scene.numerics.steps_per_contact, finer = StepsPerContact::standard / steps;
-    if (scene.numerics.contact_step > 0) {
-        limits.push_back({"contact_step", scene.numerics.contact_step, "asked for"});
-        return limits;
-    }
-    const double fastest = std::max<double>(speed, scene.flow.largest_speed);
+    const double part = StepsPerContact::standard / steps * adhesion_part;
     for (const auto* pairs : {&setup.pairs, &setup.wall_pairs})
         for (const SpherePair& pair : *pairs) {
-            if (fastest > 0)
+            if (speed > 0)
                 limits.push_back({"contact of " + pair.parts,
-                                  ContactTimes::impact(pair.radius, pair.mass, fastest, pair.constants) / steps,
-                                  "impact at " + text_of(fastest) + " m/s in " + text_of(steps) + " steps"});
+                                  ContactTimes::impact(pair.radius, pair.mass, speed, pair.constants) / steps,
+                                  "impact at " + number_text(speed) + " m/s in " + number_text(steps) + " steps"});
             const double stiffness =
                 pair.model.adhesion.visit([&]<class Law>() { return Law::stiffness(pair.radius, pair.constants); });
             if (stiffness > 0)
-                limits.push_back({"adhesion of " + pair.parts,
-                                  finer * adhesion_part * ContactTimes::stable(stiffness, pair.mass),
-                                  text_of(finer * adhesion_part) + " of 2 sqrt(m* / largest slope of the force)"});
+                limits.push_back({"adhesion of " + pair.parts, part * ContactTimes::stable(stiffness, pair.mass),
+                                  number_text(part) + " of 2 sqrt(m* / largest slope of the force)"});
         }
+    return limits;
+}
+
+std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space,
+                                          double speed) {
+    const double steps = scene.numerics.steps_per_contact, finer = StepsPerContact::standard / steps;
+    std::vector<StepLimit> limits =
+        contact_step_limits(setup, std::max<double>(speed, scene.flow.largest_speed), steps);
     for (std::size_t k = 0; k < space.parts.size(); ++k) {
         const double radius = setup.smallest_by_part[k];
         if (radius == 0) continue;
@@ -195,7 +190,7 @@ std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup&
         limits.push_back(
             {"Rayleigh wave in '" + *part.name + "'",
              finer * rayleigh_part * ContactTimes::rayleigh(radius, density, part.youngs_modulus, part.poisson_ratio),
-             text_of(finer * rayleigh_part) + " of its way around half a sphere (Ning & Ghadiri 2006)"});
+             number_text(finer * rayleigh_part) + " of its way around half a sphere (Ning & Ghadiri 2006)"});
     }
     return limits;
 }
@@ -215,8 +210,8 @@ std::vector<ModelUse> sphere_models(const Scene& scene, const SphereSetup& setup
             const ContactPair& asked = *pair.asked;
             std::string source = std::string(normal.citation) + ", " + std::string(tangential.citation);
             if (*asked.normal_stiffness_factor != 1 || *asked.tangential_stiffness_factor != 1)
-                source += ", stiffness times " + text_of(asked.normal_stiffness_factor) + " and " +
-                          text_of(asked.tangential_stiffness_factor);
+                source += ", stiffness times " + number_text(asked.normal_stiffness_factor) + " and " +
+                          number_text(asked.tangential_stiffness_factor);
             models.push_back({"contact of " + pair.parts, source, where});
             add("rolling friction", pair.model.rolling.facts());
             add("adhesion", pair.model.adhesion.facts());

@@ -39,7 +39,10 @@ struct SphereSetup {
 /// Throws InputError where the scene does not say what happens, or what the engine cannot do.
 SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set);
 
-/// The largest steps, by name, for spheres this fast [m/s].
+/// The steps by name with which the shortest impact of each pair, for spheres this fast [m/s], takes `steps` steps, and
+/// those of adhesion that belong to it.
+std::vector<StepLimit> contact_step_limits(const SphereSetup& setup, double speed, double steps);
+/// The largest steps, by name, for spheres this fast [m/s]; whether or not the scene sets one by hand.
 std::vector<StepLimit> sphere_step_limits(const Scene& scene, const SphereSetup& setup, const ParticleSpace& space,
                                           double speed);
 

@@ -245,6 +245,22 @@ SphereWalls::Overlap SphereWalls::largest_overlap(const SphereRows& rows) const 
     return largest;
 }
 
+ExactSum SphereWalls::contact_energy(const SphereRows& rows, std::span<const ParticleTag> tags) const {
+    ExactSum energy;
+    for (const ListedSphere& sphere : listed_) {
+        const auto row = static_cast<std::size_t>(sphere.row);
+        const SphereMotion& motion = rows.motion()[row];
+        for (const Touch& touch : touches_of(sphere, motion, tags[row].part)) {
+            const WallPair& pair = *pairs_[tags[row].part][static_cast<std::size_t>(touch.part)];
+            for (std::size_t k = sphere.first_contact; k < sphere.end_contact; ++k)
+                if (contacts_[k].surface == touch.surface)
+                    energy.add(solver::contact_energy(pair.model, pair.constants, motion.radius() - touch.distance,
+                                                      motion.radius(), contacts_[k].history));
+        }
+    }
+    return energy;
+}
+
 void SphereWalls::exchange(const Ranks& ranks, std::span<const int> rank_of) {
     std::vector<std::vector<WallContact>> to_each(static_cast<std::size_t>(ranks.size()));
     for (const ListedSphere& sphere : listed_)

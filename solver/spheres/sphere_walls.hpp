@@ -79,6 +79,8 @@ class SphereWalls {
         std::int32_t row = -1;
     };
     [[nodiscard]] Overlap largest_overlap(const SphereRows& rows) const;
+    /// Energy that the contacts of this rank's spheres with walls store, as of add_loads [J].
+    [[nodiscard]] ExactSum contact_energy(const SphereRows& rows, std::span<const ParticleTag> tags) const;
 
     /// Contacts go where their spheres go: `rank_of` by row. All ranks take part.
     void exchange(const Ranks& ranks, std::span<const int> rank_of);

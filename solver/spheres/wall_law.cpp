@@ -56,6 +56,18 @@ WallLaw wall_law(const ContactModel& model) {
     return law;
 }
 
+double contact_energy(const ContactModel& model, const ContactConstants<double>& pair, double overlap, double radius,
+                      std::span<const double> history) {
+    double energy = 0;
+    with_model(model, [&]<ContactModel constant>() {
+        using Law = ContactLaw<constant>;
+        typename Law::template History<double> kept;
+        std::copy_n(history.begin(), kept.size(), kept.begin());
+        energy = Law::energy(overlap, radius, pair, kept);
+    });
+    return energy;
+}
+
 int history_values(const ContactModel& model) {
     int values = 0;
     with_model(model, [&]<ContactModel constant>() { values = ContactLaw<constant>::history_values; });

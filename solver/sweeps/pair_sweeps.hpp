@@ -7,8 +7,9 @@
 #include <span>
 #include <type_traits>
 
+#include "models/sph/fluid_law_list.hpp"
 #include "models/sph/viscous_scales.hpp"
-#include "scene/scene.hpp"
+#include "scene/choices.hpp"
 #include "solver/neighbours/cluster_list.hpp"
 #include "solver/parallel/resources.hpp"
 #include "solver/store/particle_store.hpp"

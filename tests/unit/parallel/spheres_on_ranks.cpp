@@ -86,6 +86,7 @@ void expect_the_same_bits(const SphereScene& made) {
     EXPECT_EQ(alone.impulse_of_body_forces[0] != 0, !made.scene.forces.empty());
     EXPECT_EQ(shared.spheres->contacts, alone.spheres->contacts);
     EXPECT_EQ(shared.spheres->end.rotation, alone.spheres->end.rotation);
+    EXPECT_EQ(shared.spheres->end.contacts, alone.spheres->end.contacts);
     EXPECT_GT(shared.steps, 100);
 }
 

@@ -56,6 +56,16 @@ nlohmann::json written(const RunSummary& summary) {
     return nlohmann::json::parse(read_file(folder.path() / "out/summary.json"));
 }
 
+TEST(Summary, HasTheEnergyOfSpheres) {
+    EXPECT_FALSE(written(some_summary()).contains("energy"));
+    RunSummary summary = some_summary();
+    summary.spheres = SphereSummary{{1, 2, 3}, {0.5, 0.25, 0.125}, 0, 0, 0};
+    const nlohmann::json energy = written(summary)["energy"];
+    EXPECT_EQ(energy["start"]["rotation"], 2);
+    EXPECT_EQ(energy["start"]["contacts"], 3);
+    EXPECT_EQ(energy["end"]["translation"], 0.5);
+}
+
 TEST(MeasuresCsv, HasThisText) {
     const TemporaryFolder folder;
     write_measures_csv(folder.path(), two_measures());

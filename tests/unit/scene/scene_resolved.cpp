@@ -147,7 +147,7 @@ spring_stepping = "implicit"
 spring_step_factor = 0.5
 species_stepping = "explicit"
 species_tolerance = 1e-08
-steps_per_contact = 20
+steps_per_contact = 30
 contact_step = "auto"
 
 [run]

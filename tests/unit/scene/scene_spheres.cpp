@@ -82,7 +82,7 @@ TEST(SpheresScene, needs_no_drawing_and_reads_what_is_given) {
     EXPECT_FALSE(drug.initial_velocity.given());
     EXPECT_TRUE(floor.is_wall_for_spheres());
     EXPECT_EQ(*floor.normal, Vec(0, 0, 2));
-    EXPECT_EQ(*scene.numerics.steps_per_contact, 20);
+    EXPECT_EQ(*scene.numerics.steps_per_contact, 30);
     EXPECT_EQ(*scene.numerics.contact_step, 0);
 }
 

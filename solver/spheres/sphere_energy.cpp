@@ -1,0 +1,48 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/spheres/sphere_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dmp::solver {
+
+namespace {
+
+constexpr double growth_that_counts = 0.01;
+
+}  // namespace
+
+double energy_in_contacts(const SphereStep& step, const Ranks& ranks) {
+    const ContactList& list = step.neighbours().list();
+    const auto motion = step.rows().motion();
+    const auto owned = static_cast<std::int32_t>(step.rows().owned());
+    ExactSum energy = step.walls().contact_energy(step.rows(), step.group().tags());
+    list.for_each([&](std::size_t k, std::int16_t kind) {
+        const std::int32_t i = list.low()[k], j = list.high()[k];
+        if (i >= owned) return;  // counted by the rank that owns the sphere of the lower id
+        const double *a = motion[i].position.c, *b = motion[j].position.c;
+        const double overlap = a[3] + b[3] - std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+        const SpherePair& pair = step.setup().pairs[static_cast<std::size_t>(kind)];
+        energy.add(
+            contact_energy(pair.model, pair.constants, overlap, a[3] * b[3] / (a[3] + b[3]), list.history_of(k)));
+    });
+    ranks.sum(energy);
+    return energy.value();
+}
+
+std::optional<Warning> grown_energy(const Scene& scene, const SphereEnergy& start, const SphereEnergy& end) {
+    const double grown = end.total() - start.total();
+    if (grown <= growth_that_counts * std::max(start.kinetic(), end.kinetic())) return std::nullopt;
+    const auto& numerics = scene.numerics;
+    const bool by_hand = *numerics.contact_step > 0;
+    std::ostringstream problem;
+    problem.precision(4);
+    problem << (by_hand ? "is too long" : "is too small") << ": the energy of spheres and contacts grew from "
+            << start.total() << " J to " << end.total() << " J, though nothing drives them";
+    return Warning{by_hand ? "numerics.contact_step" : "numerics.steps_per_contact",
+                   by_hand ? numerics.contact_step.location : numerics.steps_per_contact.location, problem.str(),
+                   by_hand ? "give half of it, or \"auto\"" : "give twice as many"};
+}
+
+}  // namespace dmp::solver
