@@ -8,6 +8,7 @@
 
 #include "models/contact/repulsion.hpp"
 #include "solver/elastic/node_mass.hpp"
+#include "solver/forcing/drive_time.hpp"
 #include "solver/run/free_surface.hpp"
 #include "solver/run/starting_state.hpp"
 
@@ -189,6 +190,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
     scales.density_diffusion = scene.numerics.density_diffusion;
+    scales.drive_time = drive_time(scene, set);
     if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))

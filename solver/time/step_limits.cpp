@@ -41,6 +41,9 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         // A particle may be moved by shifting no further than the sum's own scale allows.
         limits.push_back(
             {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
+    // Of a sine 22 steps a period. Listed where it rules.
+    if (const double dt = 0.1 * scales.drive_time; dt < limits.front().dt)
+        limits.push_back({"drive", dt, "a tenth of the time in which a driving formula runs through its values"});
     // Measured: stable at delta c0 dt / R = 0.15, unstable from 0.2 (corrected scheme) or 0.2 to 0.25 (plain).
     if (scales.density_diffusion * scales.step_factor > 0.12)
         limits.push_back({"density diffusion",

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "solver/forcing/driving.hpp"
@@ -10,14 +11,15 @@ namespace dmp::solver {
 
 /// What the fluid step may depend on.
 struct StepScales {
-    double support = 0;              ///< R [m]
-    double sound_speed = 0;          ///< c0 [m/s]
-    double kinematic_viscosity = 0;  ///< largest nu of the scene [m^2/s]
-    double viscous_limit = 0;        ///< of the kernel, nu dt / R^2 [-]
-    double step_factor = 0;          ///< c0 dt / R asked for [-]
-    double shifting = 0;             ///< s [-]
-    double density_diffusion = 0;    ///< delta [-]
-    double contact_limit = 0;        ///< [s]; 0: no contact
+    double support = 0;                                           ///< R [m]
+    double sound_speed = 0;                                       ///< c0 [m/s]
+    double kinematic_viscosity = 0;                               ///< largest nu of the scene [m^2/s]
+    double viscous_limit = 0;                                     ///< of the kernel, nu dt / R^2 [-]
+    double step_factor = 0;                                       ///< c0 dt / R asked for [-]
+    double shifting = 0;                                          ///< s [-]
+    double density_diffusion = 0;                                 ///< delta [-]
+    double drive_time = std::numeric_limits<double>::infinity();  ///< in which what drives the scene changes [s]
+    double contact_limit = 0;                                     ///< [s]; 0: no contact
     double lightest_solid = 1;  ///< least mass of an elastic node over that of the liquid it displaces, at most 1 [-]
     bool implicit_viscosity = false;
     double diffusivity = 0;      ///< largest of any species [m^2/s]

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "small_scenes.hpp"
+#include "solver/forcing/drive_time.hpp"
 #include "solver/time/step_limits.hpp"
 #include "tests/modules.hpp"
 
@@ -55,6 +57,46 @@ TEST(StepLimits, strong_density_diffusion_needs_shorter_steps) {
     EXPECT_NEAR(limit_of("density diffusion", fluid_step_limits(strong, 0.5, 10)), 0.12 * 3e-4 / 2.5, 1e-18);
     strong.density_diffusion = 0.1;
     EXPECT_EQ(limit_of("density diffusion", fluid_step_limits(strong, 0.5, 10)), -1) << "far from ruling";
+}
+
+/// Of water that is driven along x.
+double time_of(const std::string& formula) {
+    const auto made = endless_water(formula);
+    return drive_time(made.scene, made.particles);
+}
+
+TEST(DriveTime, is_a_part_of_the_shortest_period) {
+    EXPECT_NEAR(time_of("3 * sin(2 * 3.14159265 * t / 0.01)"), 0.45 * 0.01, 0.05 * 0.01);
+    EXPECT_NEAR(time_of("2 + sin(2 * 3.14159265 * t / 0.00001) * (1 + x)"), 0.45e-5, 0.05e-5)
+        << "shorter than a sample";
+    EXPECT_NEAR(time_of("5 * t"), 1, 0.01) << "a ramp takes the run";
+}
+
+TEST(DriveTime, is_infinite_for_what_is_constant_or_jumps) {
+    EXPECT_TRUE(std::isinf(time_of("9.81")));
+    EXPECT_TRUE(std::isinf(time_of("9.81 * x")));
+    EXPECT_TRUE(std::isinf(time_of("t < 0.3 ? 1 : 2")));
+}
+
+TEST(StepLimits, a_fast_drive_is_followed) {
+    StepScales fast = scales();
+    fast.drive_time = 1e-5;
+    EXPECT_NEAR(limit_of("drive", fluid_step_limits(fast, 0.5, 10)), 1e-6, 1e-18);
+    fast.drive_time = 1;
+    EXPECT_EQ(limit_of("drive", fluid_step_limits(fast, 0.5, 10)), -1) << "it does not rule";
+}
+
+TEST(Drives, with_a_period_of_one_step_push_no_fluid) {
+    // Sampled once a period, in the middle of the steps, it would be a constant drive.
+    auto made = endless_water("0");
+    made.scene.run.duration = 0.1;
+    const double step = Simulation(made.scene, made.particles, 1).plan().dt;
+    const std::string formula = "10 * sin(2 * 3.14159265358979 * t / " + std::to_string(step) + ")";
+    made.scene.flow.acceleration[0] = Expression(formula, formula);
+    const RunSummary summary = Simulation(made.scene, made.particles, 1).run({});
+    // Speed of the swing: 10 / omega about its mean of 10 / omega.
+    const double swing = 10 * step / (2 * 3.14159265358979);
+    EXPECT_LT(summary.largest_speed, 2.1 * swing);
 }
 
 TEST(StepLimits, what_is_not_there_sets_no_limit) {
