@@ -131,7 +131,13 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
     const SpringBodies& springs = step.springs();
     const auto& numerics = scene_.numerics;
     decltype(Scene::numerics) usual;
-    if (*numerics.scheme == FluidScheme::corrected) usual.step_factor = 0.5;
+    usual.shifting = 4.0;
+    double usual_range = 1;
+    if (*numerics.scheme == FluidScheme::corrected) {
+        usual.step_factor = 0.5;
+        usual.shifting = 0.2;
+        usual_range = 0.7;
+    }
     std::vector<std::pair<double, std::string>> causes;  // with how likely each is
 
     // A run that breaks is slow in most places. All of it fast: that is the drive.
@@ -155,12 +161,22 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
         causes.emplace_back(8, "flow.acceleration gives no number at that time");
     if (!is_finite(step.body_force().force_density(t)))
         causes.emplace_back(8, "flow.pressure_gradient gives no number at that time");
-    if (violation.left || outside_box(*violation.group, violation.particle))
+    const bool is_outside = violation.left || outside_box(*violation.group, violation.particle);
+    if (is_outside && !scene_.parts_of(PartKind::rigid).empty())
         causes.emplace_back(violation.left ? 4 : 2, "a wall there has a hole or is too thin");
+    if (is_outside && violation.group->kind() == PartKind::elastic)
+        causes.emplace_back(3, "the solid is too soft, or its bonds too weak, for what pulls it");
     if (numerics.step_factor > usual.step_factor)
-        causes.emplace_back(!violation.left && numerics.step_factor > 2 * usual.step_factor ? 6 : 3,
+        causes.emplace_back(!violation.left && numerics.step_factor > 1.5 * usual.step_factor ? 6 : 3,
                             setting("numerics.step_factor", numerics.step_factor) + " is too large; the default is " +
                                 number_text(usual.step_factor));
+    if (*numerics.shifting > 0 && (numerics.shifting < usual.shifting / 10 || numerics.shifting > 10 * usual.shifting))
+        causes.emplace_back(5.5, setting("numerics.shifting", numerics.shifting) + " is far from the default of " +
+                                     number_text(usual.shifting));
+    if (*scene_.contact.range > 2 * usual_range)
+        causes.emplace_back(5.5, setting("contact.range", scene_.contact.range) +
+                                     " spacings makes particles push that do not touch; the default is " +
+                                     number_text(usual_range));
     if (violation.stuck) causes.emplace_back(4, "a particle lies all but on that body and pushes it away");
     if (!springs.empty() && !springs.implicit()) {
         const double strain = largest_strain(springs);

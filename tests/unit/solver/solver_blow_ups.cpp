@@ -105,7 +105,8 @@ void expect_found_in_time(const Ending& ending, const std::string& first_cause) 
 
 TEST(BlowUps, step_forced_to_twenty_times_its_size) {
     // Nothing else may hold the step back, and the scene's own bounds are passed by.
-    SceneAndParticles made = small_valve({"numerics.scheme=plain", "numerics.shifting=0", "contact.range=0"});
+    SceneAndParticles made = small_valve(
+        {"numerics.scheme=plain", "numerics.shifting=0", "numerics.density_diffusion=0", "contact.range=0"});
     const double usual = Simulation(made.scene, made.particles, 1).plan().dt;
     made.scene.numerics.step_factor = 20 * made.scene.numerics.step_factor;
     ASSERT_NEAR(Simulation(made.scene, made.particles, 1).plan().dt / usual, 20, 1e-6);
@@ -192,6 +193,24 @@ TEST(BlowUps, speeds_a_thousand_times_those_expected) {
     EXPECT_FALSE(of_auto.first_bad);
     made.scene.flow.largest_pressure = 1e-4;  // rho c0^2 Ma^2
     expect_found_in_time(ending_of(made, 2), "flow.largest_speed = 0.0001 m/s is below what the drive produces");
+}
+
+/// What a run that diverges says.
+std::string words_of(const std::string& name, const std::vector<std::string>& overrides) {
+    const auto [scene, particles] = case_of(name, overrides);
+    try {
+        Simulation(scene, particles, 1).run({});
+    } catch (const DivergenceError& error) {
+        return error.what_to_do();
+    }
+    return "nothing went wrong";
+}
+
+TEST(BlowUps, settings_far_from_their_defaults_are_named) {
+    EXPECT_THAT(words_of("verification/poiseuille", {"particles.spacing=\"0.1 mm\"", "contact.range=7"}),
+                HasSubstr("contact.range = 7 spacings makes particles push that do not touch; the default is 0.7"));
+    EXPECT_THAT(words_of("verification/taylor_green", {"particles.spacing=\"0.04 m\"", "numerics.shifting=2e-4"}),
+                testing::StartsWith("likely causes: numerics.shifting = 0.0002 is far from the default of 0.2"));
 }
 
 TEST(BlowUps, a_drive_a_thousand_times_as_strong) {
