@@ -254,7 +254,7 @@ void FluidRun::advance(const RunOptions& options, double until) {
     monitor_.walls_have_moved(fluid_.walls().farthest());
     const std::vector<Warning> warnings = reached_.add(extremes_);
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
-    if (step_ % steps_between_checks == 0) velocity_change_.add(particles_, ranks_);
+    if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     for (const Warning& warning : warnings)
         if (options.warn) options.warn(time_, warning);
     // The next step follows from what there is after it, as it does after a restart.

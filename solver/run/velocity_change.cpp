@@ -37,7 +37,7 @@ double speed_square(const ParticleGroup& fluid, std::size_t i) {
 
 }  // namespace
 
-void VelocityChange::add(const ParticleStore& particles, const Ranks& ranks) {
+void VelocityChange::add(const ParticleStore& particles, const Ranks& ranks, double t) {
     const ParticleGroup& fluid = particles.fluid();
     if (!fluid.has(Field::velocity_gradient)) return;
     std::array<ExactSum, 2> sums;
@@ -46,8 +46,9 @@ void VelocityChange::add(const ParticleStore& particles, const Ranks& ranks) {
         sums[1].add(speed_square(fluid, i));
     }
     ranks.sum(sums);
-    rates_ += sums[0].value();
-    speeds_ += sums[1].value();
+    rates_ += sums[0].value() * (t - added_until_);
+    speeds_ += sums[1].value() * (t - added_until_);
+    added_until_ = t;
 }
 
 std::optional<double> VelocityChange::value(double spacing) const {
@@ -67,6 +68,7 @@ std::optional<Warning> VelocityChange::warning(const Scene& scene) const {
 void VelocityChange::archive(Archive& file) {
     file("velocity_change/rates", rates_);
     file("velocity_change/speeds", speeds_);
+    file("velocity_change/until", added_until_);
 }
 
 }  // namespace dmp::solver

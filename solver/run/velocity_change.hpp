@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include "scene/scene.hpp"
@@ -16,12 +18,17 @@ namespace dmp::solver {
 ///
 ///     S = dx (SUM gamma^2 / SUM |u|^2)^(1/2),    gamma^2 = 2 D : D,    D = (G + G^T) / 2
 ///
-/// over the fluid and over samples in time, with the velocity gradient G that the corrected scheme keeps. In Poiseuille
+/// over the fluid and over time, with the velocity gradient G that the corrected scheme keeps. In Poiseuille
 /// flow with n particles across S = 3.2 / n. Measured errors: docs/accuracy.md, "How coarse".
 class VelocityChange {
   public:
-    /// Adds the state of now; all ranks together. With the plain scheme, which keeps no gradient, nothing.
-    void add(const ParticleStore& particles, const Ranks& ranks);
+    /// Whether the state after this step is one of those to add: the more seldom, the longer the run.
+    [[nodiscard]] static bool wants(std::int64_t step) {
+        return step % std::clamp<std::int64_t>(step / 10, 1, 50) == 0;
+    }
+    /// Adds the state at time t, for the time since the one added before; all ranks together. With the plain scheme,
+    /// which keeps no gradient, nothing.
+    void add(const ParticleStore& particles, const Ranks& ranks, double t);
 
     /// S; nothing where no fluid moved.
     [[nodiscard]] std::optional<double> value(double spacing) const;
@@ -31,7 +38,8 @@ class VelocityChange {
     void archive(Archive& file);
 
   private:
-    double rates_ = 0, speeds_ = 0;  ///< SUM gamma^2 [1/s^2], SUM |u|^2 [m^2/s^2]
+    double rates_ = 0, speeds_ = 0;  ///< SUM gamma^2 dt [1/s], SUM |u|^2 dt [m^2/s]
+    double added_until_ = 0;         ///< [s]
 };
 
 }  // namespace dmp::solver
