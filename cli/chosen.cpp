@@ -104,6 +104,7 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     const bool has_fluid = !scene.parts_of(PartKind::fluid).empty();
     Listing list;
     list.add("quality", fmt::format("{} ({})", to_string(*scene.quality), origin_text(scene.quality, "quality")));
+    if (plan.at_rest) list.add("flow", "none: nothing drives it, and only species are stepped");
     list.add("sound speed", sound_speed_text(scene, plan));
     if (has_fluid) add_kernel_and_walls(list, scene);
     for (const Part* part : scene.parts_of(PartKind::rigid)) {

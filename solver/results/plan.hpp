@@ -63,6 +63,7 @@ struct Plan {
     double sound_speed = 0;    ///< c0 [m/s]
     SoundSpeed sound;          ///< the same, and its origin
     double largest_speed = 0;  ///< expected [m/s]
+    bool at_rest = false;      ///< nothing moves, and only species are stepped
     double dt = 0;             ///< fluid step [s]
     int spring_substeps = 0;   ///< spring steps per fluid step; 0: no springs
     long steps = 0;

@@ -171,6 +171,7 @@ Plan FluidRun::plan() const {
     plan.sound_speed = settings_.sound_speed;
     plan.largest_speed = scene_.flow.largest_speed;
     plan.sound = sound_;
+    plan.at_rest = scales_.at_rest;
     double g = 0;  // largest over one run, sampled
     for (int k = 0; k <= 64; ++k) g = std::max(g, fluid_.body_force().largest(scene_.run.duration * k / 64));
     plan.limits = fluid_step_limits(scales_, plan.largest_speed, g);

@@ -9,6 +9,7 @@
 #include "models/sph/viscous_laws.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/elastic/body_parts.hpp"
+#include "solver/forcing/driven.hpp"
 #include "solver/forcing/driving_models.hpp"
 #include "solver/run/starting_state.hpp"
 #include "solver/uses.hpp"
@@ -268,6 +269,11 @@ void Models::add_what_is_shown() {
 std::vector<ModelUse> models_in_use(const Scene& scene, const PairSettings& settings, const PairSweeps& sweeps,
                                     const SpringBodies& springs) {
     Models models(scene);
+    if (is_at_rest(scene)) {
+        models.add_species();
+        models.add_what_is_shown();
+        return std::move(models).list();
+    }
     models.add_fluid(settings, sweeps);
     models.add_what_drives();
     models.add_walls();

@@ -9,6 +9,7 @@
 #include "models/contact/repulsion.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/forcing/drive_time.hpp"
+#include "solver/forcing/driven.hpp"
 #include "solver/run/free_surface.hpp"
 #include "solver/run/starting_state.hpp"
 
@@ -191,6 +192,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
     scales.density_diffusion = scene.numerics.density_diffusion;
     scales.drive_time = drive_time(scene, set);
+    scales.at_rest = is_at_rest(scene);
     if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);
     scales.implicit_viscosity = settings.viscosity.implicit;
     for (const Part* part : scene.parts_of(PartKind::fluid))

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/measure_subject.hpp"
+#include "solver/forcing/driven.hpp"
 
 namespace dmp::solver {
 
@@ -42,19 +43,8 @@ class Warnings {
         if (value.given()) add(key, value.location, "has no effect: " + reason, "leave it out");
     }
 
-    [[nodiscard]] bool is_driven() const {
-        const auto any = [](const std::array<Expression, 3>& formulas) {
-            return !std::ranges::all_of(formulas, &Expression::is_zero);
-        };
-        return any(scene_.flow.acceleration) || any(*scene_.flow.pressure_gradient) ||
-               any(*scene_.flow.initial_velocity) || !scene_.flow.initial_pressure->is_zero() ||
-               !scene_.forces.empty() || !scene_.moving_shapes.empty() ||
-               std::ranges::any_of(scene_.parts_of(PartKind::rigid),
-                                   [](const Part* wall) { return wall->slides() || wall->moves(); });
-    }
-
     void about_drive() {
-        if (is_driven() || !scene_.species.empty()) return;  // species diffuse at rest too
+        if (is_driven(scene_) || !scene_.species.empty()) return;  // species diffuse at rest too
         add("flow.acceleration", {}, "is 0 and nothing else drives the scene: nothing will move",
             "give a body acceleration, or flow.pressure_gradient along a periodic axis");
     }

@@ -7,6 +7,8 @@
 
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/turn_solid.hpp"
+#include "solver/forcing/driven.hpp"
+#include "solver/forcing/driven.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
@@ -65,10 +67,21 @@ FluidStep::FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& 
         species_.emplace(scene, set, particles, settings, rest_density_, ranks);
         if (species_->conducts_in_solids()) neighbours_.list_within_solids();
     }
+    if (is_at_rest(scene)) at_rest_ = FluidExtremes{0, 1, 1};
 }
 
 FluidExtremes FluidStep::advance(double t, double dt) {
+    if (at_rest_) return advance_species(t, dt);
     return settings_.corrected ? advance_corrected(t, dt) : advance_plain(t, dt);
+}
+
+/// Diffusion alone: particles, densities and neighbours stay as they are.
+FluidExtremes FluidStep::advance_species(double t, double dt) {
+    timer_.timed("species", [&] { species_->show(particles_, t + dt); });
+    timer_.timed("halo", [&] { exchange({Field::position, Field::concentration}); });
+    timer_.timed("species",
+                 [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, ShiftStep{}, std::nullopt); });
+    return *at_rest_;
 }
 
 FluidExtremes FluidStep::advance_corrected(double t, double dt) {

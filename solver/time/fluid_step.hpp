@@ -38,7 +38,8 @@ struct FluidExtremes {
 ///   explicit, or solved for just before the kick (ImplicitViscosity).
 /// Spring bodies live at the middles of the steps: kicked by the fluid there, they move under their own forces to the
 /// next middle before the density rates are taken, so that the fluid feels exactly the displacement they will make.
-/// After `advance` they stand half a step ahead of the fluid.
+/// After `advance` they stand half a step ahead of the fluid. Where nothing moves (is_at_rest), only species are
+/// stepped.
 class FluidStep {
   public:
     FluidStep(const Scene& scene, const ParticleSet& set, ParticleStore& particles, const PairSettings& settings,
@@ -95,6 +96,7 @@ class FluidStep {
     void sum_corrections();
     FluidExtremes advance_corrected(double t, double dt);
     FluidExtremes advance_plain(double t, double dt);
+    FluidExtremes advance_species(double t, double dt);
     void sum_gradients(double t, double dt);
     void drift_to_end_of_step(double dt);
     FluidExtremes shift_particles(double dt);
@@ -136,9 +138,10 @@ class FluidStep {
     Neighbours neighbours_;
     BodyForce body_force_;
     FluidReference reference_;
-    double driven_mass_;      ///< of liquid and elastic solids, of all ranks [kg]
-    bool by_volume_ = false;  ///< whether pressures that are not summed over pairs act in this step
-    ExactSum driven_volume_;  ///< on which they act, of this rank [m^3]
+    std::optional<FluidExtremes> at_rest_;  ///< of a fluid that nothing moves
+    double driven_mass_;                    ///< of liquid and elastic solids, of all ranks [kg]
+    bool by_volume_ = false;                ///< whether pressures that are not summed over pairs act in this step
+    ExactSum driven_volume_;                ///< on which they act, of this rank [m^3]
     double bodies_ahead_ = 0;
     double bodies_shown_ = 1;  ///< share of the bodies' last displacement that the store's positions include [-]
     double largest_speed_ = 0;

@@ -20,6 +20,7 @@ StepLimit species_step_limit(const StepScales& scales) {
 
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration) {
     std::vector<StepLimit> limits;
+    if (scales.at_rest && scales.diffusivity > 0 && !scales.implicit_species) return {species_step_limit(scales)};
     limits.push_back({"sound", scales.step_factor * scales.support / (scales.sound_speed + largest_speed),
                       "step_factor R / (c0 + U)"});
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));

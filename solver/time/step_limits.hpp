@@ -25,6 +25,7 @@ struct StepScales {
     double diffusivity = 0;      ///< largest of any species [m^2/s]
     double diffusion_limit = 0;  ///< of the kernel, D dt / R^2 [-]
     bool implicit_species = false;
+    bool at_rest = false;  ///< only species are stepped
 };
 
 /// Of explicit viscosity.

@@ -253,6 +253,39 @@ TEST(Diffusion, leaves_an_even_concentration_alone_in_a_stirred_liquid) {
     EXPECT_EQ(run.species[0].end, run.species[0].start);
 }
 
+TEST(Species, alone_are_stepped_in_a_fluid_at_rest) {
+    const auto made_with = [](const std::string& viscosity) {
+        auto made = case_of("verification/diffusion", {"part.air.viscosity=\"" + viscosity + "\""});
+        made.scene.run.duration = 0.2;
+        return made;
+    };
+    const auto thin = made_with("18 uPa*s");
+    Simulation simulation(thin.scene, thin.particles, 1);
+    const Plan plan = simulation.plan();
+    EXPECT_TRUE(plan.at_rest);
+    ASSERT_EQ(plan.limits.size(), 1U);
+    EXPECT_EQ(plan.limits[0].model, "species");
+    for (const ModelUse& model : plan.models) EXPECT_EQ(model.model.find("viscous"), std::string::npos) << model.model;
+    KeptFrames kept;
+    RunOptions options;
+    options.sink = &kept;
+    const RunSummary summary = simulation.run(options);
+    const FrameGroup &before = *group_of(kept.frames.front(), "fluid"), &after = *group_of(kept.frames.back(), "fluid");
+    EXPECT_EQ(before.position, after.position);
+    EXPECT_NE(field_of(before, "concentration")->values, field_of(after, "concentration")->values);
+    EXPECT_EQ(summary.largest_speed, 0);
+
+    // A viscosity a million times as large changes neither the steps nor the result.
+    const auto thick = made_with("18 Pa*s");
+    const RunSummary of_thick = Simulation(thick.scene, thick.particles, 1).run({});
+    EXPECT_EQ(of_thick.steps, summary.steps);
+    EXPECT_EQ(of_thick.measures.rows, summary.measures.rows);
+
+    // Whatever may move is stepped.
+    const auto driven = case_of("verification/diffusion", {"flow.pressure_gradient=[\"-1 Pa/m\", 0]"});
+    EXPECT_FALSE(Simulation(driven.scene, driven.particles, 1).plan().at_rest);
+}
+
 TEST(Species, that_walls_are_closed_to_do_not_feel_others_that_walls_hold) {
     SceneAndParticles made = stirred_mixture();
     made.scene.species[1].concentration.all = placed("0.7");

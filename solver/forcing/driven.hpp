@@ -1,0 +1,16 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.hpp"
+#include "solver/uses.hpp"
+
+namespace dmp::solver {
+
+/// Whether anything moves fluid or solids, or may: a formula that is not 0, a force, a moving shape or wall, a pressure
+/// at the start.
+bool is_driven(const Scene& scene);
+
+/// Whether species diffuse in a fluid at rest: nothing drives the scene, and nothing in it is elastic or turns solid.
+bool is_at_rest(const Scene& scene);
+
+}  // namespace dmp::solver
