@@ -105,20 +105,21 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     Listing list;
     list.add("quality", fmt::format("{} ({})", to_string(*scene.quality), origin_text(scene.quality, "quality")));
     if (plan.at_rest) list.add("flow", "none: nothing drives it, and only species are stepped");
-    list.add("sound speed", sound_speed_text(scene, plan));
+    if (!plan.at_rest) list.add("sound speed", sound_speed_text(scene, plan));
     if (has_fluid) add_kernel_and_walls(list, scene);
     for (const Part* part : scene.parts_of(PartKind::rigid)) {
         const std::string key = "part." + *part->name + ".layers";
         list.add("rows " + *part->name, fmt::format("{} ({})", *part->layers, origin_text(part->layers, key.c_str())));
     }
-    if (has_fluid) add_fluid_models(list, scene);
+    if (has_fluid && !plan.at_rest) add_fluid_models(list, scene);
     for (const Species& species : scene.species)
         list.add("species " + *species.name,
                  fmt::format("in {}, diffusion stepped {}ly ({})", species.concentration_unit(),
                              to_string(*numerics.species_stepping),
                              origin_text(numerics.species_stepping, "numerics.species_stepping")));
-    list.add("step factor", fmt::format("{:.4g} ({})", *numerics.step_factor,
-                                        origin_text(numerics.step_factor, "numerics.step_factor")));
+    if (!plan.at_rest)
+        list.add("step factor", fmt::format("{:.4g} ({})", *numerics.step_factor,
+                                            origin_text(numerics.step_factor, "numerics.step_factor")));
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& [what, constants] : origin.springs) list.add(what, constants);
@@ -142,7 +143,7 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                                        to_string(*rule.active), origin_text(rule.active, "active"),
                                                        *rule.bond_to == BondTo::seed ? "the seed" : "neighbours",
                                                        origin_text(rule.bond_to, "bond_to")));
-    list.add("contact", contact_text(scene));
+    if (!plan.at_rest) list.add("contact", contact_text(scene));
     for (const auto& note : origin.notes) list.add("note", note);
     return Style(Stream::output).strong("What will run") + "\n" + list.text();
 }

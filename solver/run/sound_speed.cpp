@@ -72,7 +72,7 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
 std::vector<Warning> sound_speed_warnings(const Scene& scene, const ParticleSet& set, const SoundSpeed& chosen) {
     constexpr double most_of_density = 0.05;
     const bool by_hand = chosen.origin == SoundSpeed::Origin::scene;
-    if (!by_hand && chosen.origin != SoundSpeed::Origin::given_pressure) return {};
+    if (!by_hand && *scene.flow.largest_pressure == 0) return {};
     const SoundSpeed needed = by_columns(scene, set);
     const double of_density = std::pow(*scene.numerics.mach_number * needed.value / chosen.value, 2);
     if (!(of_density > most_of_density)) return {};

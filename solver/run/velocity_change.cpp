@@ -61,7 +61,7 @@ std::optional<Warning> VelocityChange::warning(const Scene& scene) const {
     if (!change || *change <= coarse) return std::nullopt;
     return Warning{"particles.spacing", scene.particles.spacing.location,
                    "is coarse for this flow: from one particle to the next the velocity changed by " +
-                       number_text(100 * *change, 2) + " % of itself (root mean square over fluid and time)",
+                       number_text(100 * *change, 3) + " % of itself (root mean square over fluid and time)",
                    "compare with half the spacing (docs/accuracy.md, \"How coarse\")"};
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "arranged_crowd.hpp"
+#include "base/errors.hpp"
 #include "base/simd/lanes.hpp"
 #include "models/contact/repulsion.hpp"
 #include "models/sph/continuity.hpp"

@@ -145,6 +145,7 @@ TEST(SoundSpeedWarnings, compare_what_is_given_with_the_pressure_of_the_drive) {
     ASSERT_EQ(by_pressure.size(), 1U);
     EXPECT_THAT(by_pressure[0].text(), AllOf(HasSubstr("flow.largest_pressure is too low"), HasSubstr("by 10 %"),
                                              HasSubstr("give \"0.001 Pa\" or more")));
+    EXPECT_EQ(past_cylinders("flow.largest_pressure=\"1e-6 Pa\"").size(), 1U) << "the largest speed rules";
     EXPECT_THAT(past_cylinders("numerics.sound_speed=\"0.005 m/s\""), IsEmpty()) << "4 %";
     EXPECT_THAT(past_cylinders("flow.largest_pressure=\"0.001 Pa\""), IsEmpty());
     EXPECT_THAT(past_cylinders("numerics.mach_number=0.3"), IsEmpty()) << "as planned";
