@@ -257,6 +257,7 @@ TEST(Species, alone_are_stepped_in_a_fluid_at_rest) {
     const auto made_with = [](const std::string& viscosity) {
         auto made = case_of("verification/diffusion", {"part.air.viscosity=\"" + viscosity + "\""});
         made.scene.run.duration = 0.2;
+        made.scene.output.every = 0.1;
         return made;
     };
     const auto thin = made_with("18 uPa*s");
