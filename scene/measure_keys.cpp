@@ -48,7 +48,8 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 }
 
 std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line"}, of_part = {"gap", "velocity", "spin", "detached"}, probe = {"probe"}, line = {"line"};
+    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line"}, probe = {"probe"}, line = {"line"};
+    const Kinds of_part = {"gap", "velocity", "spin", "detached"};
     const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
     const Kinds of_species = measures_of(MeasureSubject::species);
@@ -56,8 +57,8 @@ std::vector<Key<Measure>> measure_keys() {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
-         "kinetic energy, field at a probe or along a line; of a species its amount, mean concentration, profile, spread, flux into "
-         "a wall, Peclet number; of spheres their velocity, spin, force on the walls, number detached from a "
+         "kinetic energy, field at a probe or along a line; of a species its amount, mean concentration, profile, "
+         "spread, flux into a wall, Peclet number; of spheres their velocity, spin, force on the walls, number detached from a "
          "sphere; size, pieces and bonds of an aggregate."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
         {"to", lines, &Measure::to, point(), required, "End of the line."},

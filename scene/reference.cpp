@@ -41,7 +41,8 @@ std::string shown_default(const KeyFacts& key) {
 std::string shown_kinds(const KeyFacts& key) {
     if (key.kinds.empty()) return "";
     std::string text = "for ";
-    for (const auto& kind : key.kinds) text += kind + " ";
+    for (std::size_t k = 0; k < key.kinds.size(); ++k)
+        text += key.kinds[k] + (k + 2 < key.kinds.size() ? ", " : k + 2 == key.kinds.size() ? " and " : " ");
     return text + key.path.substr(0, key.path.find('.')) + "s";
 }
 

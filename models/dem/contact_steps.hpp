@@ -8,16 +8,16 @@
 
 namespace dmp::models {
 
-/// Number of steps per contact: the defaults, and the least with which contacts do not gain energy. Measured over
-/// angles, frictions and restitutions (docs/contact.md): with 3 steps an elastic impact may end with five times its
-/// energy, with 4 with 7 % more, with 5 with 3.5 %.
+/// Number of steps per contact: the defaults, and the least that is accepted. Measured over angles, frictions and
+/// restitutions (docs/contact.md): with 3 steps an elastic impact may end with five times its energy, with 4 with 7 %
+/// more, with 5 with 3.5 %.
 struct StepsPerContact {
     static constexpr double draft = 15, standard = 30, fine = 75;
     static constexpr double least = 5;
 
-    /// Largest error of the spin after an impact, as the surface's speed over that of the impact, and about three times
-    /// that of the speed: of second order.
-    static double error(double steps) { return 4.8 / (steps * steps); }
+    /// About the largest error of the spin after an impact, as the surface's speed over that of the impact, with the
+    /// default laws: of second order. That of the speed is a third of it.
+    static double error(double steps) { return 5.0 / (steps * steps); }
 };
 
 /// Reference times for the time step of contact laws, in SI units.

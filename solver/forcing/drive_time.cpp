@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace dmp::solver {
@@ -23,41 +24,49 @@ double time_of(const Expression& formula, double duration, const Vec& x) {
     // Far above what rounding leaves of times, far below any step.
     const double apart = 1e-9 * duration;
     double low = infinity, high = -infinity;
-    std::vector<double> rates;
+    std::vector<double> rates;  // but for times at which it is constant, as between pulses
     for (int k = 0; k < samples; ++k) {
         const double t = sample_time(k, duration);
         const double value = formula(t, x[0], x[1], x[2]), next = formula(t + apart, x[0], x[1], x[2]);
+        if (!std::isfinite(value) || !std::isfinite(next)) continue;  // StabilityMonitor says so when it comes to it
         low = std::min(low, value);
         high = std::max(high, value);
-        rates.push_back(std::abs(next - value) / apart);
+        const double rate = std::abs(next - value) / apart;
+        if (rate > 0) rates.push_back(rate);
     }
-    std::ranges::nth_element(rates, rates.begin() + samples / 2);
-    const double rate = rates[samples / 2];
-    return rate > 1e-6 * (high - low) / duration ? (high - low) / rate : infinity;
+    if (rates.size() < samples / 20) return infinity;  // jumps
+    const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
+    std::ranges::nth_element(rates, middle);
+    return *middle > 1e-6 * (high - low) / duration ? (high - low) / *middle : infinity;
 }
 
-Vec place_of_fluid(const ParticleSet& set) {
+/// Where one of the part's particles is; without any, of any part.
+Vec place_of(const ParticleSet& set, const std::string& part) {
+    const int number = set.part_named(part);
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set.kind(i) == PartKind::fluid) return set.position[i];
-    return Vec::Zero();
+        if (set.part[i] == number) return set.position[i];
+    return set.size() > 0 ? set.position.front() : Vec::Zero();
 }
 
 }  // namespace
 
 double drive_time(const Scene& scene, const ParticleSet& set) {
-    const Vec place = place_of_fluid(set);
     double shortest = infinity;
-    const auto look_at = [&](const Expression& formula) {
-        shortest = std::min(shortest, time_of(formula, scene.run.duration, place));
+    const auto look_at = [&](const auto& formulas, const std::string& part) {
+        const Vec place = place_of(set, part);
+        for (const Expression& formula : formulas)
+            shortest = std::min(shortest, time_of(formula, scene.run.duration, place));
     };
-    for (const auto* formulas : {&scene.flow.acceleration, &scene.flow.pressure_gradient.value})
-        std::ranges::for_each(*formulas, look_at);
-    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
-        std::ranges::for_each(*wall->velocity, look_at);
-        std::ranges::for_each(*wall->surface_velocity, look_at);
-        look_at(*wall->spin);
+    for (const Part* fluid : scene.parts_of(PartKind::fluid)) {
+        look_at(scene.flow.acceleration, fluid->name);
+        look_at(*scene.flow.pressure_gradient, fluid->name);
     }
-    for (const ForceOnPart& force : scene.forces) std::ranges::for_each(*force.force, look_at);
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        look_at(*wall->velocity, wall->name);
+        look_at(*wall->surface_velocity, wall->name);
+        look_at(std::array{*wall->spin}, wall->name);
+    }
+    for (const ForceOnPart& force : scene.forces) look_at(*force.force, force.part);
     return shortest;
 }
 

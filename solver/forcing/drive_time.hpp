@@ -7,9 +7,9 @@
 
 namespace dmp::solver {
 
-/// The shortest time over which one of the formulas that drive the scene runs through its values: their range over the
-/// median of the rate at which it changes. 0.45 periods of a sine; infinite for what is constant or jumps [s].
-/// Formulas of place are taken at one fluid particle.
+/// The shortest time scale of the formulas that drive the scene: the range of a formula's values over the median rate
+/// at which it changes where it does. 0.45 periods of a sine; infinite for what is constant or only jumps [s]. Formulas
+/// of place are taken at one particle of each part concerned.
 double drive_time(const Scene& scene, const ParticleSet& set);
 
 }  // namespace dmp::solver

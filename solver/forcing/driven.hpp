@@ -10,7 +10,8 @@ namespace dmp::solver {
 /// at the start.
 bool is_driven(const Scene& scene);
 
-/// Whether species diffuse in a fluid at rest: nothing drives the scene, and nothing in it is elastic or turns solid.
+/// Whether species diffuse, stepped explicitly, in a fluid at rest: nothing drives the scene, and nothing in it is
+/// elastic or turns solid. Implicit diffusion needs the flow's step for its accuracy.
 bool is_at_rest(const Scene& scene);
 
 }  // namespace dmp::solver

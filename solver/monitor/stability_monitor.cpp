@@ -171,7 +171,7 @@ std::string StabilityMonitor::likely_causes(const Violation& violation, const Pa
                             setting("numerics.step_factor", numerics.step_factor) + " is too large; the default is " +
                                 number_text(usual.step_factor));
     if (*numerics.shifting > 0 && (numerics.shifting < usual.shifting / 10 || numerics.shifting > 10 * usual.shifting))
-        causes.emplace_back(5.5, setting("numerics.shifting", numerics.shifting) + " is far from the default of " +
+        causes.emplace_back(5.5, setting("numerics.shifting", numerics.shifting) + " is far from the usual " +
                                      number_text(usual.shifting));
     if (*scene_.contact.range > 2 * usual_range)
         causes.emplace_back(5.5, setting("contact.range", scene_.contact.range) +

@@ -247,10 +247,9 @@ std::vector<double> Measures::field_at(const std::vector<Vec>& points, const Sou
     bool any_in_fluid = false;
     std::vector<double> values;
     for (const Vec& point : points) {
-        const Probe probe(point, moment.particles, moment.step, settings_, ranks_);
+        const Probe probe(point, measure.field, moment.particles, moment.step, settings_, ranks_);
         any_in_fluid = any_in_fluid || probe.is_in_fluid();
-        for (const FluidValues& array : arrays)
-            std::ranges::move(probe.of(measure.field, array), std::back_inserter(values));
+        for (const FluidValues& array : arrays) std::ranges::move(probe.of(array), std::back_inserter(values));
     }
     if (moment.series.rows.empty() && !any_in_fluid)
         throw InputError(location,

@@ -21,9 +21,9 @@ namespace dmp::solver {
 ///   largest_speed  of the fluid [m/s]
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
-///   probe          a fluid field at a point (Probe); vectors and tensors have one column a component, residence_time
-///   one
-///                  a region, concentration one a species; NaN, which the tables write as empty, where no fluid is
+///   probe          a fluid field at a point (Probe); vectors and tensors have a column for each component,
+///                  residence_time for each region, concentration for each species; NaN, which the tables write as
+///                  empty, where no fluid is
 ///   line           the same at points along a line, those of each point one after the other, NAME_1 ...
 /// Those of a species: SpeciesMeasures.
 class Measures {

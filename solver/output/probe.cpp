@@ -34,24 +34,21 @@ std::vector<std::size_t> probed_components(int components, int dimension) {
     return all;
 }
 
-Probe::Probe(const Vec& point, const ParticleStore& particles, const FluidStep& step, const PairSettings& settings,
-             const Ranks& ranks)
+Probe::Probe(const Vec& point, FluidField field, const ParticleStore& particles, const FluidStep& step,
+             const PairSettings& settings, const Ranks& ranks)
     : particles_(particles), step_(step), ranks_(ranks) {
     find_fluid(point, settings.support);
-    if (walls_show_their_surface(settings)) find_walls(point, settings.support);
-    for (const Sample& sample : fluid_) {
-        of_fluid_.add(sample.x, sample.weight);
-        with_walls_.add(sample.x, sample.weight);
-    }
-    for (const Sample& sample : walls_) with_walls_.add(sample.x, sample.weight);
-    of_fluid_.finish(ranks, particles.space().spacing);
-    with_walls_.finish(ranks, particles.space().spacing);
+    if (field == FluidField::velocity && walls_show_their_surface(settings)) find_walls(point, settings.support);
+    for (const auto* samples : {&fluid_, &walls_})
+        for (const Sample& sample : *samples) fit_.add(sample.x, sample.weight);
+    fit_.finish(ranks, particles.space().spacing);
 }
 
 Vec Probe::from_point(const ParticleGroup& group, std::size_t i, const Vec& point) const {
+    const ParticleSpace& space = particles_.space();
     Vec apart = Vec::Zero();
-    for (int axis = 0; axis < group.dimension(); ++axis)
-        apart[axis] = group.data(Field::position, axis)[i] - point[axis];
+    for (int axis = 0; axis < group.dimension(); ++axis)  // fluid beyond a plane of symmetry is shown mirrored
+        apart[axis] = space.mirrored_back(group.data(Field::position, axis)[i], axis) - point[axis];
     return nearest_image(apart, particles_.space());
 }
 
@@ -81,21 +78,17 @@ void Probe::find_walls(const Vec& point, double support) {
     }
 }
 
-std::vector<double> Probe::of(FluidField field, const FluidValues& array) const {
+std::vector<double> Probe::of(const FluidValues& array) const {
     const auto components = static_cast<std::size_t>(array.components);
     const std::vector<std::size_t> probed = probed_components(array.components, particles_.dimension());
     if (!is_in_fluid()) return std::vector<double>(probed.size(), std::numeric_limits<double>::quiet_NaN());
-    const bool with_walls = field == FluidField::velocity;
-    const LinearFit& fit = with_walls ? with_walls_ : of_fluid_;
+    const ParticleGroup& walls = particles_.of(PartKind::rigid);
     std::vector<ExactSum> sums(probed.size());
-    for (const auto& [i, x, weight] : fluid_)
-        for (std::size_t c = 0; c < probed.size(); ++c)
-            sums[c].add(fit.share(x, weight) * array.values[components * i + probed[c]]);
-    if (with_walls) {
-        const ParticleGroup& walls = particles_.of(PartKind::rigid);
+    for (std::size_t c = 0; c < probed.size(); ++c) {
+        for (const auto& [i, x, weight] : fluid_)
+            sums[c].add(fit_.share(x, weight) * array.values[components * i + probed[c]]);
         for (const auto& [i, x, weight] : walls_)
-            for (std::size_t c = 0; c < probed.size(); ++c)
-                sums[c].add(fit.share(x, weight) * walls.data(Field::velocity, static_cast<int>(probed[c]))[i]);
+            sums[c].add(fit_.share(x, weight) * walls.data(Field::velocity, static_cast<int>(probed[c]))[i]);
     }
     ranks_.sum(sums);
     std::vector<double> values;

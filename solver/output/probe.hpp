@@ -19,13 +19,14 @@ std::vector<std::size_t> probed_components(int components, int dimension);
 class Probe {
   public:
     /// All ranks together.
-    Probe(const Vec& point, const ParticleStore& particles, const FluidStep& step, const PairSettings& settings,
-          const Ranks& ranks);
+    Probe(const Vec& point, FluidField field, const ParticleStore& particles, const FluidStep& step,
+          const PairSettings& settings, const Ranks& ranks);
 
     /// Whether there is fluid: a particle within 1.5 spacings.
     [[nodiscard]] bool is_in_fluid() const { return nearest_ <= 1.5 * particles_.space().spacing; }
-    /// The components of probed_components; NaN where there is no fluid. All ranks together.
-    [[nodiscard]] std::vector<double> of(FluidField field, const FluidValues& array) const;
+    /// The components of probed_components of one of the field's arrays; NaN where there is no fluid. All ranks
+    /// together.
+    [[nodiscard]] std::vector<double> of(const FluidValues& array) const;
 
   private:
     struct Sample {
@@ -43,7 +44,7 @@ class Probe {
     const Ranks& ranks_;
     std::vector<Sample> fluid_, walls_;
     double nearest_;  ///< distance of the nearest fluid particle [m]
-    LinearFit of_fluid_, with_walls_;
+    LinearFit fit_;
 };
 
 }  // namespace dmp::solver

@@ -55,7 +55,7 @@ class FluidRun final : public Run {
 
     SoundSpeed sound_;
     Scene scene_;
-    std::vector<Warning> foreseen_;  ///< of what will be wrong with the results
+    std::vector<Warning> foreseen_;  ///< known before the first step, of what the results will be
     Ranks ranks_;
     std::map<std::string, std::size_t> count_;  ///< particles of all ranks by kind
     PairSettings settings_;                     // before the particles: the search for a free surface takes memory

@@ -190,7 +190,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit
-    scales.density_diffusion = scene.numerics.density_diffusion;
+    scales.density_diffusion = settings.density.diffusion;
     scales.drive_time = drive_time(scene, set);
     scales.at_rest = is_at_rest(scene);
     if (settings.corrected) scales.lightest_solid = lightest_solid(scene, set, settings);

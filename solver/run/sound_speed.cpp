@@ -70,7 +70,8 @@ SoundSpeed choose_sound_speed(const Scene& scene, const ParticleSet& set) {
 }
 
 std::vector<Warning> sound_speed_warnings(const Scene& scene, const ParticleSet& set, const SoundSpeed& chosen) {
-    constexpr double most_of_density = 0.05;
+    // Planned is Ma^2; the last digits of a value that follows this advice may be rounded.
+    const double most_of_density = 1.01 * std::max(0.05, std::pow(*scene.numerics.mach_number, 2));
     const bool by_hand = chosen.origin == SoundSpeed::Origin::scene;
     if (!by_hand && *scene.flow.largest_pressure == 0) return {};
     const SoundSpeed needed = by_columns(scene, set);

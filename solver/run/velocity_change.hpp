@@ -18,8 +18,8 @@ namespace dmp::solver {
 ///
 ///     S = dx (SUM gamma^2 / SUM |u|^2)^(1/2),    gamma^2 = 2 D : D,    D = (G + G^T) / 2
 ///
-/// over the fluid and over time, with the velocity gradient G that the corrected scheme keeps. In Poiseuille
-/// flow with n particles across S = 3.2 / n. Measured errors: docs/accuracy.md, "How coarse".
+/// over the fluid and over time, with the velocity gradient G that the corrected scheme keeps. In steady
+/// Poiseuille flow with n particles across S is about 3.2 / n. Measured errors: docs/accuracy.md, "How coarse".
 class VelocityChange {
   public:
     /// Whether the state after this step is one of those to add: the more seldom, the longer the run.
@@ -32,7 +32,7 @@ class VelocityChange {
 
     /// S; nothing where no fluid moved.
     [[nodiscard]] std::optional<double> value(double spacing) const;
-    /// Whether S is above 0.4, where flows of the verification suite are off by 2 to 23 %.
+    /// Above 0.4, where flows of the verification suite are off by 4 % and more.
     [[nodiscard]] std::optional<Warning> warning(const Scene& scene) const;
 
     void archive(Archive& file);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
+
+#include "base/number_text.hpp"
 
 namespace dmp::solver {
 
@@ -33,15 +35,15 @@ double energy_in_contacts(const SphereStep& step, const Ranks& ranks) {
 
 std::optional<Warning> grown_energy(const Scene& scene, const SphereEnergy& start, const SphereEnergy& end) {
     const double grown = end.total() - start.total();
-    if (grown <= growth_that_counts * std::max(start.kinetic(), end.kinetic())) return std::nullopt;
+    if (!(grown > growth_that_counts * std::max(start.kinetic(), end.kinetic()))) return std::nullopt;
     const auto& numerics = scene.numerics;
     const bool by_hand = *numerics.contact_step > 0;
-    std::ostringstream problem;
-    problem.precision(4);
-    problem << (by_hand ? "is too long" : "is too small") << ": the energy of spheres and contacts grew from "
-            << start.total() << " J to " << end.total() << " J, though nothing drives them";
+    const std::string problem = (by_hand ? "is too long, at " + number_text(numerics.contact_step) + " s"
+                                         : "is too small, at " + number_text(numerics.steps_per_contact)) +
+                                ": the energy of spheres and contacts grew from " + number_text(start.total(), 4) +
+                                " J to " + number_text(end.total(), 4) + " J, though nothing drives them";
     return Warning{by_hand ? "numerics.contact_step" : "numerics.steps_per_contact",
-                   by_hand ? numerics.contact_step.location : numerics.steps_per_contact.location, problem.str(),
+                   by_hand ? numerics.contact_step.location : numerics.steps_per_contact.location, problem,
                    by_hand ? "give half of it, or \"auto\"" : "give twice as many"};
 }
 

@@ -8,6 +8,7 @@
 #include <omp.h>
 
 #include "base/errors.hpp"
+#include "solver/forcing/driven.hpp"
 #include "solver/spheres/sphere_energy.hpp"
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_monitor.hpp"
@@ -234,17 +235,10 @@ RankShares SphereRun::shares(std::int64_t steps) const {
             a_step(halo.traffic().bytes)};
 }
 
-bool SphereRun::is_driven() const {
-    const auto moves = [](const Part* wall) { return wall->moves(); };
-    return !step_.driving().empty() || !std::ranges::all_of(scene_.flow.acceleration, &Expression::is_zero) ||
-           std::ranges::any_of(scene_.parts_of(PartKind::plane), moves) ||
-           std::ranges::any_of(scene_.parts_of(PartKind::surface), moves);
-}
-
 std::vector<Warning> SphereRun::warnings(const SphereEnergy& end) const {
     std::vector<Warning> warnings;
     if (const auto too_long = by_hand_.too_long_at(fastest_)) warnings.push_back(*too_long);
-    if (const auto grown = grown_energy(scene_, energy_at_start_, end); grown && !is_driven())
+    if (const auto grown = grown_energy(scene_, energy_at_start_, end); grown && !is_driven(scene_))
         warnings.push_back(*grown);
     return warnings;
 }

@@ -41,7 +41,6 @@ class SphereRun final : public Run {
     [[nodiscard]] StepLimit ruling_of(std::vector<StepLimit> all) const;
     [[nodiscard]] std::vector<StepLimit> limits() const;
     [[nodiscard]] double longest_step(const RunOptions& options);
-    [[nodiscard]] bool is_driven() const;
     [[nodiscard]] std::vector<Warning> warnings(const SphereEnergy& end) const;
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] SphereEnergy energy() const;

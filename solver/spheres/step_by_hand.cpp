@@ -30,8 +30,10 @@ std::vector<StepLimit> StepByHand::added_to(std::vector<StepLimit> limits) const
 }
 
 std::optional<StepLimit> StepByHand::limit_at(double speed, double steps) const {
-    const std::vector<StepLimit> limits =
+    std::vector<StepLimit> limits =
         contact_step_limits(setup_, std::max<double>(speed, scene_.flow.largest_speed), steps);
+    // What was measured is of impacts.
+    std::erase_if(limits, [](const StepLimit& limit) { return !limit.model.starts_with("contact of"); });
     if (!given() || limits.empty()) return std::nullopt;
     return ruling_limit(limits);
 }
@@ -42,8 +44,8 @@ std::optional<Warning> StepByHand::too_long_at(double speed) const {
     if (!limit || *step <= limit->dt) return std::nullopt;
     return Warning{
         key, step.location,
-        "is too long, at " + seconds(step) + ": contacts gain energy with steps of more than " + seconds(limit->dt) +
-            " (" + limit->model + ": " + limit->formula + ")",
+        "is too long, at " + seconds(step) + ": impacts gain more than 4 % of energy with steps of more than " +
+            seconds(limit->dt) + " (" + limit->model + ": " + limit->formula + ")",
         at_most(limit_at(speed, scene_.numerics.steps_per_contact)->dt) + ", or \"auto\", which follows the speeds"};
 }
 
@@ -61,7 +63,7 @@ std::optional<Warning> StepByHand::inaccurate_at(double speed) const {
     return Warning{key, step.location,
                    "is " + seconds(step) + ", longer than the " + seconds(limit->dt) +
                        " of numerics.steps_per_contact (" + limit->model + "): with " + number_text(steps, 2) +
-                       " steps in an impact, the spin after it is wrong by up to " +
+                       " steps in an impact, the spin after it is wrong by about " +
                        number_text(100 * StepsPerContact::error(steps), 2) + " % of the speed (docs/contact.md)",
                    at_most(limit->dt)};
 }

@@ -8,7 +8,6 @@
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/turn_solid.hpp"
 #include "solver/forcing/driven.hpp"
-#include "solver/forcing/driven.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {

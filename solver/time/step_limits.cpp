@@ -20,7 +20,7 @@ StepLimit species_step_limit(const StepScales& scales) {
 
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration) {
     std::vector<StepLimit> limits;
-    if (scales.at_rest && scales.diffusivity > 0 && !scales.implicit_species) return {species_step_limit(scales)};
+    if (scales.at_rest && scales.diffusivity > 0) return {species_step_limit(scales)};
     limits.push_back({"sound", scales.step_factor * scales.support / (scales.sound_speed + largest_speed),
                       "step_factor R / (c0 + U)"});
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
@@ -44,7 +44,7 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
             {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
     // Of a sine 22 steps a period. Listed where it rules.
     if (const double dt = 0.1 * scales.drive_time; dt < limits.front().dt)
-        limits.push_back({"drive", dt, "a tenth of the time in which a driving formula runs through its values"});
+        limits.push_back({"drive", dt, "a tenth of the range of a driving formula over its typical rate of change"});
     // Measured: stable at delta c0 dt / R = 0.15, unstable from 0.2 (corrected scheme) or 0.2 to 0.25 (plain).
     if (scales.density_diffusion * scales.step_factor > 0.12)
         limits.push_back({"density diffusion",

@@ -244,8 +244,8 @@ TEST(Impact, ReboundsWithTheRestitutionAsked) {
         Record record("impact", std::string("restitution 0.1 to 0.98, dashpot ") + (pulls ? "may pull" : "is cut off"),
                       last.run);
         record.percent("restitution, largest error, 200 steps a contact", fine, 0.005);
-        record.at_most("restitution, largest difference, 20 steps a contact", standard, 0.006);
-        record.at_most("the same, of the mean over where in a step it begins", mean, 0.005);
+        record.at_most("restitution, largest difference, 20 steps a contact", standard, 0.0013);
+        record.at_most("the same, of the mean over where in a step it begins", mean, 0.0005);
     }
 }
 

@@ -70,6 +70,9 @@ TEST(DriveTime, is_a_part_of_the_shortest_period) {
     EXPECT_NEAR(time_of("2 + sin(2 * 3.14159265 * t / 0.00001) * (1 + x)"), 0.45e-5, 0.05e-5)
         << "shorter than a sample";
     EXPECT_NEAR(time_of("5 * t"), 1, 0.01) << "a ramp takes the run";
+    const double pulses = time_of("max(0, sin(2 * 3.14159265 * t / 0.01))");
+    EXPECT_NEAR(pulses, 0.225 * 0.01, 0.03 * 0.01);
+    EXPECT_NEAR(time_of("t < 0.5 ? sqrt(-1) : sin(2 * 3.14159265 * t / 0.01)"), 0.45 * 0.01, 0.05 * 0.01);
 }
 
 TEST(DriveTime, is_infinite_for_what_is_constant_or_jumps) {
