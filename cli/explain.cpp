@@ -61,7 +61,8 @@ std::string costs_text(const Scene& scene, const ModelCosts& costs) {
                              count_text(static_cast<std::size_t>(costs.threads), "thread"),
                              count_text(static_cast<std::size_t>(costs.steps), "step")));
     if (!scene.parts_of(PartKind::fluid).empty())
-        list.add("", "'forces' holds pressure, viscosity, walls and repulsion, 'density' continuity, diffusion, shifting");
+        list.add("",
+                 "'forces' holds pressure, viscosity, walls and repulsion, 'density' continuity, diffusion, shifting");
     return Style(Stream::output).strong("Measured") + "\n" + list.text();
 }
 

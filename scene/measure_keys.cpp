@@ -58,8 +58,8 @@ std::vector<Key<Measure>> measure_keys() {
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
          "kinetic energy, field at a probe or along a line; of a species its amount, mean concentration, profile, "
-         "spread, flux into a wall, Peclet number; of spheres their velocity, spin, force on the walls, number detached from a "
-         "sphere; size, pieces and bonds of an aggregate."},
+         "spread, flux into a wall, Peclet number; of spheres their velocity, spin, force on the walls, number "
+         "detached from a sphere; size, pieces and bonds of an aggregate."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
         {"to", lines, &Measure::to, point(), required, "End of the line."},
         {"points", line, &Measure::points, integer(Range{2, 1000, false, {}}), "20",

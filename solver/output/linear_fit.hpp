@@ -16,8 +16,8 @@ namespace dmp::solver {
 /// samples lie, so it reads right beside walls, where all of them are on one side. A mean weighted by the kernel reads
 /// the value at the samples' centre there.
 ///
-///     value = SUM_k s_k f_k,   s_k = w_k [1 - m . C^-1 (x_k - m)] / SUM w,   m = SUM w x / SUM w,  C = SUM w x x^T /
-///     SUM w - m m^T
+///     value = SUM_k s_k f_k,    s_k = w_k [1 - m . C^-1 (x_k - m)] / SUM w
+///     m = SUM w x / SUM w,      C = SUM w x x^T / SUM w - m m^T
 ///
 /// with x from the point. Along directions in which the samples do not spread, the function is taken as constant.
 /// All sums are exact, so the bits do not depend on the ranks.

@@ -2,7 +2,6 @@
 #include "solver/output/probe.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 
@@ -49,7 +48,7 @@ Vec Probe::from_point(const ParticleGroup& group, std::size_t i, const Vec& poin
     Vec apart = Vec::Zero();
     for (int axis = 0; axis < group.dimension(); ++axis)  // fluid beyond a plane of symmetry is shown mirrored
         apart[axis] = space.mirrored_back(group.data(Field::position, axis)[i], axis) - point[axis];
-    return nearest_image(apart, particles_.space());
+    return nearest_image(apart, space);
 }
 
 void Probe::find_fluid(const Vec& point, double support) {

@@ -81,7 +81,8 @@ std::vector<double> last_row(SceneAndParticles made, std::vector<Measure> probes
 const std::vector<double> beside_the_wall{0, 0.0125e-3, 0.025e-3, 0.05e-3, 0.1e-3, 0.15e-3, 0.2e-3};
 
 TEST(ProbesBesideWalls, read_the_parabola) {
-    // A mean over the fluid weighted by the kernel read 13 % of the largest speed on the wall, and 16 % for 9.75 at 0.025 mm.
+    // A mean over the fluid weighted by the kernel read 13 % of the largest speed on the wall, and 16 % for 9.75 at
+    // 0.025 mm.
     const auto made = case_of("verification/poiseuille", {"particles.spacing=\"0.05 mm\""});
     const auto row = last_row(made, probes_at(beside_the_wall, FluidField::velocity));
     for (std::size_t k = 0; k < beside_the_wall.size(); ++k) {
