@@ -124,10 +124,11 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& [what, constants] : origin.springs) list.add(what, constants);
     for (const Part* part : scene.parts_of(PartKind::elastic)) {
-        list.add(
-            "damping " + *part->name,
-            fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({})", *part->bond_damping,
-                        origin_text(part->bond_damping, "bond_damping"), *part->drag, origin_text(part->drag, "drag")));
+        list.add("damping " + *part->name,
+                 fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({}), {:.3g} of the mass per s ({})",
+                             *part->bond_damping, origin_text(part->bond_damping, "bond_damping"), *part->drag,
+                             origin_text(part->drag, "drag"), *part->mass_damping,
+                             origin_text(part->mass_damping, "mass_damping")));
     }
     if (plan.spring_substeps > 0) {
         list.add("spring steps",

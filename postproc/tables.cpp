@@ -227,6 +227,8 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"seconds_by_stage", object_of(summary.seconds_by_stage)},
               {"files", extra.files}};
     if (summary.velocity_change) json["velocity_change_per_spacing"] = *summary.velocity_change;
+    for (const LargestStrain& strain : summary.strains)
+        json["strain_of_bonds"][strain.name] = {{"lowest", strain.compressed}, {"highest", strain.stretched}};
     const ViscousSolves& viscous = summary.viscous_solves;
     if (viscous.solves > 0)
         json["implicit_viscosity"] = {{"solves", viscous.solves},

@@ -260,6 +260,16 @@ void need_regions(const Scene& scene, const TomlNode& document) {
         "add a [[region]] with a name and the corners from and to");
 }
 
+/// A mode repeats with the periodic axes.
+void check_waves(const Scene& scene, const Measure& measure) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((*measure.waves)[axis] != 0 && !*scene.flow.periodic[axis])
+            throw InputError(
+                measure.waves.location,
+                "measure '" + *measure.name + "' has waves along " + "xyz"[axis] + ", which is not periodic",
+                std::string("write 0 there, or add \"") + "xyz"[axis] + "\" to flow.periodic");
+}
+
 void check_measure(const Scene& scene, const Measure& measure) {
     for (const auto* point : {&measure.from, &measure.to, &measure.point}) {
         if (scene.dimension == 2) need_plane_point(*point);
@@ -269,6 +279,7 @@ void check_measure(const Scene& scene, const Measure& measure) {
                          "the line of measure '" + *measure.name + "' starts and ends at the same point",
                          "give two different points");
     }
+    if (*measure.kind == MeasureKind::mode) check_waves(scene, measure);
     check_sphere_measure(scene, measure);
     if (*measure.kind == MeasureKind::aggregate) need_solid(scene, measure.part, "measure", *measure.name);
     if (*measure.kind != MeasureKind::gap) return;

@@ -82,8 +82,9 @@ struct Measure {
     Value<Vec> from{Vec::Zero()};                    ///< flux, line: the line's start [m]
     Value<Vec> to{Vec::Zero()};                      ///< flux, line: the line's end [m]
     Value<Vec> point{Vec::Zero()};                   ///< probe: its position [m]
-    Value<FluidField> field = FluidField::velocity;  ///< probe, line: field to measure
+    Value<FluidField> field = FluidField::velocity;  ///< probe, line, mode: field to measure
     Value<int> points = 20;                          ///< line: number of points along it, its ends among them
+    Value<std::array<int, 3>> waves;                 ///< mode: number of waves in the period along each axis
     Value<std::string> part;     ///< gap: elastic solid; wall_flux: rigid part; velocity, spin, detached: spheres;
                                  ///< aggregate: [[solidify]] or elastic solid
     Value<std::string> species;  ///< measures of species: its name; empty: the only one

@@ -48,7 +48,7 @@ std::vector<Key<ResidenceRegion>> region_keys() {
 }
 
 std::vector<Key<Measure>> measure_keys() {
-    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line"}, probe = {"probe"}, line = {"line"};
+    const Kinds all, lines = {"flux", "line"}, fields = {"probe", "line", "mode"}, probe = {"probe"}, line = {"line"};
     const Kinds of_part = {"gap", "velocity", "spin", "detached"};
     const Kinds detached = {"detached"}, wall_flux = {"wall_flux"}, aggregate = {"aggregate"};
     const Kinds boxes = {"mean_concentration", "profile", "spread"}, along = {"profile", "spread"};
@@ -57,7 +57,7 @@ std::vector<Key<Measure>> measure_keys() {
         {"name", all, &Measure::name, name(), required, "The measure's column in measures.csv."},
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
-         "kinetic energy, field at a probe or along a line; of a species its amount, mean concentration, profile, "
+         "kinetic energy, field at a probe, along a line or its Fourier mode; of a species its amount, mean concentration, profile, "
          "spread, flux into a wall, Peclet number; of spheres their velocity, spin, force on the walls, number "
          "detached from a sphere; size, pieces and bonds of an aggregate."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
@@ -66,7 +66,10 @@ std::vector<Key<Measure>> measure_keys() {
          "Number of points along the line, evenly spaced from its start to its end; the field at each is a column."},
         {"point", probe, &Measure::point, point(), required, "Position of the probe."},
         {"field", fields, &Measure::field, one_of<FluidField>(), "velocity",
-         "Field that the probe or line measures."},
+         "Field that the probe, line or mode measures."},
+        {"waves", {"mode"}, &Measure::waves, wave_numbers(), required,
+         "Number n of waves in the period along x, y and z, 0 along axes that are not periodic. The columns NAME_cos and "
+         "NAME_sin are the factors of cos and sin(2 pi n . (x - x_0) / L) in the field, x_0 the low corner of the period."},
         {"part", of_part, &Measure::part, name(), required,
          "gap: the elastic solid between whose pieces the smallest distance is measured. velocity, spin: the part "
          "of spheres over which the mean is taken. detached: the part of the one sphere from which others may "

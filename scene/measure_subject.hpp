@@ -26,6 +26,7 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::density:
         case MeasureKind::probe:
         case MeasureKind::line:
+        case MeasureKind::mode:
         case MeasureKind::aggregate:
             return MeasureSubject::flow;
         case MeasureKind::amount:
@@ -44,8 +45,10 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
     unlisted_value(kind);
 }
 
-/// Whether a measure reads a field of the fluid at points.
-constexpr bool reads_a_field(MeasureKind kind) { return kind == MeasureKind::probe || kind == MeasureKind::line; }
+/// Whether a measure reads a field of the fluid.
+constexpr bool reads_a_field(MeasureKind kind) {
+    return kind == MeasureKind::probe || kind == MeasureKind::line || kind == MeasureKind::mode;
+}
 
 /// Whether a measure is of a species. A probe of concentrations is of the fluid.
 constexpr bool is_of_species(MeasureKind kind) { return subject_of(kind) == MeasureSubject::species; }

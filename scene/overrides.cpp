@@ -55,9 +55,11 @@ TomlNode& find_item(TomlNode& document, const std::string& list, const std::stri
         }
     }
     const auto nearest = nearest_name(name, names);
-    throw InputError(
-        location, "the scene has no " + list + " '" + name + "'",
-        nearest.empty() ? "its " + list + "s are " + quoted_list(names) : "did you mean '" + nearest + "'?");
+    const std::string plural = list == "species" ? list : list + "s";
+    throw InputError(location, "the scene has no " + list + " '" + name + "'",
+                     names.empty()     ? "it has none at all"
+                     : nearest.empty() ? "its " + plural + " are " + quoted_list(names)
+                                       : "did you mean '" + nearest + "'?");
 }
 
 /// The table called `name` in `table`; creates it if necessary.

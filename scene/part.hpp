@@ -50,6 +50,7 @@ struct Part {
     Value<std::string> anchor;                 ///< name in the geometry of what the part is clamped to; empty: free
     Value<double> bond_damping = 0.01;         ///< dashpot of each bond and hinge, fraction of critical damping [-]
     Value<double> drag = 0.0;                  ///< lab-frame drag per particle, F = -drag v [kg/s] (as in the thesis)
+    Value<double> mass_damping = 0.0;          ///< lab-frame drag per mass, F = -mass_damping m v [1/s]
 
     // spheres (3-D only); also density, youngs_modulus and poisson_ratio above
     Value<std::vector<double>> radius;  ///< one for all, or one for each of `centres`; empty: in `positions` [m]

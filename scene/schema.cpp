@@ -171,7 +171,11 @@ std::vector<Key<Part>> part_keys() {
         {"bond_damping", springs, &Part::bond_damping, number(between(0, 1)), "0.01",
          "Dashpot of each bond and hinge, as a fraction of critical damping."},
         {"drag", springs, &Part::drag, quantity("1e-6 kg/s", not_negative), "0",
-         "Linear drag in the lab frame; the force on each particle is -drag * velocity."},
+         "Linear drag in the lab frame; the force on each particle is -drag * velocity, so that the drag of the whole "
+         "part depends on the spacing."},
+        {"mass_damping", springs, &Part::mass_damping, quantity("10 1/s", not_negative), "0",
+         "Damping proportional to mass, in the lab frame: the force on each particle is -mass_damping * mass * velocity, "
+         "whatever the spacing."},
     };
 }
 

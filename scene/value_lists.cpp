@@ -73,6 +73,29 @@ ValueType<Vec> direction() {
             }};
 }
 
+ValueType<std::array<int, 3>> wave_numbers() {
+    const std::string description = "a list of two or three whole numbers such as [1, 0]";
+    return {description,
+            [description](const TomlNode& node, const std::string& path) {
+                const auto& items = detail::list_items(node, path, description);
+                if (items.size() != 2 && items.size() != 3)
+                    throw InputError(node.location,
+                                     path + ": found a list of " + std::to_string(items.size()) +
+                                         ", expected two or three whole numbers",
+                                     "give " + description);
+                std::array<int, 3> waves{};
+                for (std::size_t axis = 0; axis < items.size(); ++axis) waves[axis] = integer().read(items[axis], path);
+                if (waves == std::array<int, 3>{})
+                    throw InputError(node.location, path + ": found no wave along any axis", "give " + description);
+                return waves;
+            },
+            [](const std::array<int, 3>& waves) {
+                std::vector<std::string> items;
+                for (const int number : waves) items.push_back(integer().write(number));
+                return detail::toml_list(items);
+            }};
+}
+
 ValueType<std::vector<std::string>> names() {
     const std::string description = R"(a list of names such as ["cilia"])";
     return {description,

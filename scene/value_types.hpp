@@ -72,6 +72,8 @@ ValueType<std::vector<double>> quantity_or_list(const std::string& example, cons
 ValueType<std::vector<Vec>> points();
 /// Three plain numbers, not all 0.
 ValueType<Vec> direction();
+/// Two or three whole numbers, not all 0: waves in a period along x, y and z.
+ValueType<std::array<int, 3>> wave_numbers();
 /// A list of at least one name, all different.
 ValueType<std::vector<std::string>> names();
 /// A list of two names.

@@ -50,7 +50,7 @@ std::vector<Omission> omissions(const Scene& scene) {
     const bool may_be_plain = std::ranges::none_of(walls, [](const Part* wall) { return *wall->slip; });
     leave_out(fluid && !walls.empty() && *numerics.walls == WallModel::extrapolated && !summation &&
                   !*numerics.gradient_correction && may_be_plain,
-              "extrapolated no-slip walls", [](Scene& s) { s.numerics.walls = WallModel::plain; });
+              "extrapolated walls", [](Scene& s) { s.numerics.walls = WallModel::plain; });
     leave_out(solid && *scene.contact.range > 0, "short-range repulsion", [](Scene& s) { s.contact.range = 0.0; });
     leave_out(!scene.regions.empty() && scene.asks_for(FluidField::residence_time), "residence times",
               [](Scene& s) { std::erase(s.output.fields, FluidField::residence_time); });

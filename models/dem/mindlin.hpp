@@ -35,6 +35,8 @@ struct ShearContact {
 struct RescaledHistory {
     static constexpr LawFacts facts{"mindlin", "Mindlin 1949; history without spurious energy (docs/contact.md)",
                                     "Mindlin's spring, its displacement rescaled as the contact grows and shrinks"};
+    /// Without friction's sliding and dashpots; all tangential laws say whether they do.
+    static constexpr bool conserves_energy = true;
     /// Forces use the directions at mid-step; the dashpot starts and ends with the overlap.
     static constexpr bool centred = true;
 
@@ -102,6 +104,7 @@ struct RescaledHistory {
 struct PlainHistory {
     static constexpr LawFacts facts{"mindlin_unscaled", "Mindlin 1949; history as in LAMMPS' gran/hertz/history",
                                     "the same with the displacement not rescaled, as in LAMMPS' gran/hertz/history"};
+    static constexpr bool conserves_energy = false;
     static constexpr bool centred = false;
 
     template <class T>

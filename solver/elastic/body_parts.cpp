@@ -30,7 +30,8 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, doubl
         if (part == parts.end())
             throw InputError("the particles have an elastic solid '" + name + "' that is not in the scene",
                              "mesh the scene again");
-        of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag};
+        of_part[number] = {static_cast<int>(part - parts.begin()), (*part)->bond_damping, (*part)->drag,
+                           (*part)->mass_damping};
     }
     node_mass = node_masses(scene, set, liquid_density);  // of parts that are known to be in the scene
     const auto joins = scene.joins_of_enabled();
@@ -38,11 +39,11 @@ InitialSprings::InitialSprings(const ParticleSet& set, const Scene& scene, doubl
     for (const Bond& bond : set.bonds)
         if (bond.join >= static_cast<int>(joins.size()))
             throw InputError("the particles have bonds of a [[join]] that is not in the scene", "mesh the scene again");
-    for (const Join* join : joins) of_join.push_back({before + static_cast<int>(of_join.size()), join->damping, 0});
+    for (const Join* join : joins) of_join.push_back({before + static_cast<int>(of_join.size()), join->damping});
 }
 
 InitialSprings::InitialSprings(const ParticleSet& set, const Part& part)
-    : of_part(set.parts.size(), {0, part.bond_damping, part.drag}), node_mass(set.mass) {}
+    : of_part(set.parts.size(), {0, part.bond_damping, part.drag, part.mass_damping}), node_mass(set.mass) {}
 
 namespace {
 
@@ -76,7 +77,7 @@ BodyParts initial_body(const ParticleSet& set, const InitialSprings& drawn, int 
         node.fixed = set.fixed[id] != 0;
         node.origin = source.origin;
         node.mass = mass[id];
-        node.drag = source.drag;
+        node.drag = source.drag_of(set.mass[id]);
         node.position = node.position_before = node.rest_position = set.position[id];
         parts.nodes.push_back(node);
         positions.push_back(set.position[id]);

@@ -50,9 +50,11 @@ std::vector<std::string> body_names(const Scene& scene);
 /// Properties of the initial springs that the scene defines.
 struct InitialSprings {
     struct Source {
-        int origin = 0;      ///< as in body_names
-        double damping = 0;  ///< dashpots, fraction of critical [-]
-        double drag = 0;     ///< lab-frame drag of a node [kg/s]
+        int origin = 0;           ///< as in body_names
+        double damping = 0;       ///< dashpots, fraction of critical [-]
+        double drag = 0;          ///< lab-frame drag of a node [kg/s]
+        double mass_damping = 0;  ///< and of a node's mass [1/s]
+        [[nodiscard]] double drag_of(double mass) const { return drag + mass_damping * mass; }
     };
     std::vector<Source> of_part;    ///< by part number of the particle set
     std::vector<Source> of_join;    ///< by Bond::join

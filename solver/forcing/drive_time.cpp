@@ -57,10 +57,9 @@ double drive_time(const Scene& scene, const ParticleSet& set) {
         for (const Expression& formula : formulas)
             shortest = std::min(shortest, time_of(formula, scene.run.duration, place));
     };
-    for (const Part* fluid : scene.parts_of(PartKind::fluid)) {
-        look_at(scene.flow.acceleration, fluid->name);
-        look_at(*scene.flow.pressure_gradient, fluid->name);
-    }
+    for (const PartKind moved : {PartKind::fluid, PartKind::elastic, PartKind::spheres})
+        for (const Part* part : scene.parts_of(moved)) look_at(scene.flow.acceleration, part->name);
+    for (const Part* fluid : scene.parts_of(PartKind::fluid)) look_at(*scene.flow.pressure_gradient, fluid->name);
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
         look_at(*wall->velocity, wall->name);
         look_at(*wall->surface_velocity, wall->name);

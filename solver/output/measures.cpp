@@ -10,6 +10,7 @@
 #include "solver/elastic/body_change.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/fluid_fields.hpp"
+#include "solver/output/fourier_mode.hpp"
 #include "solver/output/probe.hpp"
 
 namespace dmp::solver {
@@ -65,6 +66,14 @@ bool is_about_enabled_parts(const Scene& scene, const Measure& measure) {
     const auto parts = scene.parts_of(PartKind::elastic);
     return std::any_of(parts.begin(), parts.end(),
                        [&](const Part* part) { return part->name.value == measure.part.value; });
+}
+
+void need_long_waves(const Measure& measure, const ParticleSpace& space) {
+    if (FourierMode(measure.waves, space).spacings() >= 4) return;
+    throw InputError(
+        measure.waves.location,
+        "the waves of measure '" + *measure.name + "' are shorter than 4 spacings: particles cannot show them",
+        "give fewer waves, or a smaller particles.spacing");
 }
 
 }  // namespace
@@ -145,6 +154,16 @@ struct Measures::Rows {
                                   (measure.to.value - measure.from.value) * k / (*measure.points - 1));
              return self.field_at(points, measure.from.location, measure, moment);
          }},
+        {MeasureKind::mode,
+         [](const Measures& self, const Measure& measure) {
+             Columns columns;
+             for (const MeasureColumn& each : self.field_columns(measure, measure.name))
+                 for (const char* factor : {"_cos", "_sin"}) columns.push_back({each.name + factor, each.unit});
+             return columns;
+         },
+         [](const Measures& self, const Measure& measure, const FluidMoment& moment) {
+             return self.mode(measure, moment);
+         }},
     });
 };
 
@@ -154,6 +173,7 @@ Measures::Measures(const Scene& scene, const ParticleSet& set, const PairSetting
     for (const Measure& measure : scene.measures) {
         if (!is_about_enabled_parts(scene, measure)) continue;  // the part was left out, and so is what is asked of it
         measures_.push_back(&measure);
+        if (*measure.kind == MeasureKind::mode) need_long_waves(measure, space_);
         if (*measure.kind == MeasureKind::gap) gaps_.try_emplace(&measure, measure, set);
         const std::vector<MeasureColumn> columns = is_of_species(measure.kind)
                                                        ? SpeciesMeasures(scene, space_, ranks).columns(measure)
@@ -226,6 +246,14 @@ double Measures::kinetic_energy(const ParticleGroup& fluid) const {
         sum.add(0.5 * fluid.data(Field::mass)[i] * square);
     }
     return over_all_ranks(sum);
+}
+
+std::vector<double> Measures::mode(const Measure& measure, const FluidMoment& moment) const {
+    const FourierMode mode(measure.waves, space_);
+    std::vector<double> factors;
+    for (const FluidValues& array : FluidFields(scene_, moment.particles, moment.step).of(measure.field))
+        std::ranges::move(mode.of(array, moment.particles.fluid(), ranks_), std::back_inserter(factors));
+    return factors;
 }
 
 bool Measures::need_neighbours() const {

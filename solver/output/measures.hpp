@@ -25,6 +25,7 @@ namespace dmp::solver {
 ///                  residence_time for each region, concentration for each species; NaN, which the tables write as
 ///                  empty, where no fluid is
 ///   line           the same at points along a line, those of each point one after the other, NAME_1 ...
+///   mode           factors of cos and sin in such a field, two columns for each component (FourierMode)
 /// Those of a species: SpeciesMeasures.
 class Measures {
   public:
@@ -35,7 +36,7 @@ class Measures {
 
     [[nodiscard]] const MeasureSeries& series() const { return series_; }
     void archive(Archive& file);
-    /// Whether a probe or line reads what follows from neighbours.
+    /// Whether a probe, line or mode reads what follows from neighbours.
     [[nodiscard]] bool need_neighbours() const;
 
   private:
@@ -52,6 +53,7 @@ class Measures {
     /// Their values at each of the points. Throws InputError, with this location, when none finds fluid at first.
     [[nodiscard]] std::vector<double> field_at(const std::vector<Vec>& points, const SourceLocation& location,
                                                const Measure& measure, const FluidMoment& moment) const;
+    [[nodiscard]] std::vector<double> mode(const Measure& measure, const FluidMoment& moment) const;
 
     const Scene& scene_;
     ParticleSpace space_;

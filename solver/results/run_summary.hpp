@@ -76,6 +76,12 @@ struct Aggregate {
     std::int64_t bonds_made = 0, bonds_broken = 0;
 };
 
+/// Of the bonds of an elastic solid, over the whole run (SpringStrain): length / rest length - 1 [-].
+struct LargestStrain {
+    std::string name;
+    double compressed = 0, stretched = 0;  ///< the lowest, at most 0, and the highest, at least 0
+};
+
 struct RunSummary {
     std::map<std::string, std::size_t> particles;
     long steps = 0;
@@ -90,6 +96,7 @@ struct RunSummary {
     double largest_speed = 0;  ///< that the fluid reached [m/s]
     /// From one particle to the next, of itself (VelocityChange) [-]; nothing with the plain scheme.
     std::optional<double> velocity_change;
+    std::vector<LargestStrain> strains;  ///< of elastic solids
     /// Where the flow that was reached is not the one that was planned.
     std::vector<Warning> warnings;
     Conserved start, end;

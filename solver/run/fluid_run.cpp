@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "base/number_text.hpp"
 #include "particles/apart.hpp"
 #include "solver/output/aggregates.hpp"
 #include "solver/output/make_frame.hpp"
@@ -49,6 +50,7 @@ FluidRun::FluidRun(Scene s, const ParticleSet& set, const Resources& resources)
       events_(scene_, set, ranks_),
       monitor_(scene_, particles_.space(), rest_densities(scene_, set), settings_.sound_speed, settings_.support),
       reached_(scene_, sound_),
+      strain_(fluid_.springs()),
       frame_times_(scene_.output.every),
       measure_times_(scene_.output.measure_every > 0 ? scene_.output.measure_every.value : scene_.output.every / 4) {
     for (std::size_t i = 0; i < set.size(); ++i) ++count_[to_string(set.kind(i))];
@@ -124,6 +126,7 @@ void FluidRun::archive(Archive& file) {
     file("last_frame_", last_frame_);
     reached_.archive(file);
     velocity_change_.archive(file);
+    strain_.archive(file);
     file("mass_at_start", at_start_.mass);
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
@@ -180,10 +183,16 @@ Plan FluidRun::plan() const {
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
     plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
+    const std::optional<Warning> better_implicit = viscosity_better_implicit(scene_, plan.limits);
     plan.spring_substeps = fluid_.springs().substeps(plan.dt);
     if (settings_.viscosity.implicit && scales_.kinematic_viscosity > 0) {
         plan.limits.push_back(viscous_step_limit(scales_));
-        plan.limits.back().formula += "; not binding, stepped implicitly";
+        // Backward Euler: what decays with exp(-t / 10 dt) is (1 + 1/10)^-10 after 10 steps.
+        const double layer = std::sqrt(10 * scales_.kinematic_viscosity * plan.dt);
+        plan.limits.back().formula +=
+            "; not binding, stepped implicitly: what changes within 10 steps, such as shear "
+            "layers of " +
+            number_text(1e3 * layer, 2) + " mm, lags behind by 5 %";
     }
     if (scales_.implicit_species && scales_.diffusivity > 0) {
         plan.limits.push_back(species_step_limit(scales_));
@@ -193,6 +202,7 @@ Plan FluidRun::plan() const {
     plan.models = models_in_use(scene_, settings_, fluid_.sweeps(), fluid_.springs());
     plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
     plan.warnings.insert(plan.warnings.end(), foreseen_.begin(), foreseen_.end());
+    if (better_implicit) plan.warnings.push_back(*better_implicit);
     add_fields(plan);
     return plan;
 }
@@ -253,7 +263,9 @@ void FluidRun::advance(const RunOptions& options, double until) {
     ++step_;
 
     monitor_.walls_have_moved(fluid_.walls().farthest());
-    const std::vector<Warning> warnings = reached_.add(extremes_);
+    std::vector<Warning> warnings = reached_.add(extremes_);
+    if (SpringStrain::wants(step_))
+        std::ranges::move(strain_.add(fluid_.springs(), scene_), std::back_inserter(warnings));
     if (!monitor_.fluid_is_well(extremes_) || step_ % steps_between_checks == 0) stop_if_diverged(options.sink);
     if (VelocityChange::wants(step_)) velocity_change_.add(particles_, ranks_, time_);
     for (const Warning& warning : warnings)
@@ -320,6 +332,8 @@ RunSummary FluidRun::summary() const {
     std::ranges::move(reached_.warnings(time_ >= scene_.run.duration), std::back_inserter(summary.warnings));
     summary.velocity_change = velocity_change_.value(settings_.spacing);
     if (const auto coarse = velocity_change_.warning(scene_)) summary.warnings.push_back(*coarse);
+    summary.strains = strain_.largest();
+    std::ranges::move(strain_.warnings(scene_), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));

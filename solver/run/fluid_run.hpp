@@ -9,6 +9,7 @@
 #include "solver/output/residence_times.hpp"
 #include "solver/run/reached.hpp"
 #include "solver/run/setup.hpp"
+#include "solver/run/spring_strain.hpp"
 #include "solver/run/velocity_change.hpp"
 #include "solver/solidify/body_events.hpp"
 #include "solver/state/schedule.hpp"
@@ -73,6 +74,7 @@ class FluidRun final : public Run {
     FluidExtremes extremes_{};  ///< of the last step
     Reached reached_;           ///< of all steps
     VelocityChange velocity_change_;
+    SpringStrain strain_;
     Schedule frame_times_, measure_times_;
     std::int64_t frames_ = 0;
     double last_frame_ = 0;  ///< time of the last frame [s]

@@ -177,7 +177,7 @@ void Models::add_walls() {
         const std::string reason = because(scene_.numerics.walls, "numerics.walls");
         switch (*scene_.numerics.walls) {
             case WallModel::extrapolated:
-                add("extrapolated no-slip walls", "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012", reason);
+                add("extrapolated walls", "Morris, Fox & Zhu 1997; Adami, Hu & Adams 2012", reason);
                 break;
             case WallModel::plain:
                 add("plain walls", "Monaghan 1994", reason);
@@ -213,6 +213,8 @@ void Models::add_elastic(const SpringBodies& springs) {
         if (others[number].hinges) add("hinges", "U = k_a (theta - theta0)^2", where);
         if (others[number].dihedrals) add("dihedrals", "U = k_d (phi - phi0)^2; Blondel & Karplus 1996", where);
         if (part.drag > 0) add("lab-frame drag", "F = -k_v v", because(part.drag, "drag"));
+        if (part.mass_damping > 0)
+            add("mass-proportional damping", "F = -alpha m v", because(part.mass_damping, "mass_damping"));
     }
     for (const Join* join : scene_.joins_of_enabled())
         add("bonds of '" + *join->name + "'",

@@ -2,7 +2,10 @@
 #include "solver/run/warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "base/number_text.hpp"
 #include "scene/measure_subject.hpp"
 #include "solver/forcing/driven.hpp"
 
@@ -113,8 +116,11 @@ class Warnings {
     }
 
     void about_elastic() {
-        for (const Part* part : scene_.parts_of(PartKind::elastic))
+        for (const Part* part : scene_.parts_of(PartKind::elastic)) {
             if (*part->drag == 0) has_no_effect("part." + *part->name + ".drag", part->drag, "it is 0");
+            if (*part->mass_damping == 0)
+                has_no_effect("part." + *part->name + ".mass_damping", part->mass_damping, "it is 0");
+        }
         const auto& numerics = scene_.numerics;
         if (!springs_) has_no_effect("numerics.spring_stepping", numerics.spring_stepping, "no part has springs");
         if (!springs_ || *numerics.spring_stepping == SpringStepping::implicit)
@@ -213,6 +219,21 @@ class Warnings {
 };
 
 }  // namespace
+
+std::optional<Warning> viscosity_better_implicit(const Scene& scene, const std::vector<StepLimit>& limits) {
+    constexpr double pays = 200;
+    double viscous = std::numeric_limits<double>::infinity(), others = viscous;
+    for (const StepLimit& limit : limits) {
+        double& shortest = limit.model.starts_with("viscosity") ? viscous : others;
+        shortest = std::min(shortest, limit.dt);
+    }
+    const auto& stepping = scene.numerics.viscosity_stepping;
+    if (*stepping == ViscosityStepping::implicitly || !std::isfinite(others) || !(viscous * pays < others)) return {};
+    return Warning{"numerics.viscosity_stepping", stepping.location,
+                   "is \"explicit\", and viscosity keeps the steps " + number_text(others / viscous, 3) +
+                       " times shorter than anything else",
+                   "try \"implicit\": its steps cost 10 to 50 times as much (docs/speed.md)"};
+}
 
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
 

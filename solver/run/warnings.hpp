@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -12,5 +13,9 @@ namespace dmp::solver {
 
 /// What is odd about a scene with this many spring bodies, though it can run.
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies);
+
+/// Says that implicit viscosity would take about a tenth of the time, or less: where the viscous limit is the shortest
+/// of these, 200 times shorter than any other (docs/speed.md, "Implicit viscosity").
+std::optional<Warning> viscosity_better_implicit(const Scene& scene, const std::vector<StepLimit>& limits);
 
 }  // namespace dmp::solver

@@ -5,6 +5,7 @@
 
 #include "scene/scene.hpp"
 #include "solver/results/run_summary.hpp"
+#include "solver/spheres/sphere_setup.hpp"
 #include "solver/spheres/sphere_step.hpp"
 #include "solver/uses.hpp"
 
@@ -14,6 +15,7 @@ namespace dmp::solver {
 double energy_in_contacts(const SphereStep& step, const Ranks& ranks);
 
 /// Says that energy grew by more than 1 % of the kinetic energy. Only for spheres that nothing drives.
-std::optional<Warning> grown_energy(const Scene& scene, const SphereEnergy& start, const SphereEnergy& end);
+std::optional<Warning> grown_energy(const Scene& scene, const SphereSetup& setup, const SphereEnergy& start,
+                                    const SphereEnergy& end);
 
 }  // namespace dmp::solver

@@ -73,8 +73,14 @@ std::vector<StepLimit> SphereRun::contact_limits() const {
     return sphere_step_limits(scene_, setup_, space_, rounded_speed(step_.speed_for_limits(time_)));
 }
 
-std::vector<StepLimit> SphereRun::limits() const {
+std::vector<StepLimit> SphereRun::limits_without_shapes() const {
     std::vector<StepLimit> all = by_hand_.added_to(contact_limits());
+    add_drive_limit(all, setup_.drive_time);
+    return all;
+}
+
+std::vector<StepLimit> SphereRun::limits() const {
+    std::vector<StepLimit> all = limits_without_shapes();
     add_driving_limit(all, step_.driving(), setup_.smallest_radius, time_);
     if (all.empty()) all.push_back({"output", scene_.output.every, "spheres that nothing acts between"});
     return all;
@@ -82,8 +88,9 @@ std::vector<StepLimit> SphereRun::limits() const {
 
 StepLimit SphereRun::ruling_of(std::vector<StepLimit> all) const {
     if (by_hand_.given())
-        std::erase_if(all,
-                      [](const StepLimit& limit) { return limit.model != "contact_step" && limit.model != "driving"; });
+        std::erase_if(all, [](const StepLimit& limit) {
+            return limit.model != "contact_step" && limit.model != "driving" && limit.model != "drive";
+        });
     return ruling_limit(all);
 }
 
@@ -92,7 +99,7 @@ double SphereRun::longest_step(const RunOptions& options) {
     const double speed = rounded_speed(step_.speed_for_limits(time_));
     if (speed != limited_speed_) {
         limited_speed_ = speed;
-        const std::vector<StepLimit> limits = by_hand_.added_to(contact_limits());
+        const std::vector<StepLimit> limits = limits_without_shapes();
         longest_step_ = limits.empty() ? scene_.output.every.value : ruling_of(limits).dt;
         const bool was_too_long = by_hand_.too_long_at(fastest_).has_value();
         fastest_ = std::max(fastest_, speed);
@@ -238,7 +245,7 @@ RankShares SphereRun::shares(std::int64_t steps) const {
 std::vector<Warning> SphereRun::warnings(const SphereEnergy& end) const {
     std::vector<Warning> warnings;
     if (const auto too_long = by_hand_.too_long_at(fastest_)) warnings.push_back(*too_long);
-    if (const auto grown = grown_energy(scene_, energy_at_start_, end); grown && !is_driven(scene_))
+    if (const auto grown = grown_energy(scene_, setup_, energy_at_start_, end); grown && !is_driven(scene_))
         warnings.push_back(*grown);
     return warnings;
 }

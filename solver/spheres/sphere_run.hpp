@@ -37,6 +37,8 @@ class SphereRun final : public Run {
 
   private:
     [[nodiscard]] std::vector<StepLimit> contact_limits() const;
+    /// With the step by hand and what drives the scene.
+    [[nodiscard]] std::vector<StepLimit> limits_without_shapes() const;
     /// The one that determines the step.
     [[nodiscard]] StepLimit ruling_of(std::vector<StepLimit> all) const;
     [[nodiscard]] std::vector<StepLimit> limits() const;

@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "models/dem/contact_material.hpp"
 #include "models/dem/contact_steps.hpp"
+#include "solver/forcing/drive_time.hpp"
 #include "solver/forcing/driving_models.hpp"
 
 namespace dmp::solver {
@@ -130,7 +131,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
                     part, other, *asked,
                     {{}, {}, {}, sizes[a].smallest, sizes[a].lightest, sizes[a].largest, sizes[a].heaviest, nullptr}));
                 setup.walls[a][b] = WallPair{setup.wall_pairs.back().model, setup.wall_pairs.back().constants};
-            } else if (b >= a && sizes[b].count > 0) {
+            } else if (b >= a && sizes[b].count > (a == b ? 1U : 0U)) {  // a sphere alone never meets itself
                 setup.kinds.set(a, b, static_cast<std::int16_t>(setup.pairs.size()));
                 setup.pairs.push_back(pair_of(part, other, *asked,
                                               {{},
@@ -155,6 +156,7 @@ SphereSetup sphere_setup(const Scene& scene, const ParticleSet& set) {
             setup.reach = std::max(setup.reach, contact_reach(pair.model, pair.constants, pair.largest_radius));
     for (const SpherePair& pair : setup.pairs)
         setup.history_width = std::max(setup.history_width, static_cast<std::size_t>(history_values(pair.model)));
+    setup.drive_time = drive_time(scene, set);
     check_periods(set, 2 * setup.largest_radius + setup.reach);
     return setup;
 }

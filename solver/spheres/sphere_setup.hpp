@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct SphereSetup {
     std::vector<double> smallest_by_part, lightest_by_part;  ///< by part number; 0: has no spheres [m], [kg]
     double reach = 0;                                        ///< largest gap across which a force acts [m]
     double smallest_radius = 0, largest_radius = 0, mean_radius = 0;
-    std::size_t history_width = 0;  ///< of the longest law
+    std::size_t history_width = 0;                                ///< of the longest law
+    double drive_time = std::numeric_limits<double>::infinity();  ///< in which what drives the scene changes [s]
 };
 
 /// Throws InputError where the scene does not say what happens, or what the engine cannot do.

@@ -42,9 +42,7 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
         // A particle may be moved by shifting no further than the sum's own scale allows.
         limits.push_back(
             {"shifting", 1.2 * scales.support / (scales.shifting * scales.sound_speed), "s c0 dt / R <= 1.2"});
-    // Of a sine 22 steps a period. Listed where it rules.
-    if (const double dt = 0.1 * scales.drive_time; dt < limits.front().dt)
-        limits.push_back({"drive", dt, "a tenth of the range of a driving formula over its typical rate of change"});
+    add_drive_limit(limits, scales.drive_time);
     // Measured: stable at delta c0 dt / R = 0.15, unstable from 0.2 (corrected scheme) or 0.2 to 0.25 (plain).
     if (scales.density_diffusion * scales.step_factor > 0.12)
         limits.push_back({"density diffusion",
@@ -53,6 +51,13 @@ std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double larges
     if (scales.contact_limit > 0)
         limits.push_back({"contact", scales.contact_limit, "half of 2 / omega of the repulsion, at touch or nearer"});
     return limits;
+}
+
+void add_drive_limit(std::vector<StepLimit>& limits, double drive_time) {
+    const double dt = 0.1 * drive_time;
+    const auto is_shorter = [dt](const StepLimit& limit) { return limit.dt <= dt; };
+    if (!std::isfinite(dt) || std::ranges::any_of(limits, is_shorter)) return;
+    limits.push_back({"drive", dt, "a tenth of the range of a driving formula over its typical rate of change"});
 }
 
 void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t) {

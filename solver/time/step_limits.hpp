@@ -36,6 +36,10 @@ StepLimit species_step_limit(const StepScales& scales);
 /// Largest fluid step by each model, at the given speed [m/s] and body acceleration [m/s^2] of the moment.
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration);
 
+/// Adds the limit of what drives the scene and changes in this time [s] (drive_time), 22 steps in a period of a sine,
+/// where none of the others is shorter.
+void add_drive_limit(std::vector<StepLimit>& limits, double drive_time);
+
 /// Adds that of forces on parts and of moving shapes at time t, if there is one, of particles that see over `length`
 /// [m].
 void add_driving_limit(std::vector<StepLimit>& limits, const Driving& driving, double length, double t);

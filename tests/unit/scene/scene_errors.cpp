@@ -338,6 +338,18 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"line_without_length", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", \"4 mm\"]",
               "scene.toml:40:6: the line of measure 'flux_in' starts and ends at the same point\n"
               "  give two different points"},
+        Fault{"no_wave", "kind = \"flux\"\nfrom = [\"0 mm\", \"-4 mm\"]\nto = [\"0 mm\", \"4 mm\"]",
+              "kind = \"mode\"\nwaves = [0, 0]",
+              "scene.toml:39:9: measure.flux_in.waves: found no wave along any axis\n"
+              "  give a list of two or three whole numbers such as [1, 0]"},
+        Fault{"wave_along_a_wall", "kind = \"flux\"\nfrom = [\"0 mm\", \"-4 mm\"]\nto = [\"0 mm\", \"4 mm\"]",
+              "kind = \"mode\"\nwaves = [1, 0]",
+              "scene.toml:39:9: measure 'flux_in' has waves along x, which is not periodic\n"
+              "  write 0 there, or add \"x\" to flow.periodic"},
+        Fault{"half_a_wave", "kind = \"flux\"\nfrom = [\"0 mm\", \"-4 mm\"]\nto = [\"0 mm\", \"4 mm\"]",
+              "kind = \"mode\"\nwaves = [0.5, 0]",
+              "scene.toml:39:10: measure.flux_in.waves: found 0.5 (a number), expected a whole number\n"
+              "  give waves a whole number"},
         Fault{"third_coordinate", "from = [\"0 mm\", \"-4 mm\"]", "from = [\"0 mm\", \"4 mm\", \"1 mm\"]",
               "scene.toml:39:8: the third coordinate of a point in a 2-D scene is not 0\n"
               "  leave it out, or write 0"},

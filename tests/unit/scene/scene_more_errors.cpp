@@ -33,6 +33,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"misspelt_part", "part.leaflet.enabled=false", "",
               "--set part.leaflet.enabled=false: the scene has no part 'leaflet'\n"
               "  did you mean 'leaflets'?"},
+        Fault{"unknown_item_of_an_empty_list", "species.drug.unit=1", "",
+              "--set species.drug.unit=1: the scene has no species 'drug'\n"
+              "  it has none at all"},
         Fault{"part_without_name", "part.enabled=false", "",
               "--set part.enabled=false: 'part.enabled' does not say which part and which of its keys\n"
               "  write part.NAME.KEY=VALUE"},

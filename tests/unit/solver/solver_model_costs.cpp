@@ -53,7 +53,7 @@ TEST(ModelCosts, of_a_valve_know_contact_springs_and_residence) {
     made.scene.regions = {all};
     made.scene.output.fields = {FluidField::residence_time};
     const ModelCosts costs = measure_costs(made.scene, made.particles, 1, brief, standing);
-    EXPECT_THAT(names(costs.models), ElementsAre("density diffusion", "particle shifting", "extrapolated no-slip walls",
+    EXPECT_THAT(names(costs.models), ElementsAre("density diffusion", "particle shifting", "extrapolated walls",
                                                  "short-range repulsion", "residence times"));
     EXPECT_THAT(names(costs.stages), IsSupersetOf({"elastic"}));
 }

@@ -2,17 +2,22 @@
 // What probes read beside walls.
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "small_scenes.hpp"
 #include "solver/output/linear_fit.hpp"
 #include "tests/modules.hpp"
+#include "tests/unit/thrown.hpp"
 
 namespace dmp::tests::solver_probes_tests {
 namespace {
+
+using testing::ElementsAre;
 
 struct Fitted {
     double value = 0, shares = 0;
@@ -132,6 +137,42 @@ TEST(ProbesBesideWalls, read_the_pressure_at_bottom_and_top) {
         const double height = probes[k].point.value[1];
         EXPECT_NEAR(row[k] / 9810, 1 - height, 0.01) << "y = " << height;
     }
+}
+
+/// -cos a sin b = (sin(a - b) - sin(a + b)) / 2: two waves, which decay with 2 nu k^2.
+TEST(Mode, of_taylor_green_vortices_decays_as_it_must) {
+    auto made = case_of("verification/taylor_green", {"particles.spacing=\"0.03125 m\"", "run.duration=\"0.5 s\""});
+    Measure mode;
+    mode.name = std::string("wave");
+    mode.kind = MeasureKind::mode;
+    mode.waves = std::array<int, 3>{1, 1, 0};
+    Measure other = mode;
+    other.name = std::string("none");
+    other.waves = std::array<int, 3>{2, 0, 0};
+    made.scene.measures = {mode, other};
+    const MeasureSeries series = Simulation(made.scene, made.particles, 1).run({}).measures;
+    EXPECT_THAT(series.names, ElementsAre("wave_x_cos", "wave_x_sin", "wave_y_cos", "wave_y_sin", "none_x_cos",
+                                          "none_x_sin", "none_y_cos", "none_y_sin"));
+    const double decay = std::exp(-8 * std::pow(std::numbers::pi, 2) * 0.01 * 0.5);
+    const auto expect = [](const std::vector<double>& row, double amplitude, double error) {
+        const std::array<double, 4> factors{0, -amplitude, 0, amplitude};
+        for (std::size_t k = 0; k < row.size(); ++k)
+            EXPECT_NEAR(row[k], k < factors.size() ? factors[k] : 0, error) << "column " << k;
+    };
+    expect(series.rows.front(), 0.5, 1e-9);
+    expect(series.rows.back(), 0.5 * decay, 0.005);
+}
+
+TEST(Mode, of_waves_as_short_as_particles_is_refused) {
+    auto made = case_of("verification/taylor_green", {"particles.spacing=\"0.03125 m\""});
+    Measure mode;
+    mode.name = std::string("wave");
+    mode.kind = MeasureKind::mode;
+    mode.waves = std::array<int, 3>{0, 9, 0};
+    made.scene.measures = {mode};
+    EXPECT_EQ(text_thrown<InputError>([&] { (void)Simulation(made.scene, made.particles, 1); }),
+              "the waves of measure 'wave' are shorter than 4 spacings: particles cannot show them\n"
+              "  give fewer waves, or a smaller particles.spacing");
 }
 
 }  // namespace

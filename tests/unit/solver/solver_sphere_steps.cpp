@@ -38,6 +38,20 @@ double limit_of_contact(const SphereScene& made) {
     return 0;
 }
 
+TEST(SphereSteps, of_a_ball_alone_know_no_contact_with_itself) {
+    SphereScene made = falling_ball();
+    const auto models = [&] {
+        std::string all;
+        const Plan plan = plan_of(made);
+        for (const StepLimit& limit : plan.limits) all += limit.model + "\n";
+        for (const ModelUse& use : plan.models) all += use.model + "\n";
+        return all;
+    };
+    EXPECT_THAT(models(), testing::Not(HasSubstr("'ball' and 'ball'")));
+    made.sphere(0, Vec(0, 0, 1), 1e-3);
+    EXPECT_THAT(models(), HasSubstr("'ball' and 'ball'"));
+}
+
 TEST(SphereSteps, set_by_hand_are_listed_beside_the_limits) {
     SphereScene made = falling_ball();
     const Plan automatic = plan_of(made);
@@ -158,6 +172,30 @@ TEST(SphereEnergies, that_grow_where_nothing_drives_are_warned_of) {
     made.scene.flow.acceleration[2] = Expression("1e-3", "1e-3");
     for (const Warning& warning : SphereRun(made.scene, made.set, Resources(1)).run({}).warnings)
         EXPECT_THAT(warning.text(), testing::Not(HasSubstr("nothing drives")));
+}
+
+TEST(SphereEnergies, that_grow_by_a_law_are_not_blamed_on_the_steps) {
+    SphereScene made = falling_ball();
+    made.scene.parts[0].poisson_ratio = given(0.1);
+    made.scene.contact_pairs[0].friction = given(1e9);
+    made.set.velocity[0] = Vec(1, 0, -1);
+    EXPECT_TRUE(SphereRun(made.scene, made.set, Resources(1)).run({}).warnings.empty());
+    made.scene.contact_pairs[0].tangential = TangentialLaw::of<PlainHistory>();
+    const RunSummary grown = SphereRun(made.scene, made.set, Resources(1)).run({});
+    ASSERT_EQ(grown.warnings.size(), 1U);
+    EXPECT_THAT(grown.warnings[0].text(),
+                AllOf(HasSubstr("contact_pair.tangential is \"mindlin_unscaled\", which adds energy"),
+                      HasSubstr("write \"mindlin\"")));
+}
+
+TEST(SphereSteps, follow_what_drives_the_spheres) {
+    SphereScene made = falling_ball();
+    EXPECT_NE(plan_of(made).ruling_limit, "drive");
+    const std::string shaken = "10 * sin(2 * 3.14159265358979 * t / 0.000001)";
+    made.scene.flow.acceleration[0] = Expression(shaken, shaken);
+    const Plan plan = plan_of(made);
+    EXPECT_EQ(plan.ruling_limit, "drive");
+    EXPECT_NEAR(plan.dt, 1e-6 / 22, 0.1e-6 / 22);
 }
 
 }  // namespace

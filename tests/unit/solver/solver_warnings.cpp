@@ -1,5 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <functional>
+#include <optional>
 
 #include <gmock/gmock.h>
 
@@ -85,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Oddity{"drag_of_nothing", [](Scene& s) { give(s.parts[2].drag, 0.0); }, "scene.toml:7:9: part.flap.drag",
                "has no effect: it is 0"},
+        Oddity{"mass_damping_of_nothing", [](Scene& s) { give(s.parts[2].mass_damping, 0.0); },
+               "scene.toml:7:9: part.flap.mass_damping", "has no effect: it is 0"},
         Oddity{"contact_of_nothing",
                [](Scene& s) {
                    without(s, PartKind::rigid);
@@ -223,6 +226,18 @@ TEST(Warnings, of_missing_contact_count_bodies) {
     scene.contact.range = 0.0;
     EXPECT_THAT(texts(scene, 1), IsEmpty());
     EXPECT_THAT(texts(scene, 2), ElementsAre(HasSubstr("spring bodies that touch will pass through each other")));
+}
+
+TEST(Warnings, recommend_implicit_viscosity_where_it_saves_nine_tenths) {
+    Scene scene = pipe();
+    const std::vector<StepLimit> thick{{"sound", 1e-3, ""}, {"viscosity", 1e-6, ""}, {"contact", 2.1e-4, ""}};
+    const std::optional<Warning> warning = viscosity_better_implicit(scene, thick);
+    ASSERT_TRUE(warning);
+    EXPECT_THAT(warning->text(), AllOf(HasSubstr("numerics.viscosity_stepping"), HasSubstr("210 times shorter")));
+    EXPECT_FALSE(viscosity_better_implicit(scene, {{"sound", 1e-3, ""}, {"viscosity", 1e-5, ""}}));
+    EXPECT_FALSE(viscosity_better_implicit(scene, {{"viscosity", 1e-5, ""}})) << "nothing to compare with";
+    scene.numerics.viscosity_stepping = ViscosityStepping::implicitly;
+    EXPECT_FALSE(viscosity_better_implicit(scene, thick));
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/spring_strain.hpp"
+
+#include <algorithm>
+
+#include "base/number_text.hpp"
+
+namespace dmp::solver {
+
+namespace {
+
+constexpr double most = 0.2;
+
+double size_of(const LargestStrain& strain) { return std::max(strain.stretched, -strain.compressed); }
+
+/// The part whose bonds are judged; null for solids that form or break, whose bonds have limits of their own.
+const Part* judged_part(const Scene& scene, const std::string& name) {
+    const Part* part = scene.part_named(name);
+    const bool breaks = std::ranges::any_of(scene.breaking, [&](const Breaking& rule) { return *rule.part == name; });
+    return breaks ? nullptr : part;
+}
+
+Warning warning_of(const LargestStrain& strain, const Part& part) {
+    return {"part." + strain.name, part.name.location,
+            "was strained by " + number_text(100 * strain.compressed, 3) + " to " +
+                number_text(100 * strain.stretched, 3) +
+                " % along its bonds, whose forces are linear in their lengths: its stiffness is no longer that of the "
+                "scene (docs/elastic.md, \"Large strains\")",
+            "compare with a finer spacing, or make the solid stiffer or its load smaller"};
+}
+
+}  // namespace
+
+SpringStrain::SpringStrain(const SpringBodies& springs) {
+    for (const std::string& name : springs.names()) largest_.push_back({name});
+}
+
+std::vector<Warning> SpringStrain::add(const SpringBodies& springs, const Scene& scene) {
+    std::vector<LargestStrain> now = largest_;
+    for (const auto& body : springs.bodies())
+        for (std::size_t b = 0; b < body->bonds().size(); ++b) {
+            const Bond& bond = body->bonds()[b];
+            LargestStrain& of = now[static_cast<std::size_t>(body->bond_origin(b))];
+            const double strain = body->stretch(bond) / bond.rest_length;
+            of.stretched = std::max(of.stretched, strain);
+            of.compressed = std::min(of.compressed, strain);
+        }
+    std::vector<Warning> first;
+    for (std::size_t k = 0; k < now.size(); ++k)
+        if (const Part* part = judged_part(scene, now[k].name);
+            part != nullptr && size_of(now[k]) > most && size_of(largest_[k]) <= most)
+            first.push_back(warning_of(now[k], *part));
+    largest_ = std::move(now);
+    return first;
+}
+
+std::vector<Warning> SpringStrain::warnings(const Scene& scene) const {
+    std::vector<Warning> all;
+    for (const LargestStrain& strain : largest_)
+        if (const Part* part = judged_part(scene, strain.name); part != nullptr && size_of(strain) > most)
+            all.push_back(warning_of(strain, *part));
+    return all;
+}
+
+void SpringStrain::archive(Archive& file) {
+    for (LargestStrain& strain : largest_) {
+        file("strain/" + strain.name + "/stretched", strain.stretched);
+        file("strain/" + strain.name + "/compressed", strain.compressed);
+    }
+}
+
+}  // namespace dmp::solver
