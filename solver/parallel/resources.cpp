@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "solver/parallel/built_vector_units.hpp"
 
 namespace dmp::solver {
 
@@ -15,13 +16,14 @@ std::vector<VectorUnit> available_vector_units() {
     if (!avx2)
         throw ResourceError("this processor has no AVX2 and FMA instructions, which dmp is built with",
                             "use a processor of 2013 or later (Intel Haswell, AMD Excavator)");
-    units.push_back(VectorUnit::avx2);
-#if defined(DMP_HAS_AVX512)
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
-        __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-        __builtin_cpu_supports("avx512cd") != 0)
-        units.push_back(VectorUnit::avx512);
-#endif
+    const bool avx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
+                        __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+                        __builtin_cpu_supports("avx512cd") != 0;
+    if (built_for_avx2) units.push_back(VectorUnit::avx2);
+    if (built_for_avx512 && avx512) units.push_back(VectorUnit::avx512);
+    if (units.empty())
+        throw ResourceError("this processor has no AVX-512 instructions, for which alone dmp was built",
+                            "build dmp on this machine, or with -DDMP_PORTABLE=ON for all processors");
 #else
     units.push_back(VectorUnit::generic);
 #endif

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "solver/parallel/built_vector_units.hpp"
 #include "solver/parallel/resources.hpp"
 
 namespace dmp::solver {
@@ -13,22 +14,14 @@ template <class Then>
 decltype(auto) with_vector_unit(VectorUnit asked, const Then& then) {
     switch (chosen_vector_unit(asked)) {
         case VectorUnit::avx512:
-#if defined(DMP_HAS_AVX512)
-            return then.template operator()<VectorUnit::avx512>();
-#else
+            if constexpr (built_for_avx512) return then.template operator()<VectorUnit::avx512>();
             break;
-#endif
-#if defined(__x86_64__)
         case VectorUnit::avx2:
-            return then.template operator()<VectorUnit::avx2>();
-        case VectorUnit::generic:
+            if constexpr (built_for_avx2) return then.template operator()<VectorUnit::avx2>();
             break;
-#else
         case VectorUnit::generic:
-            return then.template operator()<VectorUnit::generic>();
-        case VectorUnit::avx2:
+            if constexpr (built_for_generic) return then.template operator()<VectorUnit::generic>();
             break;
-#endif
         case VectorUnit::widest:
             break;
     }

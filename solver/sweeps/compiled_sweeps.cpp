@@ -1,8 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All sweeps for one vector unit and one kernel. Compiled once for each combination, with the unit's instructions
-// enabled and DMP_VECTOR_UNIT and DMP_KERNEL as their names. Every symbol compiled here has the type of the lanes or
-// the unit in its name, so that the linker cannot replace it by another unit's (a test checks this).
+// All sweeps for one vector unit, with the default kernel or with any. Compiled once for each combination, with the
+// unit's instructions enabled and DMP_VECTOR_UNIT and DMP_KERNEL_LOOPS as their names. Every symbol compiled here has
+// the type of the lanes or the unit in its name, so that the linker cannot replace it by another unit's (a test checks
+// this).
 #include "solver/sweeps/compiled_sweeps.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "models/sph/no_viscosity.hpp"
 #include "models/sph/viscous_laws.hpp"
 #include "scene/corrected_kernels.hpp"
+#include "solver/sweeps/any_kernel.hpp"
 #include "solver/sweeps/correction_sweep.hpp"
 #include "solver/sweeps/density_sweep.hpp"
 #include "solver/sweeps/force_sweep.hpp"
@@ -41,13 +43,22 @@ void with_flag(bool flag, const Then& then) {
     }
 }
 
+template <class Kernel>
+Kernel kernel_for(const PairSettings& settings) {
+    if constexpr (std::is_constructible_v<Kernel, double>) {
+        return Kernel(settings.support);
+    } else {
+        return Kernel(settings.kernel, settings.support);
+    }
+}
+
 /// `Corrected`: the corrected scheme can be chosen.
 template <class L, int D, class Kernel, bool Corrected>
 class Sweeps final : public PairSweeps {
   public:
     explicit Sweeps(const PairSettings& settings)
         : settings_(settings),
-          kernel_(settings.support),
+          kernel_(kernel_for<Kernel>(settings)),
           scales_(models::viscous_scales(D, settings.spacing, settings.support,
                                          [this](double r) { return kernel_.slope(r); })),
           steepest_(steepest()),
@@ -191,13 +202,13 @@ class Sweeps final : public PairSweeps {
         PruneSweep<L, D>(particles, list, reach, settings_.threads).run();
     }
 
-    [[nodiscard]] double sound_limit() const override { return Kernel::sound_limit; }
+    [[nodiscard]] double sound_limit() const override { return kernel_.sound_limit; }
     [[nodiscard]] double viscous_limit() const override {
         const auto share = [&]<class Law>() { return Law(scales_).step_share(); };
-        return settings_.viscosity.law.visit(share) * Kernel::viscous_limit;
+        return settings_.viscosity.law.visit(share) * kernel_.viscous_limit;
     }
     [[nodiscard]] ViscousScales viscous_scales() const override { return scales_; }
-    [[nodiscard]] double diffusion_limit() const override { return Kernel::viscous_limit; }
+    [[nodiscard]] double diffusion_limit() const override { return kernel_.viscous_limit; }
     [[nodiscard]] double kernel_value(double r) const override { return kernel_.value(r); }
     [[nodiscard]] double kernel_slope(double r) const override { return kernel_.slope(r); }
     [[nodiscard]] double shift_step(double quartic_mean_speed, double largest_speed, double dt) const override {
@@ -382,42 +393,24 @@ class Sweeps final : public PairSweeps {
     GradientRounding gradient_rounding_;
 };
 
-template <KernelKind kernel, int D>
-struct KernelOf;
-template <int D>
-struct KernelOf<KernelKind::wendland_c2, D> {
-    using Type = WendlandC2<D>;
-};
-template <int D>
-struct KernelOf<KernelKind::wendland_c4, D> {
-    using Type = WendlandC4<D>;
-};
-template <int D>
-struct KernelOf<KernelKind::lucy, D> {
-    using Type = Lucy<D>;
-};
-template <int D>
-struct KernelOf<KernelKind::cubic_spline, D> {
-    using Type = CubicSpline<D>;
-};
-template <int D>
-struct KernelOf<KernelKind::quintic_spline, D> {
-    using Type = QuinticSpline<D>;
-};
-
-template <class L, KernelKind kernel, int D>
+template <class L, KernelLoops loops, int D>
 std::unique_ptr<PairSweeps> sweeps_with(const PairSettings& settings) {
-    return std::make_unique<Sweeps<L, D, typename KernelOf<kernel, D>::Type, has_corrected_scheme(kernel)>>(settings);
+    if constexpr (loops == KernelLoops::wendland_c2) {
+        return std::make_unique<Sweeps<L, D, WendlandC2<D>, has_corrected_scheme(KernelKind::wendland_c2)>>(settings);
+    } else {
+        static_assert(loops == KernelLoops::any);
+        return std::make_unique<Sweeps<L, D, AnyKernel<L, D>, false>>(settings);
+    }
 }
 
 }  // namespace
 
-template <VectorUnit unit, KernelKind kernel>
+template <VectorUnit unit, KernelLoops loops>
 std::unique_ptr<PairSweeps> compiled_sweeps(const PairSettings& settings, int dimension) {
-    return dimension == 3 ? sweeps_with<Lanes, kernel, 3>(settings) : sweeps_with<Lanes, kernel, 2>(settings);
+    return dimension == 3 ? sweeps_with<Lanes, loops, 3>(settings) : sweeps_with<Lanes, loops, 2>(settings);
 }
 
-template std::unique_ptr<PairSweeps> compiled_sweeps<VectorUnit::DMP_VECTOR_UNIT, KernelKind::DMP_KERNEL>(
+template std::unique_ptr<PairSweeps> compiled_sweeps<VectorUnit::DMP_VECTOR_UNIT, KernelLoops::DMP_KERNEL_LOOPS>(
     const PairSettings& settings, int dimension);
 
 }  // namespace dmp::solver

@@ -57,16 +57,13 @@ void declare_fields(const PairSettings& settings, ParticleStore& particles) {
 template <VectorUnit unit>
 std::unique_ptr<PairSweeps> sweeps_for(const PairSettings& settings, int dimension) {
     switch (settings.kernel) {
-        case KernelKind::wendland_c4:
-            return compiled_sweeps<unit, KernelKind::wendland_c4>(settings, dimension);
-        case KernelKind::lucy:
-            return compiled_sweeps<unit, KernelKind::lucy>(settings, dimension);
-        case KernelKind::cubic_spline:
-            return compiled_sweeps<unit, KernelKind::cubic_spline>(settings, dimension);
-        case KernelKind::quintic_spline:
-            return compiled_sweeps<unit, KernelKind::quintic_spline>(settings, dimension);
         case KernelKind::wendland_c2:
-            return compiled_sweeps<unit, KernelKind::wendland_c2>(settings, dimension);
+            return compiled_sweeps<unit, KernelLoops::wendland_c2>(settings, dimension);
+        case KernelKind::wendland_c4:
+        case KernelKind::lucy:
+        case KernelKind::cubic_spline:
+        case KernelKind::quintic_spline:
+            return compiled_sweeps<unit, KernelLoops::any>(settings, dimension);
     }
     unlisted_value(settings.kernel);
 }
