@@ -110,10 +110,6 @@ Outcome run_dmp(const fs::path& folder, const std::vector<std::string>& argument
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no process can be started");
     if (child == 0) become_dmp(folder, arguments, surroundings, output, errors);
-    if (surroundings.interrupt_after_ms > 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(surroundings.interrupt_after_ms));
-        kill(child, surroundings.signal);
-    }
     int status = 0;
     bool ended = false;
     const auto interrupt_when = [&](const std::function<bool()>& is_time, std::chrono::microseconds between) {

@@ -124,7 +124,7 @@ TEST_F(Poiseuille, WithoutOutTheFolderCarriesTheScenesName) {
 
 TEST_F(Poiseuille, AnInterruptedRunWritesWhatThereIs) {
     const auto outcome = dmp({"run", ".", "--out", "out", "--threads", "1", "--set", "run.duration=\"10000 s\""},
-                             {.interrupt_after_ms = 1500});
+                             {.interrupt_at = "out/frames/fluid_000001.vtp"});
     EXPECT_EQ(outcome.code, 130);
     EXPECT_THAT(outcome.output, HasSubstr("Interrupted: "));
     EXPECT_TRUE(has("out/fluid.pvd"));
