@@ -194,6 +194,7 @@ cross_bonds = false
 mass_per_length = "0.42 kg/m"
 bond_damping = 0.01
 drag = "0 kg/s"
+mass_damping = "0 s^-1"
 
 [[measure]]
 name = "flux_in"

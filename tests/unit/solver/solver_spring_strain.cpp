@@ -37,6 +37,7 @@ SceneAndParticles rod(const std::string& acceleration) {
 SceneAndParticles hanging_rod(const std::string& acceleration) {
     SceneAndParticles made = rod(acceleration);
     made.particles.fixed[1] = 1;
+    made.scene.parts[0].mass_damping = 30.0;  // more than critical: it does not swing
     return made;
 }
 
@@ -50,8 +51,8 @@ TEST(SpringStrain, of_a_hanging_rod_is_its_load_over_its_stiffness) {
     const RunSummary summary = Simulation(scene, particles, 1).run(options);
     ASSERT_EQ(summary.strains.size(), 1U);
     EXPECT_EQ(summary.strains[0].name, "flags");
-    EXPECT_NEAR(summary.strains[0].stretched, 10 * 2 / 2e3 / 0.1, 0.002);
-    EXPECT_NEAR(summary.strains[0].compressed, 0, 0.001);
+    EXPECT_NEAR(summary.strains[0].stretched, 10 * 2 / 2e3 / 0.1, 1e-4);
+    EXPECT_NEAR(summary.strains[0].compressed, 0, 1e-12);
     EXPECT_EQ(warned, 0);
     EXPECT_THAT(summary.warnings, Not(says_strained));
 }
@@ -89,6 +90,7 @@ TEST(MassDamping, lets_a_body_fall_at_the_speed_that_its_weight_gives_whatever_i
         made.scene.parts[0].mass_damping = 10.0;
         for (double& of_node : made.particles.mass) of_node = mass;
         made.scene.run.duration = 0.2;
+        made.scene.numerics.step_factor = 0.01;  // weight and damping take turns within a step
         const RunSummary summary = Simulation(made.scene, made.particles, 1).run({});
         const double speed = summary.end.momentum[1] / summary.end.mass;
         EXPECT_NEAR(speed, -0.1 * (1 - std::exp(-10 * 0.2)), 2e-4) << mass;
