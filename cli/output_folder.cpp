@@ -35,6 +35,7 @@ bool is_own(const fs::path& file) {
         return name.ends_with(".vtp") &&
                std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
     }
+    if (name.starts_with("measures_") && name.ends_with(".csv")) return true;  // keep_other_measures
     constexpr std::array<std::string_view, 9> others{measures_file_name, paraview_script_name, mesh_report_name,
                                                      "last_frame.png",   "cycle.png",          "measures.png",
                                                      "slices.png",       "surface_error.png",  "valence.png"};

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/numbered_files.hpp"
 #include "base/safe_file.hpp"
 #include "cli/chosen.hpp"
 #include "cli/commands.hpp"
@@ -105,16 +106,16 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
 
 /// Where the run goes on, if it is to.
 std::optional<FoundCheckpoint> found_checkpoint(const RunCommand& command, const fs::path& folder,
-                                                const std::string& scene) {
+                                                const std::string& scene, double until) {
     if (!command.resume) return std::nullopt;
-    return checkpoint_to_resume(folder, scene);
+    return checkpoint_to_resume(folder, scene, until);
 }
 
 /// What the first rank knows of the folder it writes into.
 struct Destination {
     Destination(const RunCommand& command, const std::string& scene, fs::path folder, double until, int ranks)
         : results(std::move(folder), {scene, until, command.resume, command.overwrite}, command.typed.on_ranks(ranks)),
-          checkpoint(found_checkpoint(command, results.path(), scene)) {}
+          checkpoint(found_checkpoint(command, results.path(), scene, until)) {}
 
     ResultsFolder results;
     std::optional<FoundCheckpoint> checkpoint;  ///< none: the run starts from the beginning
@@ -127,7 +128,7 @@ void open_folder(const Destination& destination) {
     if (const auto& found = destination.checkpoint) {
         for (const std::string& message : found->messages)
             print(Style(Stream::output).warning("warning: ") + message + "\n");
-        print("Going on in " + folder.string() + " from step " + std::to_string(found->step) + "\n\n");
+        print(fmt::format("Going on in {} from step {}, t = {:.6g} s\n\n", folder.string(), found->step, found->time));
         return;
     }
     CheckpointFolder(folder).make();  // may refuse
@@ -165,7 +166,11 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const auto& found = destination->checkpoint;
     std::string checkpoint = found ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
-    if (found) sink->go_on(simulation.resume(checkpoint));
+    if (found) {
+        sink->go_on(simulation.resume(checkpoint));
+        // It tells of an end that is none any more.
+        remove_file(folder / summary_file_name);
+    }
 
     write_file(folder / resolved_scene_name, options.checkpoints.scene);
     ProgressLine line;
@@ -182,7 +187,11 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     };
     MeasuresFile measures(folder);
     options.measured = [&](const MeasureSeries& series) {
-        if (!series.names.empty()) measures.write(series);
+        if (series.names.empty()) return;
+        if (found && !measures.is_begun())
+            if (const std::string kept = keep_other_measures(folder, series); !kept.empty())
+                print("What was measured before has other columns: it is kept in " + (folder / kept).string() + "\n");
+        measures.write(series);
     };
     options.stop = &signals.flag();
     const RunSummary summary = simulate(simulation, options, folder);
