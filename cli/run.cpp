@@ -17,6 +17,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/results_folder.hpp"
+#include "cli/scene_as_run.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
@@ -172,7 +173,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         remove_file(folder / summary_file_name);
     }
 
-    write_file(folder / resolved_scene_name, options.checkpoints.scene);
+    write_file(folder / resolved_scene_name, scene_text_of_run(folder, scene, plan, resources, options.until));
     ProgressLine line;
     const StopSignals signals;
     options.sink = sink.get();
