@@ -49,7 +49,9 @@ class Parser {
                                "run cases/vein_valve --until \"0.5 s\" --set particles.spacing=\"0.4 mm\"",
                                "explain particles.spacing"}) +
             "\n\n'" + program + " COMMAND --help' tells more about a command.\n" +
-            "Exit codes: 0 done, 2 bad input, 3 the simulation diverged, 4 out of disk or memory, 130 interrupted.");
+            "Exit codes: 0 done, 2 bad input, 3 the simulation diverged, 4 out of disk or memory, 5 at its "
+                    "wall-time limit,\n"
+                    "129 and more: stopped by a signal.");
         app_.set_version_flag("--version", version_text, "Print the version and end");
         app_.set_help_flag("-h,--help", "Print this help and end");
         app_.require_subcommand(0, 1);

@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/folder_lock.hpp"
 #include "base/safe_file.hpp"
+#include "cli/run_log.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "postproc/paraview_script.hpp"
@@ -36,9 +37,8 @@ bool is_own(const fs::path& file) {
                std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
     }
     if (name.starts_with("measures_") && name.ends_with(".csv")) return true;  // keep_other_measures
-    constexpr std::array<std::string_view, 9> others{measures_file_name, paraview_script_name, mesh_report_name,
-                                                     "last_frame.png",   "cycle.png",          "measures.png",
-                                                     "slices.png",       "surface_error.png",  "valence.png"};
+    constexpr std::array<std::string_view, 10> others{ run_log_name,   measures_file_name, paraview_script_name, mesh_report_name, "last_frame.png",
+        "cycle.png",    "measures.png", "slices.png",       "surface_error.png",  "valence.png"};
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }
 

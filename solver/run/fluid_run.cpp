@@ -271,7 +271,9 @@ RunProgress FluidRun::progress(double until) const {
             static_cast<long>(step_),
             ruling_limit(limits_now(extremes_.largest_speed)).dt,
             extremes_.largest_speed,
-            static_cast<long>(frames_)};
+            static_cast<long>(frames_),
+            count_.contains("fluid") ? extremes_.density_low : 0,
+            count_.contains("fluid") ? extremes_.density_high : 0};
 }
 
 RankShares FluidRun::shares(std::int64_t steps) const {

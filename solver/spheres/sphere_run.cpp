@@ -212,7 +212,9 @@ RunProgress SphereRun::progress(double until) const {
             static_cast<long>(step_count_),
             ruling_of(limits()).dt,
             step_.largest_speed(),
-            static_cast<long>(frames_)};
+            static_cast<long>(frames_),
+            0,
+            0};
 }
 
 void SphereRun::start(FrameSink* sink) {

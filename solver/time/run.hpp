@@ -20,6 +20,7 @@ struct RunProgress {
     double dt = 0;
     double largest_speed = 0;
     long frames = 0;
+    double density_low = 0, density_high = 0;  ///< of the fluid over its rest density [-]; 0: there is none
 };
 
 struct RunOptions {
