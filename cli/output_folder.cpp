@@ -14,6 +14,7 @@
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "postproc/paraview_script.hpp"
+#include "postproc/pictures.hpp"
 #include "postproc/tables.hpp"
 #include "solver/output/frame_file.hpp"
 #include "solver/output/frame_index.hpp"
@@ -37,7 +38,8 @@ bool is_own(const fs::path& file) {
                std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
     }
     if (name.starts_with("measures_") && name.ends_with(".csv")) return true;  // keep_other_measures
-    constexpr std::array<std::string_view, 10> others{ run_log_name,   measures_file_name, paraview_script_name, mesh_report_name, "last_frame.png",
+    constexpr std::array<std::string_view, 11> others{
+        film_file_name, run_log_name,   measures_file_name, paraview_script_name, mesh_report_name, "last_frame.png",
         "cycle.png",    "measures.png", "slices.png",       "surface_error.png",  "valence.png"};
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }

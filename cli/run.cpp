@@ -15,6 +15,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/output_folder.hpp"
+#include "cli/pictures.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/results_folder.hpp"
@@ -63,12 +64,6 @@ std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& fo
                                           const Ranks& ranks) {
     if (format == FrameFormat::hdf5) return std::make_unique<Hdf5Sink>(folder, label_of(scene), ranks);
     return ranks.is_first() ? paraview_frames(folder, label_of(scene)) : nullptr;
-}
-
-PictureOptions picture_options(const Scene& scene) {
-    PictureOptions options{.field = to_string(*scene.output.picture_field)};
-    for (const BoxSide side : *scene.flow.symmetry) options.mirrored.at(axis_of(side)).at(is_high(side) ? 1 : 0) = true;
-    return options;
 }
 
 /// Pictures are drawn of ParaView's files.

@@ -112,6 +112,21 @@ TEST_F(Poiseuille, TheResolvedSceneRunsAsItStandsToTheSameState) {
     EXPECT_EQ(summary("out")["state_hash"], summary("out2")["state_hash"]);
 }
 
+TEST_F(Poiseuille, PicturesAreDrawnAgain) {
+    ASSERT_EQ(
+        dmp({"run", ".", "--out", "out", "--threads", "1", "--until", "0.2 s", "--set", "output.pictures=false"}).code,
+        0);
+    EXPECT_FALSE(has("out/measures.png"));
+    const auto drawn = dmp({"pictures", "out", "--film", "--set", "output.picture_field=pressure"});
+    ASSERT_EQ(drawn.code, 0) << drawn.errors;
+    EXPECT_THAT(drawn.output, HasSubstr("out/measures.png\n"));
+    EXPECT_TRUE(has("out/measures.png"));
+    EXPECT_EQ(has("out/film.png"), has("out/last_frame.png")) << "both need a display, or Xvfb";
+    const auto refused = dmp({"pictures", "."});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("there is no run here: it has no scene.resolved.toml"));
+}
+
 TEST_F(Poiseuille, WithoutOutTheFolderCarriesTheScenesName) {
     folder_.write("my_channel.toml", folder_.read("scene.toml"));
     const auto outcome =
