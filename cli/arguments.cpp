@@ -44,12 +44,13 @@ class Parser {
         app_.description(
             "dmp turns a geometry and one scene file into particles, runs Discrete Multi-Physics on them\n"
             "(SPH fluid, mass-spring solids) and leaves ParaView files, tables and pictures.");
-        app_.footer(
-            examples(program, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
-                               "run cases/vein_valve --until \"0.5 s\" --set particles.spacing=\"0.4 mm\"",
-                               "explain particles.spacing"}) +
-            "\n\n'" + program + " COMMAND --help' tells more about a command.\n" +
-            "Exit codes: 0 done, 2 bad input, 3 the simulation diverged, 4 out of disk or memory, 130 interrupted.");
+        app_.footer(examples(program, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
+                                       "run cases/vein_valve --until \"0.5 s\" --set particles.spacing=\"0.4 mm\"",
+                                       "explain particles.spacing"}) +
+                    "\n\n'" + program + " COMMAND --help' tells more about a command.\n" +
+                    "Exit codes: 0 done, 2 bad input, 3 the simulation diverged, 4 out of disk or memory, 5 at its "
+                    "wall-time limit,\n"
+                    "129 and more: stopped by a signal.");
         app_.set_version_flag("--version", version_text, "Print the version and end");
         app_.set_help_flag("-h,--help", "Print this help and end");
         app_.require_subcommand(0, 1);
@@ -61,6 +62,7 @@ class Parser {
         add_inspect();
         add_new();
         add_convert();
+        add_pictures();
         add_explain();
         add_escape();
         doctor_app_ = app_.add_subcommand("doctor", "Is this machine all right? What is slow, small or missing");
@@ -86,6 +88,7 @@ class Parser {
         if (*inspect_app_) return inspect_;
         if (*new_app_) return new_;
         if (*convert_app_) return convert_;
+        if (*pictures_app_) return pictures_;
         if (*explain_app_) return explain_;
         if (*escape_app_) return finished(escape_);
         if (*doctor_app_) return DoctorCommand{};
@@ -183,6 +186,17 @@ class Parser {
             ->required()
             ->type_name("");
         convert_app_->footer(examples(program_, {"convert out/vein_valve"}));
+    }
+
+    void add_pictures() {
+        pictures_app_ = app_.add_subcommand("pictures", "Draw the pictures of a run again, or a film of it");
+        pictures_app_->add_option("DIR", pictures_.folder, "The run's folder; the pictures go there")
+            ->required()
+            ->type_name("");
+        add_set(*pictures_app_, pictures_.overrides);
+        pictures_app_->add_flag("--film", pictures_.film, "Also film.png, an animated PNG, which browsers show");
+        pictures_app_->footer(examples(program_, {"pictures out/vein_valve", "pictures out/vein_valve --film",
+                                                  "pictures out/vein_valve --set output.picture_field=pressure"}));
     }
 
     void add_explain() {
@@ -374,6 +388,7 @@ class Parser {
     CLI::App* inspect_app_ = nullptr;
     CLI::App* new_app_ = nullptr;
     CLI::App* convert_app_ = nullptr;
+    CLI::App* pictures_app_ = nullptr;
     CLI::App* explain_app_ = nullptr;
     CLI::App* escape_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
@@ -382,6 +397,7 @@ class Parser {
     InspectCommand inspect_;
     NewCommand new_;
     ConvertCommand convert_;
+    PicturesCommand pictures_;
     ExplainCommand explain_;
     EscapeCommand escape_;
 };

@@ -59,6 +59,13 @@ struct ConvertCommand {
     std::string folder;  ///< of the run; the files go there
 };
 
+/// `dmp pictures`: draws the pictures of a run again.
+struct PicturesCommand {
+    std::string folder;                  ///< of the run; the pictures go there
+    std::vector<std::string> overrides;  ///< of its scene: "output.picture_field=pressure"
+    bool film = false;                   ///< also one of all frames
+};
+
 /// `dmp explain`: what a scene will run and why, or what a key means.
 struct ExplainCommand {
     SceneChoice subject;  ///< path: the scene or the key
@@ -109,8 +116,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, ExplainCommand,
-                             EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
+using Command = std::variant<RunCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, PicturesCommand,
+                             ExplainCommand, EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
@@ -119,6 +126,7 @@ int execute(const InspectCommand& command);
 int execute(const NewCommand& command);
 int execute(const ReadGeometryCommand& command);
 int execute(const ConvertCommand& command);
+int execute(const PicturesCommand& command);
 int execute(const ExplainCommand& command);
 int execute(const EscapeCommand& command);
 int execute(const DoctorCommand& command);

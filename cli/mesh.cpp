@@ -13,6 +13,7 @@
 #include "cli/prepare.hpp"
 #include "cli/rest_test.hpp"
 #include "cli/results_folder.hpp"
+#include "cli/scene_as_run.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
@@ -45,7 +46,7 @@ int execute(const MeshCommand& command) {
     if (const std::string removed = remove_results(folder); !removed.empty()) print(removed + "\n");
 
     write_file(folder / mesh_report_name, report.json());
-    write_file(folder / resolved_scene_name, resolved_scene(prepared.scene));
+    write_file(folder / resolved_scene_name, scene_text_in(folder, prepared.scene));
     VtkSink sink(folder, label_of(prepared.scene));
     sink.write(particle_frame(prepared.particles));
     std::vector<std::string> files = sink.files();

@@ -10,9 +10,11 @@
 #include "base/errors.hpp"
 #include "base/folder_lock.hpp"
 #include "base/safe_file.hpp"
+#include "cli/run_log.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "postproc/paraview_script.hpp"
+#include "postproc/pictures.hpp"
 #include "postproc/tables.hpp"
 #include "solver/output/frame_file.hpp"
 #include "solver/output/frame_index.hpp"
@@ -35,9 +37,10 @@ bool is_own(const fs::path& file) {
         return name.ends_with(".vtp") &&
                std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
     }
-    constexpr std::array<std::string_view, 9> others{measures_file_name, paraview_script_name, mesh_report_name,
-                                                     "last_frame.png",   "cycle.png",          "measures.png",
-                                                     "slices.png",       "surface_error.png",  "valence.png"};
+    if (name.starts_with("measures_") && name.ends_with(".csv")) return true;  // keep_other_measures
+    constexpr std::array<std::string_view, 11> others{
+        film_file_name, run_log_name,   measures_file_name, paraview_script_name, mesh_report_name, "last_frame.png",
+        "cycle.png",    "measures.png", "slices.png",       "surface_error.png",  "valence.png"};
     return std::ranges::find(marks, name) != marks.end() || std::ranges::find(others, name) != others.end();
 }
 

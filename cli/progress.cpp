@@ -59,15 +59,13 @@ void ProgressLine::show(const RunProgress& progress) {
 void ProgressLine::show(const std::string& text) {
     if (!on_) return;
     const auto width = static_cast<std::size_t>(terminal_width(Stream::error)) - 1;
-    fmt::print(stderr, "\r\033[K{}", text.substr(0, width));
-    std::fflush(stderr);
+    print_error("\r\033[K" + text.substr(0, width));
     shown_ = true;
 }
 
 void ProgressLine::clear() {
     if (!shown_) return;
-    std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
+    print_error("\r\033[K");
     shown_ = false;
 }
 

@@ -2,7 +2,6 @@
 #include "cli/results_folder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -55,11 +54,19 @@ FolderLock::Outcome lock_in(const fs::path& folder) {
     }
 }
 
-/// "other values" and which; "" if the scenes are the same.
-std::string other_values(const FolderContents& contents, const NewRun& run) {
-    if (contents.scene.empty()) return "";
-    const auto changed = differences(contents.scene, run.scene);
-    return changed.empty() ? "" : " of another scene or other values:" + differences_text(changed);
+/// Where a finished run ends.
+std::string end_text(const FolderContents& contents) {
+    return fmt::format("finished at t = {:.6g} s", contents.simulated_s);
+}
+
+bool is_longer(const NewRun& run, const FolderContents& contents) {
+    return run.until > contents.simulated_s * (1 + 1e-9);
+}
+
+InputError finished_already(const fs::path& folder, const FolderContents& contents, const NewRun& run) {
+    return {SourceLocation{folder.string(), 0, 0},
+            fmt::format("it holds a run that is {}, and is asked to end at {:.6g} s", end_text(contents), run.until),
+            "A finished run goes on with a later --until or run.duration."};
 }
 
 }  // namespace
@@ -72,25 +79,23 @@ InputError refusal(const fs::path& folder, const FolderContents& contents, const
     const std::string both = keep_both(folder, typed), replace = remove_it(typed);
     if (contents.kind == mesh) return {where, "it holds particles that 'dmp mesh' made", both + "\n" + replace};
 
-    const std::string changed = other_values(contents, run);
-    if (contents.kind == finished) {
-        const std::string got_to = fmt::format("{:.6g} s", contents.simulated_s);
-        if (!changed.empty()) return {where, "it holds a finished run" + changed, both + "\n" + replace};
-        const bool same_end = std::abs(contents.simulated_s - run.until) <= 1e-9 * run.until;
-        if (same_end)
-            return {where, "it holds this run already, finished at t = " + got_to,
-                    "Its results are there to be looked at; summary.json lists the files.\n" + both + "\n" + replace};
-        return {where,
-                fmt::format(
-                    "it holds a run of the same scene and values, finished at t = {}; this one would end at {:.6g} s",
-                    got_to, run.until),
+    const std::string run_there = contents.kind == finished ? "a finished run" : "an unfinished run";
+    const auto changed =
+        contents.scene.empty() ? std::vector<ValueDifference>{} : differences(contents.scene, run.scene);
+    if (!contents.scene.empty() && !differences_in_state(contents.scene, run.scene).empty())
+        return {where, "it holds " + run_there + " of another scene or other values:" + differences_text(changed),
                 both + "\n" + replace};
-    }
-    if (!changed.empty()) return {where, "it holds an unfinished run" + changed, both + "\n" + replace};
+    const std::string but =
+        changed.empty() ? "" : "; these values may change as it goes on:" + differences_text(changed);
+    if (contents.kind == finished && !is_longer(run, contents))
+        return {where, "it holds this run already, " + end_text(contents) + but,
+                "Its results are there to be looked at; summary.json lists the files.\n" + both + "\n" + replace};
+    const std::string state = contents.kind == finished
+                                  ? fmt::format("{}; this one would end at {:.6g} s", end_text(contents), run.until)
+                                  : "unfinished";
     if (!contents.has_checkpoint)
-        return {where, "it holds a run that did not get to its end and has no checkpoint to go on from",
-                both + "\n" + replace};
-    return {where, "it holds this run, unfinished",
+        return {where, "it holds this run, " + state + ", and no checkpoint to go on from", both + "\n" + replace};
+    return {where, "it holds this run, " + state + but,
             choice("To go on with it:", typed.with("--resume")) + "\n" + replace + "\n" + both};
 }
 
@@ -100,6 +105,8 @@ ResultsFolder::ResultsFolder(const fs::path& folder, const NewRun& run, const Ty
     make_and_lock(typed);
     const FolderContents contents = contents_of(folder_);
     if (contents.kind != nothing && !run.resume && !run.overwrite) throw refusal(folder_, contents, run, typed);
+    if (contents.kind == finished && run.resume && !is_longer(run, contents))
+        throw finished_already(folder_, contents, run);
 }
 
 ResultsFolder::ResultsFolder(const fs::path& folder, const TypedCommand& typed) : ResultsFolder(folder) {

@@ -29,8 +29,9 @@ struct NewRun {
 /// was made for it goes again if nothing was written. A signal that ends dmp removes the lock, too.
 class ResultsFolder {
   public:
-    /// For a run. Throws InputError if the folder cannot be made or written to, another process writes there, or it
-    /// holds results that the command line does not say what to do with.
+    /// For a run. Throws InputError if the folder cannot be made or written to, another process writes there, it holds
+    /// results that the command line does not say what to do with, or a finished run that is to go on has got to the
+    /// end of this one already.
     ResultsFolder(const std::filesystem::path& folder, const NewRun& run, const TypedCommand& typed);
     /// For 'dmp mesh', which replaces an earlier mesh and no run. Throws likewise.
     ResultsFolder(const std::filesystem::path& folder, const TypedCommand& typed);

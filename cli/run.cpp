@@ -6,16 +6,21 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "base/numbered_files.hpp"
 #include "base/safe_file.hpp"
+#include "base/wall_clock.hpp"
 #include "cli/chosen.hpp"
 #include "cli/commands.hpp"
 #include "cli/dry_run.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/output_folder.hpp"
+#include "cli/pictures.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/results_folder.hpp"
+#include "cli/run_log.hpp"
+#include "cli/scene_as_run.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
@@ -61,12 +66,6 @@ std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& fo
     return ranks.is_first() ? paraview_frames(folder, label_of(scene)) : nullptr;
 }
 
-PictureOptions picture_options(const Scene& scene) {
-    PictureOptions options{.field = to_string(*scene.output.picture_field)};
-    for (const BoxSide side : *scene.flow.symmetry) options.mirrored.at(axis_of(side)).at(is_high(side) ? 1 : 0) = true;
-    return options;
-}
-
 /// Pictures are drawn of ParaView's files.
 Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, ProgressLine& line) {
     if (!*scene.output.pictures || format != FrameFormat::vtk) return {};
@@ -76,63 +75,79 @@ Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, Pr
     return result;
 }
 
-/// Runs to the end; of a run that diverges it also says where its frames are.
-RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs::path& folder) {
+/// Runs to the end; what ends it before that is in the log. Of a run that diverges it also says where its frames are.
+RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs::path& folder, RunLog& log) {
+    const auto note = [&](const Error& error) {
+        log.add(error_text(error.where().text(), error.problem(), error.what_to_do(), false));
+    };
     try {
         return simulation.run(options);
     } catch (const DivergenceError& error) {
-        throw DivergenceError(error.problem(),
-                              error.what_to_do() + "\nThe frames up to there are in " + folder.string());
+        const DivergenceError with_place(error.problem(),
+                                         error.what_to_do() + "\nThe frames up to there are in " + folder.string());
+        note(with_place);
+        throw with_place;
+    } catch (const InputError& error) {
+        note(error);
+        throw;
     }
 }
 
 /// Everything the run leaves besides the frames, whose files are given; returns the names of all.
 std::vector<std::string> write_results(const fs::path& folder, const Scene& scene, const RunSummary& summary,
-                                       std::vector<std::string> files, FrameFormat format, ProgressLine& line) {
+                                       std::vector<std::string> files, FrameFormat format, ProgressLine& line,
+                                       RunLog& log) {
     files.emplace_back(resolved_scene_name);
     if (!summary.measures.names.empty()) files.emplace_back(measures_file_name);
     files.emplace_back(summary_file_name);
+    files.emplace_back(run_log_name);
     // Before the pictures, so that whoever stops those has the numbers.
     write_summary(folder, summary, {label_of(scene), files});
-    if (summary.interrupted) return files;
 
     const Pictures pictures = draw(format, scene, folder, line);
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
     write_summary(folder, summary, {label_of(scene), files});
-    if (!pictures.warning.empty()) print(Style(Stream::output).warning("warning: ") + pictures.warning + "\n");
+    if (!pictures.warning.empty()) log.warn(": " + pictures.warning);
     return files;
 }
 
 /// Where the run goes on, if it is to.
 std::optional<FoundCheckpoint> found_checkpoint(const RunCommand& command, const fs::path& folder,
-                                                const std::string& scene) {
+                                                const std::string& scene, double until) {
     if (!command.resume) return std::nullopt;
-    return checkpoint_to_resume(folder, scene);
+    return checkpoint_to_resume(folder, scene, until);
 }
 
 /// What the first rank knows of the folder it writes into.
 struct Destination {
     Destination(const RunCommand& command, const std::string& scene, fs::path folder, double until, int ranks)
         : results(std::move(folder), {scene, until, command.resume, command.overwrite}, command.typed.on_ranks(ranks)),
-          checkpoint(found_checkpoint(command, results.path(), scene)) {}
+          checkpoint(found_checkpoint(command, results.path(), scene, until)) {}
 
     ResultsFolder results;
     std::optional<FoundCheckpoint> checkpoint;  ///< none: the run starts from the beginning
 };
 
-/// Says where the run goes on, or removes what an earlier one has left: nothing refuses the run any more.
-void open_folder(const Destination& destination) {
+/// Removes what an earlier run has left, unless the run goes on: nothing refuses it any more. Returns what to say.
+std::string open_folder(const Destination& destination) {
     const fs::path& folder = destination.results.path();
-    if (!destination.results.note().empty()) print(destination.results.note() + "\n");
+    std::string said = destination.results.note().empty() ? "" : destination.results.note() + "\n";
     if (const auto& found = destination.checkpoint) {
         for (const std::string& message : found->messages)
-            print(Style(Stream::output).warning("warning: ") + message + "\n");
-        print("Going on in " + folder.string() + " from step " + std::to_string(found->step) + "\n\n");
-        return;
+            said += Style(Stream::output).warning("warning: ") + message + "\n";
+        return said +
+               fmt::format("Going on in {} from step {}, t = {:.6g} s\n\n", folder.string(), found->step, found->time);
     }
     CheckpointFolder(folder).make();  // may refuse
-    if (const std::string removed = remove_results(folder); !removed.empty()) print(removed + "\n");
-    print("Writing to " + folder.string() + "\n\n");
+    if (const std::string removed = remove_results(folder); !removed.empty()) said += removed + "\n";
+    return said + "Writing to " + folder.string() + "\n\n";
+}
+
+/// ", by SIGTERM"
+std::string stopped_by(const RunSummary& summary, const StopSignals& signals) {
+    if (summary.out_of_time) return ", out of its wall time";
+    const std::string name = signals.name();
+    return name.empty() ? "" : ", by " + name;
 }
 
 /// The first rank, which speaks, writes and draws.
@@ -144,12 +159,12 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     Simulation simulation(scene, prepared.particles, resources);
     prepared.particles = {};
     const Plan plan = simulation.plan();
-    print(head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n");
+    const std::string chosen = head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n";
+    print(chosen);
     flush_output();
-    for (const Warning& warning : plan.warnings)
-        fmt::print(stderr, "{} {}\n", Style(Stream::error).warning("warning:"), warning.text());
     if (command.dry_run) {
-        flush_output();
+        for (const Warning& warning : plan.warnings)
+            print_error(Style(Stream::error).warning("warning:") + " " + warning.text() + "\n");
         print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),
                            options.until));
         return exit_done;
@@ -160,46 +175,55 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     options.checkpoints.folder = folder;
     const FrameFormat format = frame_format(command);
     const auto sink = frame_series(format, folder, scene, resources.ranks);
-    open_folder(*destination);
-    flush_output();
+    const std::string opened = open_folder(*destination);
+    const TypedCommand typed = command.typed.on_ranks(resources.ranks.size());
+    RunLog log(folder, typed.text());
+    log.add(chosen);
+    for (const Warning& warning : plan.warnings) log.warn(": " + warning.text());
+    log.say(opened);
     const auto& found = destination->checkpoint;
     std::string checkpoint = found ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
-    if (found) sink->go_on(simulation.resume(checkpoint));
+    if (found) {
+        sink->go_on(simulation.resume(checkpoint));
+        // It tells of an end that is none any more.
+        remove_file(folder / summary_file_name);
+    }
 
-    write_file(folder / resolved_scene_name, options.checkpoints.scene);
+    write_file(folder / resolved_scene_name, scene_text_of_run(folder, scene, plan, resources, options.until));
     ProgressLine line;
     const StopSignals signals;
     options.sink = sink.get();
-    options.progress = [&](const RunProgress& progress) {
+    options.progress = [&, start = WallClock::now()](const RunProgress& progress) {
         destination->results.check();
+        const std::string logged = log.progress(progress, seconds_since(start));
+        if (!logged.empty() && !is_terminal(Stream::error)) print_error(logged + "\n");
         line.show(progress);
     };
     options.warn = [&](double time, const Warning& warning) {
         line.clear();
-        fmt::print(stderr, "{} at {}: {}\n", Style(Stream::error).warning("warning:"), quantity_text(time, "s"),
-                   warning.text());
+        log.warn(" at " + quantity_text(time, "s") + ": " + warning.text());
     };
     MeasuresFile measures(folder);
     options.measured = [&](const MeasureSeries& series) {
-        if (!series.names.empty()) measures.write(series);
+        if (series.names.empty()) return;
+        if (found && !measures.is_begun())
+            if (const std::string kept = keep_other_measures(folder, series); !kept.empty())
+                log.say("What was measured before has other columns: it is kept in " + (folder / kept).string() + "\n");
+        measures.write(series);
     };
     options.stop = &signals.flag();
-    const RunSummary summary = simulate(simulation, options, folder);
+    const RunSummary summary = simulate(simulation, options, folder, log);
     line.clear();
 
-    print(summary_text(scene, summary));
-    flush_output();
-    const auto files = write_results(folder, scene, summary, sink->files(), format, line);
-    print("\n" + results_text(folder, files));
-    flush_output();
-    for (const Warning& warning : summary.warnings)
-        fmt::print(stderr, "{} {}\n", Style(Stream::error).warning("warning:"), warning.text());
+    log.say(summary_text(scene, summary));
+    const auto files = write_results(folder, scene, summary, sink->files(), format, line, log);
+    log.say("\n" + results_text(folder, files));
+    for (const Warning& warning : summary.warnings) log.warn(": " + warning.text());
     if (summary.interrupted)
-        print("Stopped before its end" + std::string(summary.out_of_time ? ", out of its wall time" : "") +
-              ". Go on with the same command and --resume.\n  " +
-              command.typed.on_ranks(resources.ranks.size()).with("--resume") + "\n");
-    if (summary.out_of_time) return exit_out_of_resource;
+        log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
+                            stopped_by(summary, signals), typed.with("--resume")));
+    if (summary.out_of_time) return exit_out_of_time;
     return summary.interrupted ? signals.exit_code() : exit_done;
 }
 

@@ -17,9 +17,17 @@ namespace dmp::cli {
 
 namespace {
 
+/// Whether stdout is one when dmp starts: of one that is gone nothing can be asked.
+const bool output_was_terminal = isatty(STDOUT_FILENO) != 0;
+
 int descriptor(Stream stream) { return stream == Stream::output ? STDOUT_FILENO : STDERR_FILENO; }
 
-[[noreturn]] void throw_lost_output() {
+/// After a failed write. EIO is what a terminal gives that is gone.
+void output_is_lost() {
+    if (errno == EPIPE || (errno == EIO && output_was_terminal)) {
+        std::clearerr(stdout);
+        return;
+    }
     throw ResourceError(std::string("cannot write to the standard output: ") + std::strerror(errno),
                         "Is it a file on a full disk? Make room, then try again.");
 }
@@ -43,11 +51,16 @@ int terminal_width(Stream stream) {
 }
 
 void print(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw_lost_output();
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) output_is_lost();
 }
 
 void flush_output() {
-    if (std::fflush(stdout) != 0) throw_lost_output();
+    if (std::fflush(stdout) != 0) output_is_lost();
+}
+
+void print_error(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
 }
 
 std::string Style::marked(std::string_view mark, std::string_view text) const {

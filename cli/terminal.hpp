@@ -15,10 +15,13 @@ enum class Stream { output, error };
 /// Characters in a line of the terminal; 80 when it does not say.
 [[nodiscard]] int terminal_width(Stream stream);
 
-/// Text to stdout. Throws ResourceError when it does not get there.
+/// Text to stdout. Throws ResourceError when it does not get there, unless nobody reads it any more (a closed pipe, a
+/// terminal that is gone): who has gone away misses nothing.
 void print(std::string_view text);
-/// Throws ResourceError when what was printed does not get there.
+/// Throws likewise when what was printed does not get there.
 void flush_output();
+/// Text to stderr, at once. Nothing happens when it does not get there: a run does not end for want of a reader.
+void print_error(std::string_view text);
 
 /// Marks text for the eye, or leaves it as it is.
 class Style {

@@ -31,6 +31,8 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
+std::string TypedCommand::text() const { return line_of(words_); }
+
 TypedCommand TypedCommand::on_ranks(int ranks) const {
     if (ranks <= 1) return *this;
     std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks)};

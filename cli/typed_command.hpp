@@ -20,6 +20,8 @@ class TypedCommand {
     /// The program, as it was called.
     [[nodiscard]] std::string program() const { return words_.empty() ? "dmp" : shell_word(words_.front()); }
 
+    /// The line itself.
+    [[nodiscard]] std::string text() const;
     /// With this many ranks; 1: without mpirun.
     [[nodiscard]] TypedCommand on_ranks(int ranks) const;
 

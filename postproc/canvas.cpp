@@ -129,7 +129,7 @@ void Canvas::paste(Image image, int x, int y) {
     cairo_surface_destroy(surface);
 }
 
-void Canvas::save(const std::filesystem::path& file) const {
+std::string Canvas::png() const {
     std::string png;
     const auto append = [](void* text, const unsigned char* bytes, unsigned count) {
         static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
@@ -137,8 +137,11 @@ void Canvas::save(const std::filesystem::path& file) const {
     };
     if (const cairo_status_t status = cairo_surface_write_to_png_stream(cairo_get_target(context_.get()), append, &png);
         status != CAIRO_STATUS_SUCCESS)
-        throw_write_error(file, cairo_status_to_string(status));
-    write_file(file, png);
+        throw ResourceError(std::string("cannot make a picture: ") + cairo_status_to_string(status),
+                            "Make room in the memory, then draw it again.");
+    return png;
 }
+
+void Canvas::save(const std::filesystem::path& file) const { write_file(file, png()); }
 
 }  // namespace dmp::postproc

@@ -55,6 +55,8 @@ class Canvas {
     [[nodiscard]] static double text_width(const std::string& words, const TextStyle& style);
 
     [[nodiscard]] const Image& image() const { return image_; }
+    /// The bytes of a PNG file. Throws ResourceError if there is no room for them.
+    [[nodiscard]] std::string png() const;
     /// Writes a PNG file. Throws ResourceError if it cannot be written.
     void save(const std::filesystem::path& file) const;
 

@@ -7,6 +7,8 @@
 #include <cstdio>
 
 #include "base/errors.hpp"
+#include "base/safe_file.hpp"
+#include "postproc/animated_png.hpp"
 #include "postproc/frame_scene.hpp"
 #include "postproc/measure_plot.hpp"
 #include "postproc/panel_layout.hpp"
@@ -46,19 +48,43 @@ class RunPainter {
     /// Draws the chosen frames in all views on one sheet with one colour range.
     void write(const std::vector<std::size_t>& frames, const std::vector<View>& views, const std::string& file,
                Pictures& pictures) {
+        draw(frames, views, scale_of(frames, pictures), options_.width, file, pictures).save(run_.folder() / file);
+        pictures.files.push_back(file);
+    }
+
+    /// The same as a film, in which each frame is a sheet.
+    void film(const std::vector<std::size_t>& frames, const std::vector<View>& views, const std::string& file,
+              Pictures& pictures) {
+        constexpr int milliseconds = 40;
+        const ColourScale scale = scale_of(frames, pictures);
+        std::vector<std::string> images;
+        for (const std::size_t number : frames)
+            images.push_back(draw({number}, views, scale, options_.film_width, file, pictures).png());
+        write_file(run_.folder() / file, animated_png(images, milliseconds));
+        pictures.files.push_back(file);
+    }
+
+  private:
+    ColourScale scale_of(const std::vector<std::size_t>& frames, Pictures& pictures) const {
         FieldRange range;
         for (const std::size_t number : frames) range.include(run_.read(number), options_.field);
+        if (range.missing())
+            warn(pictures.warning, "the frames contain no field '" + options_.field + "' to colour the particles with");
+        return range.scale();
+    }
+
+    Sheet draw(const std::vector<std::size_t>& frames, const std::vector<View>& views, const ColourScale& scale,
+               int sheet_width, const std::string& file, Pictures& pictures) {
         std::vector<PanelActors> drawings;
         drawings.reserve(views.size());
         // with several frames, the caption of a panel is its time
         for (const View& view : views) drawings.push_back({view.area, frames.size() == 1 ? view.caption : ""});
         const PanelLayout layout(drawings);
-        Sheet sheet(layout.area(), frames.size(), options_.width, run_.title());
-        const ColourScale scale = range.scale();
+        Sheet sheet(layout.area(), frames.size(), sheet_width, run_.title());
         for (const std::size_t number : frames) {
             const RunFrame frame = run_.read(number);
             const std::string time = time_text(frame.time, run_.end_time());
-            const auto draw = [&](std::size_t k, int width, int height) {
+            const auto draw_view = [&](std::size_t k, int width, int height) {
                 const Seen shown = seen(views[k], frame, run_.walls());
                 Image image =
                     view_.draw(layers_of(views[k], shown, options_.field, scale), views[k].area, width, height);
@@ -69,20 +95,16 @@ class RunPainter {
                     warn(pictures.warning, file + ": the picture of t = " + time + " is blank");
                 return image;
             };
-            sheet.add(layout.draw(sheet.panel_width(), sheet.panel_height(), draw), "t = " + time);
+            sheet.add(layout.draw(sheet.panel_width(), sheet.panel_height(), draw_view), "t = " + time);
             const int dimension = run_.flat() || run_.of_spheres() ? 2 : 3;
             if (const std::size_t outside = count_outside(frame, run_.area(), dimension); outside > 0)
                 warn(pictures.warning,
                      file + ": " + std::to_string(outside) + " particles at t = " + time + " lie outside the picture");
         }
-        if (range.missing())
-            warn(pictures.warning, "the frames contain no field '" + options_.field + "' to colour the particles with");
         sheet.finish(scale);
-        sheet.save(run_.folder() / file);
-        pictures.files.push_back(file);
+        return sheet;
     }
 
-  private:
     const RunFolder& run_;
     const PictureOptions& options_;
     ParticleView view_;
@@ -106,6 +128,8 @@ void write_frames(const RunFolder& run, const PictureOptions& options, Pictures&
     painter.write({run.frames() - 1}, views, "last_frame.png", pictures);
     if (run.frames() > 1)
         painter.write(spread(run.frames(), options.sheet_frames), views_of_many(views), "cycle.png", pictures);
+    if (run.frames() > 1 && options.film)
+        painter.film(spread(run.frames(), options.film_frames), views_of_many(views), film_file_name, pictures);
     if (!messages.text().empty()) warn(pictures.warning, "message of VTK: " + messages.text());
 }
 

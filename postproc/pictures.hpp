@@ -8,10 +8,15 @@
 
 namespace dmp::postproc {
 
+inline constexpr const char* film_file_name = "film.png";
+
 struct PictureOptions {
     std::string field = "velocity";  ///< colours the fluid; for vectors the magnitude
     int width = 1600;                ///< [pixels]
     int sheet_frames = 8;            ///< frames on cycle.png, evenly spaced over the run
+    bool film = false;               ///< also film.png
+    int film_width = 800;            ///< [pixels]
+    int film_frames = 250;           ///< in the film at most, evenly spaced over the run
     /// For each axis, low and high: whether that side of the box is a plane of symmetry; in 3-D, slices are placed
     /// there.
     std::array<std::array<bool, 2>, 3> mirrored{};
@@ -26,6 +31,7 @@ struct Pictures {
 ///   last_frame.png  the last frame
 ///   cycle.png       several frames with one colour range; only if there are several
 ///   measures.png    the measures over time; only if there are measures
+///   film.png        where asked for: the frames with one colour range, as an animated PNG; only if there are several
 /// Without a display and Xvfb only measures.png is written, and the warning says so. Throws InputError if the folder
 /// has no frames or damaged ones, ResourceError if a file cannot be written.
 Pictures write_pictures(const std::filesystem::path& folder, const PictureOptions& options);

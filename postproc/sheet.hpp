@@ -25,6 +25,7 @@ class Sheet {
     /// Adds the length scale and the colour bar below the pictures.
     void finish(const ColourScale& scale);
     void save(const std::filesystem::path& file) const { canvas_.save(file); }
+    [[nodiscard]] std::string png() const { return canvas_.png(); }
 
   private:
     struct Layout;

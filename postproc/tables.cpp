@@ -135,16 +135,31 @@ Json object_of(const Map& values) {
     return json;
 }
 
+/// The first line.
+std::string heading_of(const MeasureSeries& measures) {
+    std::string text = "time [s]";
+    for (std::size_t i = 0; i < measures.names.size(); ++i)
+        text += "," + csv_cell(measures.names[i] + " [" + measures.units[i] + "]");
+    return text + '\n';
+}
+
 }  // namespace
 
 void write_measures_csv(const fs::path& folder, const MeasureSeries& measures) {
     check(measures);
-    std::string text = "time [s]";
-    for (std::size_t i = 0; i < measures.names.size(); ++i)
-        text += "," + csv_cell(measures.names[i] + " [" + measures.units[i] + "]");
-    text += '\n';
     make_folder(folder);
-    write_file(folder / measures_file_name, text + rows_text(measures, 0));
+    write_file(folder / measures_file_name, heading_of(measures) + rows_text(measures, 0));
+}
+
+std::string keep_other_measures(const fs::path& folder, const MeasureSeries& measures) {
+    const fs::path table = folder / measures_file_name;
+    if (!fs::exists(table) || read_file(table).starts_with(heading_of(measures))) return "";
+    for (int number = 1;; ++number) {
+        const std::string name = "measures_" + std::to_string(number) + ".csv";
+        if (fs::exists(folder / name)) continue;
+        rename_durably(table, folder / name);
+        return name;
+    }
 }
 
 void MeasuresFile::write(const MeasureSeries& measures) {

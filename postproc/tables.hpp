@@ -22,6 +22,10 @@ inline constexpr const char* summary_file_name = "summary.json";
 /// std::invalid_argument if the numbers of names, units and values do not match.
 void write_measures_csv(const std::filesystem::path& folder, const MeasureSeries& measures);
 
+/// Renames folder/measures.csv to the first free of measures_1.csv, measures_2.csv, ... where its columns are not those
+/// of `measures`. Returns the new name, "" where there is no other table. Throws ResourceError.
+std::string keep_other_measures(const std::filesystem::path& folder, const MeasureSeries& measures);
+
 /// folder/measures.csv of a run that goes on: what has been measured is in the file whatever ends the run.
 class MeasuresFile {
   public:
@@ -29,6 +33,7 @@ class MeasuresFile {
 
     /// The first time as write_measures_csv; then adds the rows that are new.
     void write(const MeasureSeries& measures);
+    [[nodiscard]] bool is_begun() const { return rows_.has_value(); }
 
   private:
     std::filesystem::path folder_;

@@ -15,6 +15,8 @@ struct Line {
     std::string key, value;
 };
 
+constexpr std::string_view before_written = "  # in the scene: ";
+
 /// "[numerics]" -> "numerics", "[[part]]" -> "part"
 std::string table_in(const std::string& line) {
     const auto first = line.find_first_not_of('['), last = line.find_last_not_of(']');
@@ -41,6 +43,8 @@ std::vector<Line> lines_of(const std::string& scene) {
         const auto equals = line.find(" = ");
         if (equals == std::string::npos) continue;
         std::string key = line.substr(0, equals), value = line.substr(equals + 3);
+        if (const auto comment = value.rfind(before_written); comment != std::string::npos)
+            value.erase(0, comment + before_written.size());
         // The name is the first line of its table.
         const auto number = table.rfind('.');
         if (key == "name" && number != std::string::npos)
@@ -51,12 +55,21 @@ std::vector<Line> lines_of(const std::string& scene) {
     return lines;
 }
 
+/// Whether the state at some time depends on it.
+bool is_of_state(const std::string& key) {
+    if (key == "output.average_from") return true;
+    return key != "title" && key != "run.duration" && !key.starts_with("output.") && !key.starts_with("measure.");
+}
+
+std::vector<Line> lines_of_state(const std::string& scene) {
+    std::vector<Line> lines = lines_of(scene);
+    std::erase_if(lines, [](const Line& line) { return !is_of_state(line.key); });
+    return lines;
+}
+
 std::string value_text(const std::string& value) { return value.empty() ? "not set" : value; }
 
-}  // namespace
-
-std::vector<ValueDifference> differences(const std::string& before, const std::string& now) {
-    const std::vector<Line> old_lines = lines_of(before), new_lines = lines_of(now);
+std::vector<ValueDifference> differences(const std::vector<Line>& old_lines, const std::vector<Line>& new_lines) {
     std::map<std::string, std::string> old_values, new_values;
     for (const Line& line : old_lines) old_values.emplace(line.key, line.value);
     for (const Line& line : new_lines) new_values.emplace(line.key, line.value);
@@ -75,6 +88,32 @@ std::vector<ValueDifference> differences(const std::string& before, const std::s
     if (found.empty() && !std::ranges::equal(old_lines, new_lines, same))
         found.push_back({"order of the tables", "another", "that of the scene"});
     return found;
+}
+
+}  // namespace
+
+std::string with_values_of(const std::string& written, const std::string& as_run) {
+    std::istringstream written_lines(written), run_lines(as_run);
+    std::string text;
+    for (std::string line, original; std::getline(run_lines, line) && std::getline(written_lines, original);) {
+        text += line;
+        if (line != original) text.append(before_written).append(original, original.find(" = ") + 3);
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<ValueDifference> differences(const std::string& before, const std::string& now) {
+    return differences(lines_of(before), lines_of(now));
+}
+
+std::vector<ValueDifference> differences_in_state(const std::string& before, const std::string& now) {
+    std::vector<Line> old_lines = lines_of_state(before), new_lines = lines_of_state(now);
+    const auto never = [](const Line& line) { return line.key == "run.until_steady" && line.value == "\"0 s\""; };
+    if (std::ranges::any_of(new_lines, never))
+        for (std::vector<Line>* lines : {&old_lines, &new_lines})
+            std::erase_if(*lines, [](const Line& line) { return line.key == "run.until_steady"; });
+    return differences(old_lines, new_lines);
 }
 
 std::string differences_text(const std::vector<ValueDifference>& differences) {

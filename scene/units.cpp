@@ -71,7 +71,7 @@ constexpr std::array prefixes = {
     Prefix{"f", -15}, Prefix{"a", -18}, Prefix{"z", -21}, Prefix{"y", -24},
 };
 
-/// Dimensions that have a name.
+/// A name, or the name of a unit, of a dimension.
 struct NamedDimension {
     std::string_view name;
     Dimension dimension;
@@ -104,6 +104,13 @@ constexpr std::array named_dimensions = {
     NamedDimension{"mass per length", of(-1, 1, 0)},
     NamedDimension{"stiffness", of(0, 1, -2)},
     NamedDimension{"bending stiffness", of(3, 1, -2)},
+};
+
+/// Dimensions whose usual unit is not made of base units.
+constexpr std::array derived_units = {
+    NamedDimension{"N", of(1, 1, -2)},   NamedDimension{"J", of(2, 1, -2)},     NamedDimension{"W", of(2, 1, -3)},
+    NamedDimension{"Pa", of(-1, 1, -2)}, NamedDimension{"Pa/m", of(-2, 1, -2)}, NamedDimension{"Pa*s", of(-1, 1, -1)},
+    NamedDimension{"N/m", of(0, 1, -2)}, NamedDimension{"N*m^2", of(3, 1, -2)},
 };
 
 constexpr std::array<std::string_view, 7> base_units = {"m", "kg", "s", "A", "K", "mol", "cd"};
@@ -156,6 +163,9 @@ std::string Dimension::name_with_article() const {
 }
 
 std::string Dimension::si_unit() const {
+    for (const auto& derived : derived_units) {
+        if (derived.dimension == *this) return std::string(derived.name);
+    }
     const auto factor = [](std::string_view unit, int twice) {
         if (twice == 2) return std::string(unit);
         const std::string whole = (twice < 0 ? "-" : "") + std::to_string(std::abs(twice) / 2);

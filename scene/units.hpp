@@ -21,7 +21,7 @@ struct Dimension {
     [[nodiscard]] std::string name() const;
     /// "a length", "an energy", "a quantity in m^3/kg".
     [[nodiscard]] std::string name_with_article() const;
-    /// "kg/m^3", "s^-1", empty for a number; read_unit_greedily() can read it.
+    /// "kg/m^3", "N*m^2", "s^-1", empty for a number; read_unit_greedily() can read it.
     [[nodiscard]] std::string si_unit() const;
 };
 

@@ -103,10 +103,11 @@ std::vector<StepLimit> FluidRun::limits_now(double largest_speed) const {
     return limits;
 }
 
-double FluidRun::next_step(double target, double largest_speed) const {
-    const double longest = ruling_limit(limits_now(largest_speed)).dt;
+Run::Step FluidRun::next_step(const RunOptions& /*options*/) {
+    const double target = next_change(std::min({frame_times_.next(), measure_times_.next(), events_.next()}));
+    const double longest = ruling_limit(limits_now(extremes_.largest_speed)).dt;
     // Equal steps up to the next time something has to be written.
-    return (target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
+    return {(target - time_) / std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12))), target};
 }
 
 double FluidRun::next_change(double target) const {
@@ -120,8 +121,10 @@ double FluidRun::next_change(double target) const {
 void FluidRun::archive(Archive& file) {
     file("time", time_);
     file("step", step_);
-    frame_times_.archive(file, "frames_due");
-    measure_times_.archive(file, "measures_due");
+    file.same("sound_speed", settings_.sound_speed, "the speed of sound [m/s]");
+    file.same("drive_time", scales_.drive_time, "the time in which what drives the scene changes [s]");
+    frame_times_.archive(file, "frames_due", time_);
+    measure_times_.archive(file, "measures_due", time_);
     file("frames_", frames_);
     file("last_frame_", last_frame_);
     reached_.archive(file);
@@ -240,9 +243,8 @@ void FluidRun::add_fields(Plan& plan) const {
     }
 }
 
-void FluidRun::advance(const RunOptions& options, double until) {
-    const double target = next_change(std::min({until, frame_times_.next(), measure_times_.next(), events_.next()}));
-    const double dt = next_step(target, extremes_.largest_speed);
+void FluidRun::advance(const RunOptions& options, const Step& step) {
+    const double dt = step.dt;
     try {
         extremes_ = fluid_.advance(time_, dt);
         residence_times_.add(particles_, dt, settings_.threads);
@@ -259,7 +261,7 @@ void FluidRun::advance(const RunOptions& options, double until) {
                               text_of(monitor_.stuck_elastic(particles_, fluid_, error.problem(), time_)));
         diverged(options.sink, error.problem(), error.what_to_do());
     }
-    time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
+    time_ = step.end(time_);
     ++step_;
 
     monitor_.walls_have_moved(fluid_.walls().farthest());
@@ -281,7 +283,9 @@ RunProgress FluidRun::progress(double until) const {
             static_cast<long>(step_),
             ruling_limit(limits_now(extremes_.largest_speed)).dt,
             extremes_.largest_speed,
-            static_cast<long>(frames_)};
+            static_cast<long>(frames_),
+            count_.contains("fluid") ? extremes_.density_low : 0,
+            count_.contains("fluid") ? extremes_.density_high : 0};
 }
 
 RankShares FluidRun::shares(std::int64_t steps) const {

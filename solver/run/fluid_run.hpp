@@ -33,7 +33,8 @@ class FluidRun final : public Run {
     [[nodiscard]] std::int64_t step() const override { return step_; }
     [[nodiscard]] long frames() const override { return static_cast<long>(frames_); }
     void start(FrameSink* sink) override;
-    void advance(const RunOptions& options, double until) override;
+    [[nodiscard]] Step next_step(const RunOptions& options) override;
+    void advance(const RunOptions& options, const Step& step) override;
     void finish(FrameSink* /*sink*/) override { fluid_.refresh_neighbours(); }
     void write_frame(FrameSink* sink) override;
     void write_diverged_frame(FrameSink* sink) override;
@@ -46,7 +47,6 @@ class FluidRun final : public Run {
   private:
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
-    [[nodiscard]] double next_step(double target, double largest_speed) const;
     /// The time at which what drives the scene changes, if that is before the target, else the target.
     [[nodiscard]] double next_change(double target) const;
     void write_what_is_due(FrameSink* sink);

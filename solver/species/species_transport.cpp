@@ -280,7 +280,7 @@ void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& p
         // Those that take no part hold the change of another species.
         if (!(group.kind() == PartKind::rigid     ? species.with_rigid
               : group.kind() == PartKind::elastic ? species.with_elastic
-                                                      : false))
+                                                  : false))
             continue;
         for (std::size_t i = 0; i < group.owned(); ++i) {
             const double taken = group.data(Field::species_change)[i];
@@ -366,6 +366,9 @@ std::vector<SpeciesBalance> SpeciesTransport::balances(const ParticleStore& part
 }
 
 void SpeciesTransport::archive(Archive& file) {
+    for (const CarriedSpecies& species : species_)
+        file.same("species/largest_amount_" + std::to_string(species.number), species.largest_amount,
+                  "the largest amount of a species that a particle is expected to hold");
     file("species/at_start", at_start_);
     file("species/excess", excess_);
     file("species/solves", solves_.solves);

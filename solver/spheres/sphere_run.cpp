@@ -158,8 +158,8 @@ void SphereRun::archive(Archive& file) {
     step_.give_state();
     file("time", time_);
     file("step", step_count_);
-    frame_times_.archive(file, "frames_due");
-    measure_times_.archive(file, "measures_due");
+    frame_times_.archive(file, "frames_due", time_);
+    measure_times_.archive(file, "measures_due", time_);
     file("frames", frames_);
     file("last_frame", last_frame_);
     file("mass_at_start", at_start_.mass);
@@ -192,20 +192,24 @@ void SphereRun::write_what_is_due(FrameSink* sink) {
 
 void SphereRun::stop_if_diverged(FrameSink* sink) { stop_on_violation(sink, trouble_with_spheres(step_, space_)); }
 
-void SphereRun::advance(const RunOptions& options, double until) {
+Run::Step SphereRun::next_step(const RunOptions& options) {
     const double longest = longest_step(options);
     // Times that are alike but for their last digits are one.
     const double change = step_.driving().next_change(time_ + 1e-6 * longest);
-    const double target = std::min({until, frame_times_.next(), measure_times_.next(), change});
+    const double target = std::min({frame_times_.next(), measure_times_.next(), change});
     // Equal steps up to the next time something has to be written; the last one takes what is left.
     const double steps = std::max(1.0, std::ceil((target - time_) / longest * (1 - 1e-12)));
-    const double dt = steps > 1 ? equal_to_the_bit((target - time_) / steps) : target - time_;
-    step_.advance(time_, dt);
-    time_ = target - time_ <= 1.5 * dt ? target : time_ + dt;
-    ++step_count_;
-    if (step_count_ % steps_between_checks == 0 || time_ == target) stop_if_diverged(options.sink);
+    return {steps > 1 ? equal_to_the_bit((target - time_) / steps) : target - time_, target};
+}
+
+void SphereRun::advance(const RunOptions& options, const Step& step) {
     // What has not been pushed yet is not still.
-    if (change == HUGE_VAL) steady_state_.update(time_, step_, ranks_);
+    const bool may_be_still = step_.driving().next_change(time_) == HUGE_VAL;
+    step_.advance(time_, step.dt);
+    time_ = step.end(time_);
+    ++step_count_;
+    if (step_count_ % steps_between_checks == 0 || time_ == step.target) stop_if_diverged(options.sink);
+    if (may_be_still) steady_state_.update(time_, step_, ranks_);
     write_what_is_due(options.sink);
 }
 
@@ -215,7 +219,9 @@ RunProgress SphereRun::progress(double until) const {
             static_cast<long>(step_count_),
             ruling_of(limits()).dt,
             step_.largest_speed(),
-            static_cast<long>(frames_)};
+            static_cast<long>(frames_),
+            0,
+            0};
 }
 
 void SphereRun::start(FrameSink* sink) {

@@ -24,7 +24,8 @@ class SphereRun final : public Run {
     [[nodiscard]] std::int64_t step() const override { return step_count_; }
     [[nodiscard]] long frames() const override { return static_cast<long>(frames_); }
     void start(FrameSink* sink) override;
-    void advance(const RunOptions& options, double until) override;
+    [[nodiscard]] Step next_step(const RunOptions& options) override;
+    void advance(const RunOptions& options, const Step& step) override;
     void finish(FrameSink* sink) override;
     [[nodiscard]] bool finished() const override { return steady_state_.reached(); }
     void write_frame(FrameSink* sink) override;

@@ -3,12 +3,22 @@
 
 #include <algorithm>
 
+#include "base/errors.hpp"
+#include "base/number_text.hpp"
+
 namespace dmp::solver {
+
+const Hdf5Reader& Archive::reader_of(const std::string& name) const {
+    if (!reader_->has(name))
+        throw InputError("the checkpoint holds no '" + name + "', which the scene needs now",
+                         "Go on with the fields and measures that the run was started with, or start a new run.");
+    return *reader_;
+}
 
 template <class T>
 void Archive::array(const std::string& name, std::vector<T>& values) {
     if (loading()) {
-        values = reader_->array<T>(name);
+        values = reader_of(name).array<T>(name);
     } else if (writer_ != nullptr) {
         writer_->write_array<T>(name, values);
     }
@@ -16,7 +26,7 @@ void Archive::array(const std::string& name, std::vector<T>& values) {
 
 void Archive::operator()(const std::string& name, double& value) {
     if (loading()) {
-        value = reader_->number<double>(name);
+        value = reader_of(name).number<double>(name);
     } else if (writer_ != nullptr) {
         writer_->write_number<double>(name, value);
     }
@@ -24,10 +34,27 @@ void Archive::operator()(const std::string& name, double& value) {
 
 void Archive::operator()(const std::string& name, std::int64_t& value) {
     if (loading()) {
-        value = reader_->number<std::int64_t>(name);
+        value = reader_of(name).number<std::int64_t>(name);
     } else if (writer_ != nullptr) {
         writer_->write_number<std::int64_t>(name, value);
     }
+}
+
+void Archive::operator()(const std::string& name, std::string& text) {
+    if (loading()) {
+        text = reader_of(name).text(name);
+    } else if (writer_ != nullptr) {
+        writer_->write_text(name, text);
+    }
+}
+
+void Archive::same(const std::string& name, double value, const std::string& what) {
+    double before = value;
+    (*this)(name, before);
+    if (before != value)
+        throw InputError(what + " was chosen for the run's first duration as " + number_text(before, 12) + ", and is " +
+                             number_text(value, 12) + " for this one",
+                         "Leave run.duration as it was and give the later end with --until; or start a new run.");
 }
 
 void Archive::operator()(const std::string& name, std::vector<double>& values) { array(name, values); }
@@ -61,7 +88,7 @@ void Archive::save_of_all(const std::string& name, std::size_t owned, const Of& 
 
 template <class T>
 std::vector<T> Archive::share(const std::string& name, std::uint64_t begin, std::uint64_t end) const {
-    if (reader_->length(name) < end) reader_->refuse("'" + name + "' is too short");
+    if (reader_of(name).length(name) < end) reader_->refuse("'" + name + "' is too short");
     std::vector<T> values(end - begin);
     reader_->read<T>(name, begin, std::span(values));
     return values;
@@ -83,7 +110,7 @@ void Archive::operator()(const std::string& name, ParticleGroup& group) {
                                     [&](std::size_t i) { return group.data(field, axis)[i]; });
         return;
     }
-    const std::uint64_t count = reader_->length(name + "/id");
+    const std::uint64_t count = reader_of(name + "/id").length(name + "/id");
     const auto rank = static_cast<std::uint64_t>(ranks_.rank()), ranks = static_cast<std::uint64_t>(ranks_.size());
     const std::uint64_t begin = count * rank / ranks, end = count * (rank + 1) / ranks;
     const auto id = share<std::int64_t>(name + "/id", begin, end);

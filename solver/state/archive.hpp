@@ -27,6 +27,7 @@ class Archive {
 
     void operator()(const std::string& name, double& value);
     void operator()(const std::string& name, std::int64_t& value);
+    void operator()(const std::string& name, std::string& text);
     void operator()(const std::string& name, std::vector<double>& values);
     void operator()(const std::string& name, std::vector<Vector<double, 2>>& values);
     void operator()(const std::string& name, std::vector<Vector<double, 3>>& values);
@@ -35,7 +36,13 @@ class Archive {
     /// of position. Throws InputError if the group's fields differ from those in the file.
     void operator()(const std::string& name, ParticleGroup& group);
 
+    /// A value that is not part of the state, but without which the state would go on in another way. When loading,
+    /// throws InputError, which calls it `what`, if it is another than that of the file.
+    void same(const std::string& name, double value, const std::string& what);
+
   private:
+    /// The file to load from. Throws InputError if it has no such dataset: the run began without it.
+    const Hdf5Reader& reader_of(const std::string& name) const;
     template <class T>
     void array(const std::string& name, std::vector<T>& values);
     template <int D>

@@ -56,7 +56,7 @@ std::optional<FoundCheckpoint> CheckpointFolder::newest_good() {
             bad.push_back({file, problem});
             continue;
         }
-        FoundCheckpoint found{file, step, {}};
+        FoundCheckpoint found{file, step, 0, {}};
         for (std::size_t n = 0; n < bad.size(); ++n)
             found.messages.push_back(bad[n].file.string() + " is " + bad[n].problem + "; using " +
                                      (n + 1 == bad.size() ? "the one before it" : "an earlier one") + ", step " +

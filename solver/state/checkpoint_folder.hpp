@@ -13,6 +13,7 @@ namespace dmp::solver {
 struct FoundCheckpoint {
     std::filesystem::path file;
     long step = 0;
+    double time = 0;                    ///< [s]; checkpoint_to_resume finds it
     std::vector<std::string> messages;  ///< one for each newer checkpoint that is unusable, newest first
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/errors.hpp"
+#include "base/number_text.hpp"
 #include "scene/scene_difference.hpp"
 #include "solver/state/checkpoint_file.hpp"
 #include "solver/uses.hpp"
@@ -55,16 +56,22 @@ void Checkpoints::save(long step, const ArchiveAll& archive_all) {
     last_ = Clock::now();
 }
 
-FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const std::string& scene) {
-    const auto found = CheckpointFolder(folder).newest_good();
+FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const std::string& scene, double until) {
+    auto found = CheckpointFolder(folder).newest_good();
     if (!found)
         throw InputError("there is no checkpoint in " + folder.string() + " to resume from",
                          "Leave out --resume to start the run, or give the folder of the run with --out.");
-    const std::string before = CheckpointReader(found->file).contents().text("scene");
-    if (const auto changed = differences(before, scene); !changed.empty())
+    const CheckpointReader file(found->file);
+    found->time = file.contents().number<double>("time");
+    if (const auto changed = differences_in_state(file.contents().text("scene"), scene); !changed.empty())
         throw InputError({found->file.string()},
                          "the scene is not the one this run was started with:" + differences_text(changed),
                          "Resume with the original scene, or start a new run in another folder with --out.");
+    if (!(until > found->time))
+        throw InputError({found->file.string()},
+                         "the run has got to t = " + number_text(found->time, 6) + " s, and is asked to end at " +
+                             number_text(until, 6) + " s",
+                         "Resume it with a later --until or run.duration.");
     return *found;
 }
 

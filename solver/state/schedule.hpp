@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -20,6 +21,13 @@ class Schedule {
         return true;
     }
     void archive(Archive& file, const std::string& name) { file(name, count_); }
+    /// The same of a schedule that a run may go on with another interval; all that was due at `time` has been done.
+    void archive(Archive& file, const std::string& name, double time) {
+        double every = every_;
+        file(name + "_every", every);
+        archive(file, name);
+        if (file.loading() && every != every_) count_ = static_cast<std::int64_t>(std::floor(time / every_ + 1e-9)) + 1;
+    }
 
   private:
     double every_;

@@ -11,6 +11,9 @@ namespace dmp::solver {
 
 namespace {
 
+/// A step may exceed its limit by this, relatively, where another one would have to be taken otherwise.
+constexpr double slack = 1e-6;
+
 /// Of the ranks' texts, that of the lowest rank whose text is not empty.
 std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text) {
     const std::vector<char> own(text.begin(), text.end());
@@ -59,32 +62,48 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
     auto last_progress = start;
     End end;
     const double last = until * (1 - 1e-12);
+    const std::int64_t first_step = step();
+    bool depends_on_end = false;  // the state
     while (time() < last && !finished()) {
-        // What one rank asks for, all ranks do.
-        std::array<double, 3> requests{options.stop != nullptr && *options.stop ? 1.0 : 0.0,
-                                       options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
-                                       checkpoints.due() ? 1.0 : 0.0};
-        ranks().largest(requests);
-        end.out_of_time = requests[1] > 0;
-        end.interrupted = requests[0] > 0 || end.out_of_time;
-        if (end.interrupted) {
-            if (checkpoints.wanted()) save();
-            write_frame(options.sink);
-            break;
+        Step step = next_step(options);
+        const bool is_near_end = is_shaped_by_end(step, until);
+        if (!depends_on_end) {
+            // What one rank asks for, all ranks do.
+            std::array<double, 3> requests{
+                options.stop != nullptr && *options.stop ? 1.0 : 0.0,
+                options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
+                checkpoints.due() ? 1.0 : 0.0};
+            ranks().largest(requests);
+            end.out_of_time = requests[1] > 0;
+            end.interrupted = requests[0] > 0 || end.out_of_time;
+            if (checkpoints.wanted() && (end.interrupted || is_near_end || requests[2] > 0)) save();
+            if (end.interrupted) break;
         }
-        if (requests[2] > 0) save();
+        if (is_near_end) step = towards_end(step, until);
+        depends_on_end = is_near_end;
         const std::size_t rows = series().rows.size();
-        advance(options, until);
+        advance(options, step);
         if (options.measured && series().rows.size() > rows) options.measured(series());
         if (options.progress && ranks().is_first() && seconds_since(last_progress) > 0.2) {
             last_progress = WallClock::now();
             options.progress(progress(until));
         }
     }
-    // A time given on the command line gets a frame, also where none is due.
-    if (options.until > 0 && !end.interrupted) write_frame(options.sink);
+    if (checkpoints.wanted() && !depends_on_end && !end.interrupted && step() > first_step) save();
+    // The last state gets a frame, also where none is due.
+    write_frame(options.sink);
     end.wall = seconds_since(start);
     return end;
+}
+
+/// Whether the run ends within two such steps, and before what the step leads to.
+bool Run::is_shaped_by_end(const Step& step, double until) const {
+    return until < step.target && until - time() <= 2 * step.dt * (1 + slack);
+}
+
+Run::Step Run::towards_end(const Step& step, double until) const {
+    const double left = until - time();
+    return {left <= step.dt * (1 + slack) ? left : left / 2, until};
 }
 
 void Run::stop_on_violation(FrameSink* sink, const std::string& found) {

@@ -20,10 +20,11 @@ struct RunProgress {
     double dt = 0;
     double largest_speed = 0;
     long frames = 0;
+    double density_low = 0, density_high = 0;  ///< of the fluid over its rest density [-]; 0: there is none
 };
 
 struct RunOptions {
-    double until = 0;  ///< [s]; 0 = the scene's duration
+    double until = 0;  ///< [s]; 0 = the scene's duration. A later end only adds to the run: see Run::run
     FrameSink* sink = nullptr;
     std::function<void(const RunProgress&)> progress;  ///< called a few times a second at most
     /// Called as soon as the run leaves what it was planned for, at a time [s].
@@ -50,9 +51,19 @@ class Run {
 
     /// Steps to the end of the run: saves checkpoints, reports progress, and stops early when asked to. All ranks
     /// together. Throws DivergenceError (after a last frame) and ResourceError.
+    ///
+    /// The last checkpoint is of the last state that does not depend on when the run ends, at most two steps before its
+    /// end: what goes on from there, to a later end, is to the last bit the run that had that end from its start.
     RunSummary run(const RunOptions& options);
 
   protected:
+    /// A step of length `dt` towards the time `target` [s].
+    struct Step {
+        double dt = 0, target = 0;
+        /// The time after it: the target itself where that is as near as rounding comes.
+        [[nodiscard]] double end(double time) const { return target - time <= 1.5 * dt ? target : time + dt; }
+    };
+
     [[nodiscard]] virtual const Ranks& ranks() const = 0;
     [[nodiscard]] virtual double time() const = 0;      ///< [s]
     [[nodiscard]] virtual double duration() const = 0;  ///< of the scene [s]
@@ -61,8 +72,9 @@ class Run {
 
     /// Neighbour lists and forces of the present state; at step 0 also the first frame and measures.
     virtual void start(FrameSink* sink) = 0;
-    /// One step, towards `until` or the next time at which output is due.
-    virtual void advance(const RunOptions& options, double until) = 0;
+    /// The step to take towards the next time at which output is due or something changes, whenever the run ends.
+    [[nodiscard]] virtual Step next_step(const RunOptions& options) = 0;
+    virtual void advance(const RunOptions& options, const Step& step) = 0;
     /// After the last step.
     virtual void finish(FrameSink* sink) = 0;
     /// Whether nothing more will happen; the same on all ranks.
@@ -89,6 +101,8 @@ class Run {
         double wall = 0;  ///< [s]
     };
     [[nodiscard]] End step_until(Checkpoints& checkpoints, const RunOptions& options, double until);
+    [[nodiscard]] bool is_shaped_by_end(const Step& step, double until) const;
+    [[nodiscard]] Step towards_end(const Step& step, double until) const;
 };
 
 }  // namespace dmp::solver

@@ -78,8 +78,8 @@ TEST_F(OnACluster, ParticlesOfAnotherSceneAreRefusedWithTheDifference) {
     expect_refused({"--set", "part.leaflets.enabled=false"},
                    HasSubstr("\n  part 'leaflets': elastic in the file, not there in the scene\n"));
     expect_refused({"--set", "part.leaflets.bending_stiffness=\"1e-6 N*m^2\""},
-                   HasSubstr("\n  part.leaflets.bending_stiffness: \"3e-06 m^3*kg/s^2\" in the file, "
-                             "\"1e-06 m^3*kg/s^2\" in the scene\n"));
+                   HasSubstr("\n  part.leaflets.bending_stiffness: \"3e-06 N*m^2\" in the file, "
+                             "\"1e-06 N*m^2\" in the scene\n"));
     expect_refused({"--set", "geometry.parameters.leaflet_length=\"16 mm\""}, HasSubstr("\n  geometry.parameters: "));
 }
 

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs that were stopped, and how they go on.
 #include <filesystem>
+#include <map>
 
 #include <gmock/gmock.h>
 
@@ -12,7 +13,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
@@ -63,14 +63,46 @@ TEST_F(Resume, MayUseOtherThreads) {
     EXPECT_EQ(hash("parts"), hash("whole"));
 }
 
-TEST_F(Resume, AWallLimitEndsTheRunWithFourAndACheckpoint) {
+TEST_F(Resume, EverySignalThatEndsARunLeavesACheckpointAndWhichItWas) {
+    ASSERT_EQ(run("whole").code, 0);
+    const std::map<int, std::string> names{
+        {SIGINT, "Ctrl-C"}, {SIGUSR1, "SIGUSR1"}, {SIGHUP, "SIGHUP"}, {SIGPIPE, "SIGPIPE"}};
+    for (const auto& [signal, name] : names) {
+        const auto stopped = stopped_run(name, {}, 0, signal);
+        EXPECT_EQ(stopped.code, 128 + signal) << name;
+        EXPECT_THAT(stopped.output, HasSubstr("Stopped before its end, by " + name + ". Go on with the same command"));
+        EXPECT_THAT(files(name + "/checkpoints"), SizeIs(1));
+        ASSERT_EQ(run(name, {"--resume"}).code, 0);
+        EXPECT_EQ(hash(name), hash("whole")) << name;
+    }
+}
+
+TEST_F(Resume, TheLogHasBothPartsOfARun) {
+    ASSERT_EQ(stopped_run("out").code, 143);
+    ASSERT_EQ(run("out", {"--resume"}).code, 0);
+    EXPECT_THAT(folder_.read("out/run.log"),
+                testing::ContainsRegex("^20[0-9-]+ [0-9:]+ UTC  dmp [^\n]+\n[^\n]*dmp run \\. .*\n\n"
+                                       "(.*\n)*Writing to out\n(.*\n)*Interrupted: (.*\n)*"
+                                       "Stopped before its end, by SIGTERM(.*\n)*Going on in out (.*\n)*Done: "));
+    ASSERT_EQ(run("out", {"--until", "0.01 s", "--overwrite"}).code, 0);
+    EXPECT_THAT(folder_.read("out/run.log"), Not(HasSubstr("SIGTERM"))) << "of the run that was replaced";
+}
+
+TEST_F(Resume, AStoppedRunLeavesItsPicturesToo) {
+    const auto stopped = stopped_run("out", {"--set", "output.pictures=true"});
+    ASSERT_EQ(stopped.code, 143);
+    EXPECT_THAT(files("out"), testing::Contains("measures.png"));  // the others need a display, or Xvfb
+    ASSERT_EQ(run("out", {"--set", "output.pictures=true", "--resume"}).code, 0);
+}
+
+TEST_F(Resume, AWallLimitEndsTheRunWithFiveAndACheckpoint) {
     const auto limited = run("out", {"--until", "100 s", "--wall-limit", "0.3 s"});
-    EXPECT_EQ(limited.code, 4);
+    EXPECT_EQ(limited.code, 5);
     EXPECT_THAT(limited.output, HasSubstr("Stopped before its end, out of its wall time. Go on with the same command "
                                           "and --resume."));
     EXPECT_THAT(files("out/checkpoints"), SizeIs(1));
     const long steps = summary("out")["steps"];
-    EXPECT_EQ(run("out", {"--until", "100 s", "--wall-limit", "0.3 s", "--resume"}).code, 4);
+    EXPECT_EQ(run("out", {"--until", "100 s", "--wall-limit", "0.3 s", "--resume"}).code, 5);
     EXPECT_GT(summary("out")["steps"], steps);
 }
 
@@ -122,8 +154,10 @@ TEST_F(Resume, DoesNotTakeUpARunThatAnotherOneReplaced) {
     ASSERT_THAT(two_checkpoints("out"), SizeIs(2));
     const auto fresh = run("out", {"--until", "0.01 s", "--checkpoint-every", "0 s", "--overwrite"});
     ASSERT_EQ(fresh.code, 0) << fresh.errors;
-    EXPECT_THAT(files("out/checkpoints"), IsEmpty());
-    EXPECT_EQ(run("out", {"--resume"}).code, 2);
+    EXPECT_THAT(files("out/checkpoints"), SizeIs(1)) << "that of its end";
+    const auto resumed = run("out", {"--resume", "--until", "0.02 s"});
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    EXPECT_THAT(resumed.output, HasSubstr(", t = 0.01 s"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -66,6 +67,20 @@ TEST_F(SomeRanks, RanksDoNotChangeABitAndTheFirstOneSpeaks) {
         for (const char* once : {"Writing to out", "Done: ", "Results in out"})
             EXPECT_EQ(times(outcome.output, once), 1U) << once << "\n" << outcome.output;
         EXPECT_EQ(folder_.read("out/measures.csv"), folder_.read("whole/measures.csv"));
+    }
+}
+
+TEST_F(SomeRanks, AFinishedRunGoesOnOnAnyNumberOfThem) {
+    ASSERT_EQ(run("whole", {"--until", "0.03 s"}).code, 0);
+    for (const auto& [first, then] : {std::pair{2, 2}, std::pair{1, 4}, std::pair{4, 1}}) {
+        const std::string out = "from_" + std::to_string(first);
+        // Neither at a frame nor at a row of the measures.
+        ASSERT_EQ(run(out, {"--until", "0.0133 s"}, {.ranks = first}).code, 0);
+        const auto resumed = run(out, {"--until", "0.03 s", "--resume"}, {.ranks = then});
+        ASSERT_EQ(resumed.code, 0) << resumed.errors;
+        EXPECT_EQ(hash(out), hash("whole")) << first << " and " << then << " ranks";
+        EXPECT_EQ(folder_.read(out + "/measures.csv"), folder_.read("whole/measures.csv"));
+        EXPECT_EQ(files(out + "/frames"), files("whole/frames"));
     }
 }
 

@@ -96,7 +96,15 @@ TEST_F(Results, OfAFinishedRunAreKept) {
     EXPECT_THAT(refused({scene, 1}),
                 AllOf(HasSubstr("it holds this run already, finished at t = 1 s"), HasSubstr("dmp run x --overwrite"),
                       HasSubstr(beside()), Not(HasSubstr("--resume"))));
-    EXPECT_THAT(refused({scene, 2}), HasSubstr("finished at t = 1 s; this one would end at 2 s"));
+    EXPECT_THAT(refused({scene, 2}), AllOf(HasSubstr("finished at t = 1 s; this one would end at 2 s"),
+                                           HasSubstr("To go on with it:\n  dmp run x --resume\n")));
+    EXPECT_THAT(refused({scene + "\n[output]\nevery = \"1 s\"\n", 2}),
+                AllOf(HasSubstr("may change as it goes on:\n  output.every: was not set, is \"1 s\""),
+                      HasSubstr("dmp run x --resume")));
+    for (const double until : {1.0, 0.5})
+        EXPECT_THAT(refused({.scene = scene, .until = until, .resume = true}),
+                    AllOf(HasSubstr("it holds a run that is finished at t = 1 s, and is asked to end at "),
+                          HasSubstr("later --until")));
     EXPECT_THAT(refused({other_scene, 1}),
                 AllOf(HasSubstr("finished run of another scene or other values:\n  particles.spacing: was"),
                       HasSubstr("dmp run x --overwrite"), HasSubstr(beside())));
@@ -106,7 +114,7 @@ TEST_F(Results, AreNotRemovedByTakingTheFolder) {
     put_run(true);
     const auto before = files_in(out());
     { const ResultsFolder results(out(), {.scene = other_scene, .until = 1, .overwrite = true}, typed); }
-    { const ResultsFolder results(out(), {.scene = scene, .until = 1, .resume = true}, typed); }
+    { const ResultsFolder results(out(), {.scene = scene, .until = 2, .resume = true}, typed); }
     EXPECT_EQ(files_in(out()), before);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/errors.hpp"
 #include "cli/arguments.hpp"
 #include "cli/typed_command.hpp"
 #include "tests/modules.hpp"

@@ -44,6 +44,36 @@ TEST(SceneDifference, HasWhatIsInOneSceneOnly) {
               "\n  measure.flux.name: was not set, is \"flux\"\n  run.duration: was \"1 s\", is not set");
 }
 
+TEST(SceneDifference, InStateLeavesOutWhatARunMayChangeAsItGoesOn) {
+    const auto keys_in_state = [](const std::vector<std::string>& overrides) {
+        std::vector<std::string> found;
+        for (const auto& one : differences_in_state(valve(), valve(overrides))) found.push_back(one.key);
+        return found;
+    };
+    EXPECT_THAT(keys_in_state({"run.duration=\"9 s\"", "output.every=\"1 ms\"", "output.measure_every=\"1 ms\"",
+                               "output.pictures=false", "output.fields=['velocity']", "title=another",
+                               "measure.tip_gap.name=gap"}),
+                IsEmpty());
+    EXPECT_THAT(keys_in_state({"output.average_from=\"1 s\"", "run.until_steady=\"1 s\"", "run.duration=\"9 s\"",
+                               "numerics.shifting=0.1"}),
+                ElementsAre("numerics.shifting", "run.until_steady", "output.average_from"));
+    const std::string steady = "[run]\nuntil_steady = \"1 s\"\n", never = "[run]\nuntil_steady = \"0 s\"\n";
+    EXPECT_THAT(differences_in_state(steady, never), IsEmpty());
+    EXPECT_EQ(differences_in_state(never, steady).size(), 1U);
+    const std::string flux = "[[measure]]\nname = \"flux\"\n", gap = "[[measure]]\nname = \"gap\"\n";
+    EXPECT_THAT(differences_in_state(flux + gap, gap + flux), IsEmpty());
+    const std::string one = "[[part]]\nname = \"a\"\n", other = "[[part]]\nname = \"b\"\n";
+    EXPECT_EQ(differences_in_state(one + other + flux, other + one).size(), 1U) << "the order of the parts";
+}
+
+TEST(SceneDifference, GoesByTheValuesOfTheSceneInComments) {
+    const std::string written = "a = 1\n\n[run]\nduration = \"4 s\"\n";
+    const std::string run = with_values_of(written, "a = 1\n\n[run]\nduration = \"0.5 s\"\n");
+    EXPECT_EQ(run, "a = 1\n\n[run]\nduration = \"0.5 s\"  # in the scene: \"4 s\"\n");
+    EXPECT_THAT(keys(run, written), IsEmpty());
+    EXPECT_THAT(keys(run, "a = 1\n\n[run]\nduration = \"5 s\"\n"), ElementsAre("run.duration"));
+}
+
 TEST(SceneDifference, SeesAnotherOrder) {
     const std::string one = "[[part]]\nname = \"a\"\n", other = "[[part]]\nname = \"b\"\n";
     EXPECT_THAT(keys(one + other, other + one), ElementsAre("order of the tables"));

@@ -76,11 +76,15 @@ TEST(Dimension, has_a_name_and_an_si_unit_that_reads_back) {
     EXPECT_EQ(dimension_of("N*m^2").name(), "bending stiffness");
     EXPECT_EQ(dimension_of("N*m").name_with_article(), "an energy");
     EXPECT_EQ(dimension_of("m^3/kg").name_with_article(), "a quantity in m^3/kg");
-    for (const std::string unit : {"Pa*s", "1/s", "kg/m^3", "1/m^2/s", "V", "mol/L", "K", "cd", "A"}) {
+    for (const std::string unit : {"N", "J", "W", "Pa", "Pa/m", "Pa*s", "N/m", "N*m^2", "1/s", "kg/m^3", "1/m^2/s", "V", "mol/L", "K", "cd", "A"}) {
         EXPECT_EQ(dimension_of(dimension_of(unit).si_unit()), dimension_of(unit)) << unit;
     }
     EXPECT_EQ(dimension_of("1/m/s").si_unit(), "m^-1*s^-1");
-    EXPECT_EQ(dimension_of("J").si_unit(), "m^2*kg/s^2");
+    EXPECT_EQ(dimension_of("J").si_unit(), "J");
+    EXPECT_EQ(dimension_of("kg*m/s^2").si_unit(), "N");
+    EXPECT_EQ(dimension_of("N*m^2").si_unit(), "N*m^2");
+    EXPECT_EQ(dimension_of("J*m").si_unit(), "N*m^2");
+    EXPECT_EQ(dimension_of("J/K").si_unit(), "m^2*kg/s^2/K");
     EXPECT_EQ(dimension_of("m").to_the(0.5)->si_unit(), "m^0.5");
     EXPECT_EQ(dimension_of("1/m").to_the(1.5)->si_unit(), "m^-1.5");
     EXPECT_FALSE(dimension_of("m").to_the(0.25));

@@ -183,7 +183,7 @@ void expect_that_it_goes_on_as_if_it_had_not_stopped(SceneAndParticles made) {
     options.checkpoints = {folder.path(), 0, "a scene"};
     EXPECT_TRUE(Simulation(made.scene, made.particles, 1).run(options).interrupted);
     Simulation resumed(made.scene, made.particles, 2);
-    resumed.resume(checkpoint_to_resume(folder.path(), "a scene").file);
+    resumed.resume(checkpoint_to_resume(folder.path(), "a scene", made.scene.run.duration).file);
     const RunSummary summary = resumed.run({});
     EXPECT_GT(summary.first_step, 0);
     EXPECT_EQ(summary.state_hash, whole.summary.state_hash);

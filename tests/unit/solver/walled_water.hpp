@@ -126,7 +126,7 @@ RunSummary run_in_two_parts(const Made& made, const std::filesystem::path& folde
     Simulation(made.scene, made.particles, resources).run(options);
     stop = false;
     Simulation simulation(made.scene, made.particles, resources);
-    simulation.resume(checkpoint_to_resume(folder, "").file);
+    simulation.resume(checkpoint_to_resume(folder, "", made.scene.run.duration).file);
     options.stop = nullptr;
     options.sink = nullptr;
     return simulation.run(options);

@@ -1,0 +1,23 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/uses.hpp"
+#include "scene/scene.hpp"
+#include "solver/parallel/resources.hpp"
+#include "solver/results/plan.hpp"
+
+namespace dmp::cli {
+
+/// The scene as a file in `folder` that can be read there: files that it names are found from there.
+[[nodiscard]] std::string scene_text_in(const std::filesystem::path& folder, const Scene& scene);
+
+/// The same of a run to `until` [s], which it repeats: what the plan chose stands in place of "auto", where that is one
+/// number (the speed of sound, the strength of the repulsion, the time between measures), and `until` in place of the
+/// duration. Comments hold what the scene says (with_values_of).
+[[nodiscard]] std::string scene_text_of_run(const std::filesystem::path& folder, const Scene& scene, const Plan& plan,
+                                            const Resources& resources, double until);
+
+}  // namespace dmp::cli
