@@ -1,9 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
 #include <memory>
 #include <optional>
-
-#include <fmt/format.h>
 
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
@@ -147,7 +144,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     print(head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n");
     flush_output();
     for (const Warning& warning : plan.warnings)
-        fmt::print(stderr, "{} {}\n", Style(Stream::error).warning("warning:"), warning.text());
+        print_error(Style(Stream::error).warning("warning:") + " " + warning.text() + "\n");
     if (command.dry_run) {
         flush_output();
         print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),
@@ -177,8 +174,8 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     };
     options.warn = [&](double time, const Warning& warning) {
         line.clear();
-        fmt::print(stderr, "{} at {}: {}\n", Style(Stream::error).warning("warning:"), quantity_text(time, "s"),
-                   warning.text());
+        print_error(Style(Stream::error).warning("warning:") + " at " + quantity_text(time, "s") + ": " +
+                    warning.text() + "\n");
     };
     MeasuresFile measures(folder);
     options.measured = [&](const MeasureSeries& series) {
@@ -194,7 +191,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     print("\n" + results_text(folder, files));
     flush_output();
     for (const Warning& warning : summary.warnings)
-        fmt::print(stderr, "{} {}\n", Style(Stream::error).warning("warning:"), warning.text());
+        print_error(Style(Stream::error).warning("warning:") + " " + warning.text() + "\n");
     if (summary.interrupted)
         print("Stopped before its end" + std::string(summary.out_of_time ? ", out of its wall time" : "") +
               ". Go on with the same command and --resume.\n  " +

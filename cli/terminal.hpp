@@ -15,8 +15,15 @@ enum class Stream { output, error };
 /// Characters in a line of the terminal; 80 when it does not say.
 [[nodiscard]] int terminal_width(Stream stream);
 
-/// Text to stdout. Throws ResourceError when it does not get there.
+/// Text as it may be shown, whoever wrote what is in it: other control characters than the ends of lines and tabs,
+/// which a terminal might act on, and bytes that are no UTF-8 become \xNN. The marks of Style stay, if it may have made
+/// any.
+[[nodiscard]] std::string printable(std::string_view text, bool marked);
+
+/// Text to stdout, made printable. Throws ResourceError when it does not get there.
 void print(std::string_view text);
+/// Text to stderr, made printable.
+void print_error(std::string_view text);
 /// Throws ResourceError when what was printed does not get there.
 void flush_output();
 
@@ -26,11 +33,11 @@ class Style {
     explicit Style(bool colour) : colour_(colour) {}
     explicit Style(Stream stream) : colour_(colours_on(stream)) {}
 
-    [[nodiscard]] std::string strong(std::string_view text) const { return marked("\033[1m", text); }
-    [[nodiscard]] std::string faint(std::string_view text) const { return marked("\033[2m", text); }
-    [[nodiscard]] std::string good(std::string_view text) const { return marked("\033[32m", text); }
-    [[nodiscard]] std::string warning(std::string_view text) const { return marked("\033[33m", text); }
-    [[nodiscard]] std::string error(std::string_view text) const { return marked("\033[1;31m", text); }
+    [[nodiscard]] std::string strong(std::string_view text) const;
+    [[nodiscard]] std::string faint(std::string_view text) const;
+    [[nodiscard]] std::string good(std::string_view text) const;
+    [[nodiscard]] std::string warning(std::string_view text) const;
+    [[nodiscard]] std::string error(std::string_view text) const;
 
   private:
     [[nodiscard]] std::string marked(std::string_view mark, std::string_view text) const;

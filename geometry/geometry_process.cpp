@@ -18,6 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/shell_word.hpp"
 #include "geometry/confinement.hpp"
 #include "geometry/geometry_bytes.hpp"
 #include "geometry/geometry_file.hpp"
@@ -168,8 +169,8 @@ Answer answer_within(int descriptor, double seconds, std::size_t largest) {
 
 InputError gone_wrong(const GeometryOptions& options, const std::string& what) {
     return {SourceLocation{.file = options.file}, "the geometry cannot be read: " + what,
-            "Open it in the program that made it, check it there, and save it again; 'gmsh " + options.file +
-                "' may tell more."};
+            "Open it in the program that made it, check it there, and save it again; " +
+                quoted_command("gmsh", options.file) + " may tell more."};
 }
 
 std::string end_of(int status) {

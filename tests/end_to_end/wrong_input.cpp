@@ -31,8 +31,24 @@ const std::string drive = R"("-0.1 Pa/m")";
 
 std::vector<std::string> set(const std::string& text) { return {"--set", text}; }
 
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int k = 0; k < times; ++k) all += text;
+    return all;
+}
+
 std::vector<WrongInput> wrong_inputs() {
     return {
+        {"KeyOfAHundredThousandParts",
+         poiseuille,
+         {{scene, "schema = 1", "schema = 1\na" + repeated(".a", 100'000) + " = 1"}},
+         {},
+         {"scene.toml:3:", "a key of more than 32 parts"}},
+        {"ControlCharactersInAName",
+         poiseuille,
+         {{scene, "name = \"wall\"", "name = \"wa\\u001b[2Jll\""}},
+         {},
+         {"scene.toml:20:8: part.name: found", "a name of letters, digits"}},
         {"Syntax", poiseuille, {{scene, "schema = 1", "schema = = 1"}}, {}, {"scene.toml:2:10:", "TOML"}},
         {"KeyTwice",
          poiseuille,

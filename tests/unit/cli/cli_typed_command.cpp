@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/errors.hpp"
 #include "cli/arguments.hpp"
 #include "cli/typed_command.hpp"
 #include "tests/modules.hpp"
@@ -12,16 +13,6 @@ namespace dmp::tests::cli_typed_command_tests {
 namespace {
 
 using namespace cli;
-
-TEST(ShellWord, IsQuotedWhereAShellWouldReadIt) {
-    EXPECT_EQ(shell_word("cases/vein_valve"), "cases/vein_valve");
-    EXPECT_EQ(shell_word("particles.spacing=0.4"), "particles.spacing=0.4");
-    EXPECT_EQ(shell_word("0.2 s"), "'0.2 s'");
-    EXPECT_EQ(shell_word(""), "''");
-    EXPECT_EQ(shell_word("$(rm x)"), "'$(rm x)'");
-    EXPECT_EQ(shell_word("it's"), R"('it'\''s')");
-    EXPECT_EQ(shell_word("~/out"), "'~/out'");
-}
 
 TEST(TypedCommand, GetsAnOption) {
     const TypedCommand typed({"./dmp", "run", "my case", "--set", "part.a.b=\"1 mm\""});
