@@ -34,6 +34,7 @@ int execute(const NewCommand& command) {
     refuse_several_ranks();
     const fs::path folder = command.folder;
     refuse_what_is_there(folder);
+    check_output_folder(folder);
     const GeometryOptions options = geometry_options(command.cad_geometry, command.unit);
     const Geometry geometry = read_for_inspection(options, command.reading);
     if (needs_a_unit(options.file) && !options.unit) throw missing_unit(options, geometry.box);

@@ -13,6 +13,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/results_folder.hpp"
+#include "cli/run_bounds.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
@@ -140,7 +141,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
     Simulation simulation(scene, prepared.particles, resources);
     prepared.particles = {};
-    const Plan plan = simulation.plan();
+    Plan plan = simulation.plan();
+    check_steps(scene, plan, options.until);
+    if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
     print(head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n");
     flush_output();
     for (const Warning& warning : plan.warnings)
@@ -243,6 +246,7 @@ int execute(const RunCommand& command) {
         options.checkpoints.every =
             time_of("--checkpoint-every", command.checkpoint_every, seconds_between_checkpoints, true);
 
+        check_frames(scene, options.until);
         // Before particles are made, which may take long.
         std::optional<Destination> destination;
         if (resources.ranks.is_first() && !command.dry_run)
