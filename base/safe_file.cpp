@@ -60,19 +60,42 @@ std::string room_left(const fs::path& file) {
     return text;
 }
 
+/// Links are followed: one to a device stands for the device.
+void refuse_what_is_no_file(const fs::path& file) {
+    std::error_code unknown;
+    const fs::file_status there = fs::status(file, unknown);
+    if (!fs::exists(there) || fs::is_regular_file(there)) return;
+    throw InputError({file.string()},
+                     "this is no file, but " + std::string(fs::is_directory(there) ? "a folder" : "a device or pipe") +
+                         ", which dmp would replace by a file",
+                     "Give the name of a file, or of one that is not there yet.");
+}
+
 }  // namespace
 
+void check_output_file(const fs::path& file) {
+    make_folder(folder_of(file));
+    refuse_what_is_no_file(file);
+}
+
+void check_output_folder(const fs::path& folder) {
+    std::error_code unknown;
+    fs::path above = folder;  // as it was given, for the message
+    while (!above.empty() && !fs::exists(above, unknown)) above = above.parent_path();
+    if (above.empty()) above = ".";
+    if (!fs::is_directory(above, unknown))
+        throw InputError("output folder '" + folder.string() + "' cannot be made: '" + above.string() + "' is a file",
+                         "Name a folder that does not run through a file, or move the file away.");
+    if (::access(above.c_str(), W_OK | X_OK) != 0)
+        throw InputError("output folder '" + folder.string() + "' cannot be made or written to: " + system_text(errno),
+                         "Name a folder you may write to.");
+}
+
 void make_folder(const fs::path& folder) {
+    check_output_folder(folder);
     std::error_code failed;
     fs::create_directories(folder, failed);
     if (!failed && fs::is_directory(folder, failed) && ::access(folder.c_str(), W_OK | X_OK) == 0) return;
-    for (fs::path above = folder; !above.empty() && above != above.parent_path(); above = above.parent_path()) {
-        std::error_code unknown;
-        if (fs::exists(above, unknown) && !fs::is_directory(above, unknown))
-            throw InputError(
-                "output folder '" + folder.string() + "' cannot be made: '" + above.string() + "' is a file",
-                "Name a folder that does not run through a file, or move the file away.");
-    }
     const std::string reason = failed ? failed.message() : system_text(EACCES);
     throw InputError("output folder '" + folder.string() + "' cannot be made or written to: " + reason,
                      "Name a folder you may write to.");
@@ -99,6 +122,7 @@ std::optional<fs::path> finished_name(const fs::path& unfinished) {
 }
 
 void rename_durably(const fs::path& unfinished, const fs::path& file) {
+    refuse_what_is_no_file(file);
     int error = sync_to_disk(unfinished);
     if (error == 0 && ::rename(unfinished.c_str(), file.c_str()) != 0) error = errno;
     if (error != 0) throw_write_error(file, system_text(error));
@@ -108,6 +132,7 @@ void rename_durably(const fs::path& unfinished, const fs::path& file) {
 }
 
 void write_file(const fs::path& file, std::string_view content) {
+    refuse_what_is_no_file(file);
     const fs::path unfinished = unfinished_name(file);
     const int descriptor = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) throw_write_error(file, system_text(errno));

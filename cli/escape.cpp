@@ -87,6 +87,7 @@ std::string rows(EscapeModel model, const EscapeCommand& command) {
 
 int execute(const EscapeCommand& command) {
     const EscapeModel model = model_of(command);
+    if (!command.out.empty()) check_output_file(command.out);
     const std::string table =
         "friction,speed [m/s],angle [deg],south_angle [deg],north_latitude "
         "[deg],eta_south,eta_north,eta_north_zone,eta\n" +
@@ -96,7 +97,6 @@ int execute(const EscapeCommand& command) {
         return exit_done;
     }
     const std::filesystem::path file = command.out;
-    if (file.has_parent_path()) make_folder(file.parent_path());
     write_file(file, table);
     print(
         fmt::format("Escape model of Ariane, Sommerfeld & Alexiadis 2018, {}: {}\n"

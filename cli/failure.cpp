@@ -2,7 +2,6 @@
 #include "cli/failure.hpp"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -18,8 +17,7 @@ namespace dmp::cli {
 namespace {
 
 int report(ExitCode code, const std::string& where, const std::string& problem, const std::string& what_to_do) {
-    const std::string text = error_text(where, problem, what_to_do, colours_on(Stream::error));
-    std::fputs(text.c_str(), stderr);
+    print_error(error_text(where, problem, what_to_do, colours_on(Stream::error)));
     return code;
 }
 

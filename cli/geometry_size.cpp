@@ -19,8 +19,8 @@ namespace {
 
 /// Of the lattice around a geometry; on both its sides together [spacings].
 constexpr double most_points = 1e11, margin = 12;
-/// Of a lattice in 3-D before it has particles; in 2-D nearly all points are particles.
-constexpr double bytes_in_space = 2, bytes_in_plane = 100;
+/// Of a point of a lattice in 3-D before it has particles, and of a particle; in 2-D nearly all points are particles.
+constexpr double bytes_in_space = 2, bytes_of_particle = 100;
 
 Box box_of(const std::vector<Vec>& points) {
     Box box{points.front(), points.front()};
@@ -65,21 +65,51 @@ void check_part(const Geometry& geometry, const Part& part, const Box& box, doub
                      unit_advice(geometry) + ", or leave the part out (enabled = false)");
 }
 
+void refuse_beyond_memory(double bytes, const std::string& problem, const std::string& what_to_do) {
+    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (memory > 0 && bytes > memory)
+        throw ResourceError(
+            problem + fmt::format(", which takes {}, and this machine has {}", bytes_text(bytes), bytes_text(memory)),
+            what_to_do);
+}
+
 void check_lattice(const Geometry& geometry, const Scene& scene, const Box& box) {
     const double spacing = scene.particles.spacing;
-    double points = 1;
-    for (int axis = 0; axis < geometry.dimension; ++axis) points *= box.extent()[axis] / spacing + margin;
+    const auto points_with = [&](double around) {
+        double points = 1;
+        for (int axis = 0; axis < geometry.dimension; ++axis) points *= box.extent()[axis] / spacing + around;
+        return points;
+    };
+    const double points = points_with(margin), each = geometry.dimension == 3 ? bytes_in_space : bytes_of_particle;
     const std::string problem = fmt::format(
         "the geometry is {} large and particles are {} apart: that is a lattice of "
         "{:.2g} points ({})",
         extent_text(box, geometry.dimension), length_text(spacing), points, geometry.file);
     if (points > most_points) throw InputError(scene.particles.spacing.location, problem, unit_advice(geometry));
-    const double bytes = points * (geometry.dimension == 3 ? bytes_in_space : bytes_in_plane);
-    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (memory > 0 && bytes > memory)
-        throw ResourceError(
-            problem + fmt::format(", which takes {}, and this machine has {}", bytes_text(bytes), bytes_text(memory)),
-            unit_advice(geometry));
+    refuse_beyond_memory(points * each, problem, unit_advice(geometry));
+
+    for (const Part* wall : scene.parts_of(PartKind::rigid)) {
+        const double with_layers = points_with(margin + 2.0 * *wall->layers);
+        const std::string of_layers =
+            fmt::format("{} layers of '{}' around a geometry of {} are a lattice of {:.2g} points", *wall->layers,
+                        *wall->name, extent_text(box, geometry.dimension), with_layers);
+        const std::string advice =
+            fmt::format("give as many layers as the kernel reaches, {:.0f}", std::ceil(*scene.numerics.support));
+        if (with_layers > most_points) throw InputError(wall->layers.location, of_layers, advice);
+        refuse_beyond_memory(with_layers * each, of_layers, advice);
+    }
+}
+
+/// In 3-D the particles of the fluids take more than the lattice.
+void check_particles(const Geometry& geometry, const Scene& scene) {
+    double volume = 0;
+    for (const Part* fluid : scene.parts_of(PartKind::fluid))
+        if (const Solid* solid = geometry.solid(*fluid->name)) volume += solid->volume();
+    const double particles = volume / std::pow(*scene.particles.spacing, 3);
+    refuse_beyond_memory(
+        particles * bytes_of_particle,
+        fmt::format("the fluids take {:.2g} particles, {} apart", particles, length_text(scene.particles.spacing)),
+        unit_advice(geometry));
 }
 
 }  // namespace
@@ -97,6 +127,7 @@ void check_geometry_size(const Geometry& geometry, const Scene& scene) {
             fluids = box;
     }
     check_lattice(geometry, scene, fluids.value_or(geometry.box));
+    check_particles(geometry, scene);
 }
 
 }  // namespace dmp::cli

@@ -32,6 +32,7 @@ int execute(const MeshCommand& command) {
                          "leave --settle out");
     const ResultsFolder results(output_folder(command.out, scene_name(scene) + "_mesh"), command.typed);
     const std::filesystem::path& folder = results.path();
+    if (!command.particles.empty()) check_output_file(command.particles);
     MeshDetail detail;
     MeshReport report;
     const auto make = [&]() -> ParticlesWithOrigin {
@@ -63,7 +64,6 @@ int execute(const MeshCommand& command) {
     const ExitCode code = report.at_rest && !report.at_rest->holds() ? exit_diverged : exit_done;
     if (command.particles.empty()) return code;
     const std::filesystem::path file = command.particles;
-    if (file.has_parent_path()) make_folder(file.parent_path());
     write_particles(file, prepared.particles, values_behind_particles(prepared.scene));
     print("Particles for 'dmp run --particles': " + file.string() + "\n");
     return code;

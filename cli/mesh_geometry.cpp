@@ -2,14 +2,17 @@
 #include "cli/mesh_geometry.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
 #include "cli/geometry_size.hpp"
+#include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
+#include "geometry/geometry_file.hpp"
 #include "geometry/geometry_process.hpp"
 #include "geometry/repair_solids.hpp"
 #include "geometry/select_faces.hpp"
@@ -102,6 +105,12 @@ void repair_fluids(Repaired& cad_geometry, const Scene& scene) {
 Repaired repaired_geometry(const Scene& scene, const GeometryReading& reading) {
     GeometryOptions options = geometry_options_of(scene);
     const auto selections = std::exchange(options.selections, {});
+    if (scene.dimension == 3 && !has_straight_edges_only(options.file)) {
+        // Coarsely first: surfaces that follow a spacing far too fine take minutes, and then all memory.
+        GeometryOptions coarse = options;
+        coarse.chord_error = std::numeric_limits<double>::max();
+        check_geometry_size(answer_geometry_request_command(coarse, reading), scene);
+    }
     Repaired cad_geometry{answer_geometry_request_command(options, reading), {}};
     if (is_triangle_file(cad_geometry.geometry.file)) cad_geometry.changes = cad_geometry.geometry.warnings;
     check_geometry_size(cad_geometry.geometry, scene);
@@ -139,6 +148,10 @@ Geometry answer_geometry_request_command(GeometryOptions options, const Geometry
             throw InputError(location, "'" + reading.time + "' is no time for this",
                              "Give a time after 0, e.g. --geometry-time \"1 h\".");
     }
+    process.still_reading = [&](double seconds, const std::string& stage) {
+        print_error(fmt::format("{}: still being read after {:.0f} s: {}. It is given up after {} (--geometry-time)\n",
+                                options.file, seconds, stage, duration_text(process.seconds)));
+    };
     return read_geometry_in_process(options, process);
 }
 
@@ -159,7 +172,8 @@ MeshResult mesh_geometry(const Scene& scene, const GeometryReading& reading, Mes
 }
 
 Origin origin_of(const Scene& scene, const MeshReport& report) {
-    Origin origin{is_of_spheres(scene) ? "spheres" : "geometry", scene.geometry.file, {}, report.notes};
+    Origin origin{
+        is_of_spheres(scene) ? "spheres" : "geometry", scene.geometry.file, {}, report.notes, report.warnings};
     for (const auto& line : report.springs) origin.springs.emplace_back("springs " + line.part, springs_text(line));
     for (const auto& line : report.joins)
         origin.springs.emplace_back("join " + line.name,

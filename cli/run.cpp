@@ -1,9 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
 #include <memory>
 #include <optional>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/numbered_files.hpp"
@@ -19,6 +17,7 @@
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
 #include "cli/results_folder.hpp"
+#include "cli/run_bounds.hpp"
 #include "cli/run_log.hpp"
 #include "cli/scene_as_run.hpp"
 #include "cli/stop_signals.hpp"
@@ -158,13 +157,17 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
     Simulation simulation(scene, prepared.particles, resources);
     prepared.particles = {};
-    const Plan plan = simulation.plan();
+    Plan plan = simulation.plan();
+    check_steps(scene, plan, options.until);
+    if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
     const std::string chosen = head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n";
     print(chosen);
     flush_output();
+    std::vector<std::string> warnings = prepared.origin.warnings;
+    for (const Warning& warning : plan.warnings) warnings.push_back(warning.text());
     if (command.dry_run) {
-        for (const Warning& warning : plan.warnings)
-            print_error(Style(Stream::error).warning("warning:") + " " + warning.text() + "\n");
+        for (const std::string& warning : warnings)
+            print_error(Style(Stream::error).warning("warning:") + " " + warning + "\n");
         print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),
                            options.until));
         return exit_done;
@@ -179,7 +182,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const TypedCommand typed = command.typed.on_ranks(resources.ranks.size());
     RunLog log(folder, typed.text());
     log.add(chosen);
-    for (const Warning& warning : plan.warnings) log.warn(": " + warning.text());
+    for (const std::string& warning : warnings) log.warn(": " + warning);
     log.say(opened);
     const auto& found = destination->checkpoint;
     std::string checkpoint = found ? found->file.string() : "";
@@ -270,6 +273,7 @@ int execute(const RunCommand& command) {
         options.checkpoints.every =
             time_of("--checkpoint-every", command.checkpoint_every, seconds_between_checkpoints, true);
 
+        check_frames(scene, options.until);
         // Before particles are made, which may take long.
         std::optional<Destination> destination;
         if (resources.ranks.is_first() && !command.dry_run)

@@ -54,7 +54,7 @@ RunLog::RunLog(const std::filesystem::path& folder, const std::string& command_l
 
 void RunLog::add(const std::string& text) {
     if (!std::filesystem::exists(file_)) write_file(file_, "");
-    append_to_file(file_, without_colours(text));
+    append_to_file(file_, printable(without_colours(text), false));
 }
 
 void RunLog::say(const std::string& text) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
@@ -134,9 +135,10 @@ std::string results_text(const std::filesystem::path& folder, const std::vector<
         std::string& kind = file.ends_with(".png") ? pictures : others;
         kind += (kind.empty() ? "" : ", ") + file;
     }
-    if (script) list.add("look", fmt::format("paraview --script={}", (folder / paraview_script_name).string()));
+    if (script) list.add("look", "paraview " + shell_word("--script=" + (folder / paraview_script_name).string()));
     if (to_convert)
-        list.add("look", fmt::format("dmp convert {}   makes ParaView's files, where dmp has VTK", folder.string()));
+        list.add("look", fmt::format("dmp convert {}   makes ParaView's files, where dmp has VTK",
+                                     shell_word(folder.string())));
     if (!pictures.empty()) list.add("pictures", pictures);
     if (!others.empty()) list.add("files", others);
     return Style(Stream::output).strong("Results in " + folder.string()) + "\n" + list.text();

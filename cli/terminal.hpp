@@ -15,12 +15,17 @@ enum class Stream { output, error };
 /// Characters in a line of the terminal; 80 when it does not say.
 [[nodiscard]] int terminal_width(Stream stream);
 
-/// Text to stdout. Throws ResourceError when it does not get there, unless nobody reads it any more (a closed pipe, a
-/// terminal that is gone): who has gone away misses nothing.
+/// Text as it may be shown, whoever wrote what is in it: other control characters than the ends of lines and tabs,
+/// which a terminal might act on, and bytes that are no UTF-8 become \xNN. The marks of Style stay, if it may have made
+/// any.
+[[nodiscard]] std::string printable(std::string_view text, bool marked);
+
+/// Text to stdout, made printable. Throws ResourceError when it does not get there, unless nobody reads it any more (a
+/// closed pipe, a terminal that is gone): who has gone away misses nothing.
 void print(std::string_view text);
 /// Throws likewise when what was printed does not get there.
 void flush_output();
-/// Text to stderr, at once. Nothing happens when it does not get there: a run does not end for want of a reader.
+/// Text to stderr, made printable, at once. Nothing happens when it does not get there: a run does not end for want of a reader.
 void print_error(std::string_view text);
 
 /// Marks text for the eye, or leaves it as it is.
@@ -29,11 +34,11 @@ class Style {
     explicit Style(bool colour) : colour_(colour) {}
     explicit Style(Stream stream) : colour_(colours_on(stream)) {}
 
-    [[nodiscard]] std::string strong(std::string_view text) const { return marked("\033[1m", text); }
-    [[nodiscard]] std::string faint(std::string_view text) const { return marked("\033[2m", text); }
-    [[nodiscard]] std::string good(std::string_view text) const { return marked("\033[32m", text); }
-    [[nodiscard]] std::string warning(std::string_view text) const { return marked("\033[33m", text); }
-    [[nodiscard]] std::string error(std::string_view text) const { return marked("\033[1;31m", text); }
+    [[nodiscard]] std::string strong(std::string_view text) const;
+    [[nodiscard]] std::string faint(std::string_view text) const;
+    [[nodiscard]] std::string good(std::string_view text) const;
+    [[nodiscard]] std::string warning(std::string_view text) const;
+    [[nodiscard]] std::string error(std::string_view text) const;
 
   private:
     [[nodiscard]] std::string marked(std::string_view mark, std::string_view text) const;

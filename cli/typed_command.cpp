@@ -2,8 +2,6 @@
 #include "cli/typed_command.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <string_view>
 #include <utility>
 
 namespace dmp::cli {
@@ -19,17 +17,6 @@ std::string line_of(const std::vector<std::string>& words) {
 }
 
 }  // namespace
-
-std::string shell_word(const std::string& word) {
-    constexpr std::string_view plain = "_-./=,:+@%";
-    const auto needs_none = [&](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || plain.find(c) != std::string_view::npos;
-    };
-    if (!word.empty() && std::ranges::all_of(word, needs_none)) return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
-    return quoted + "'";
-}
 
 std::string TypedCommand::text() const { return line_of(words_); }
 

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace dmp::cli {
+#include "base/shell_word.hpp"
 
-/// A word as a shell reads it back: quoted where it holds more than letters, digits and what no shell reads.
-[[nodiscard]] std::string shell_word(const std::string& word);
+namespace dmp::cli {
 
 /// The command line that the user typed, for lines to paste that change it.
 class TypedCommand {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "geometry/check_script.hpp"
+#include "geometry/endless_script.hpp"
 #include "geometry/geometry_file.hpp"
 #include "geometry/script_tokens.hpp"
 
@@ -101,6 +102,7 @@ CheckedScript::CheckedScript(const std::string& file) {
     Includes read(file);
     files_ = std::move(read.files);
     check_script(read.tokens, files_);
+    check_that_it_ends(read.tokens, files_);
     std::size_t line_ends_after = read.tokens.size();
     for (std::size_t i = 0; i < read.tokens.size(); ++i) {
         const ScriptToken& token = read.tokens[i];

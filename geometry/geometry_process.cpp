@@ -18,6 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/shell_word.hpp"
 #include "geometry/confinement.hpp"
 #include "geometry/geometry_bytes.hpp"
 #include "geometry/geometry_file.hpp"
@@ -36,6 +37,7 @@ constexpr int answer_descriptor = 3;
 constexpr char is_geometry = 'G', is_input_error = 'I', is_resource_error = 'R';
 /// Before it, any number of times: this byte, what the child does now, and a zero byte.
 constexpr char is_stage = 'S';
+constexpr std::size_t most_of_stages = 4096;
 
 [[noreturn]] void cannot_start(const std::string& step) {
     throw ResourceError("the process that reads geometries cannot be started: " + step + ": " + std::strerror(errno),
@@ -146,30 +148,41 @@ Answer without_stages(std::string bytes, bool in_time) {
     return answer;
 }
 
-Answer answer_within(int descriptor, double seconds, std::size_t largest) {
+Answer answer_within(int descriptor, const GeometryProcess& child) {
     using Clock = std::chrono::steady_clock;
-    const auto deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    const auto span = [](double seconds) {
+        return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    };
+    const auto begin = Clock::now(), deadline = begin + span(child.seconds);
+    auto next_word = begin + span(child.silent_seconds);
     std::string answer;
     std::array<char, 1U << 16U> buffer{};
     for (;;) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-        if (left <= 0) return without_stages(std::move(answer), false);
+        const auto now = Clock::now();
+        if (now >= deadline) return without_stages(std::move(answer), false);
+        if (now >= next_word) {
+            next_word = now + span(child.silent_seconds);
+            if (child.still_reading)
+                child.still_reading(std::chrono::duration<double>(now - begin).count(),
+                                    without_stages(answer.substr(0, most_of_stages), true).stage);
+        }
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(std::min(deadline, next_word) - now).count();
         pollfd waiting{descriptor, POLLIN, 0};
         const int ready = poll(&waiting, 1, static_cast<int>(std::min<long long>(left + 1, 1'000'000)));
-        if (ready <= 0) continue;  // a signal came, or the time is over
+        if (ready <= 0) continue;  // a signal came, or it is time for one of the above
         const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return without_stages(std::move(answer), true);
         answer.append(buffer.data(), static_cast<std::size_t>(count));
-        if (answer.size() > largest) return {.bytes = std::move(answer)};
+        if (answer.size() > child.largest_answer) return {.bytes = std::move(answer)};
     }
 }
 
 InputError gone_wrong(const GeometryOptions& options, const std::string& what) {
     return {SourceLocation{.file = options.file}, "the geometry cannot be read: " + what,
-            "Open it in the program that made it, check it there, and save it again; 'gmsh " + options.file +
-                "' may tell more."};
+            "Open it in the program that made it, check it there, and save it again; " +
+                quoted_command("gmsh", options.file) + " may tell more."};
 }
 
 std::string end_of(int status) {
@@ -257,7 +270,7 @@ Geometry read_geometry_in_process(const GeometryOptions& options, const Geometry
     Descriptor write_end(pipe_ends[1]);
     Child process(child.command, request.number(), write_end.number());
     write_end.close();
-    const Answer answer = answer_within(read_end.number(), child.seconds, child.largest_answer);
+    const Answer answer = answer_within(read_end.number(), child);
     if (!answer.in_time)
         throw InputError(
             {.file = options.file},

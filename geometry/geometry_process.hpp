@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,10 @@ namespace dmp::geometry {
 struct GeometryProcess {
     /// The program and its arguments; it calls answer_geometry_request.
     std::vector<std::string> command;
-    double seconds = 600;                      ///< after which it is ended
+    double seconds = 600;        ///< after which it is ended
+    double silent_seconds = 10;  ///< from one call of still_reading to the next
+    /// Called while it goes on: the time so far [s] and what it does, "it was reading the file". None: nobody is told.
+    std::function<void(double, const std::string&)> still_reading{};
     std::size_t largest_answer = 4ULL << 30U;  ///< [bytes]
 };
 

@@ -10,6 +10,7 @@
 #include <omp.h>
 
 #include "base/nearest_name.hpp"
+#include "base/shell_word.hpp"
 #include "geometry/geometry_file.hpp"
 
 namespace dmp::geometry {
@@ -105,10 +106,10 @@ void throw_logged_errors(const std::string& file, const GeometrySource& source) 
     if (errors.size() > most_shown) problem += "; and " + std::to_string(errors.size() - most_shown) + " more";
     throw InputError(location, "gmsh cannot read the geometry: " + problem,
                      syntax            ? "Look for a missing ';' or bracket on this line or the one before."
-                     : is_script(file) ? "Correct the geometry; 'gmsh " + file + "' shows it."
+                     : is_script(file) ? "Correct the geometry; " + quoted_command("gmsh", file) + " shows it."
                                        : "Save or export it again: it may be cut off, or of a version that gmsh does "
-                                         "not read; 'gmsh " +
-                                             file + "' may tell more.");
+                                         "not read; " +
+                                             quoted_command("gmsh", file) + " may tell more.");
 }
 
 /// The numbers that the geometry offers for setting. (gmsh lists facts of its own and texts beside them.)

@@ -4,6 +4,7 @@
 
 #include <gmsh.h>
 
+#include "base/shell_word.hpp"
 #include "geometry/cad_curves.hpp"
 #include "geometry/cad_surfaces.hpp"
 #include "geometry/geometry.hpp"
@@ -128,7 +129,7 @@ Geometry read_with_gmsh(const GeometryOptions& options, const GeometrySource& so
         return geometry;
     } catch (const std::string& message) {  // gmsh throws its messages as they are
         throw InputError({.file = options.file}, "gmsh cannot follow the geometry: " + source.in_users_words(message),
-                         "Correct the geometry; 'gmsh " + options.file + "' shows it.");
+                         "Correct the geometry; " + quoted_command("gmsh", options.file) + " shows it.");
     }
 }
 

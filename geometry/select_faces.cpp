@@ -11,6 +11,7 @@
 
 #include "base/length_text.hpp"
 #include "base/nearest_name.hpp"
+#include "base/shell_word.hpp"
 #include "geometry/chains.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/segments.hpp"
@@ -91,10 +92,11 @@ bool fits(const FaceSelection& asked, const Corners<N>& corners, double toleranc
     for (int axis = 0; axis < geometry.dimension; ++axis)
         span += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " from " + number_text(box.low[axis] / unit.metres) +
                 " " + unit.name + " to " + number_text(box.high[axis] / unit.metres) + " " + unit.name;
-    throw InputError(asked.location,
-                     "selection '" + asked.name + "': no " + (geometry.dimension == 3 ? "face" : "curve") + " of '" +
-                         asked.of + "' is like that",
-                     "'" + asked.of + "' has " + span + "; 'dmp inspect " + geometry.file + "' tells more");
+    throw InputError(
+        asked.location,
+        "selection '" + asked.name + "': no " + (geometry.dimension == 3 ? "face" : "curve") + " of '" + asked.of +
+            "' is like that",
+        "'" + asked.of + "' has " + span + "; " + quoted_command("dmp inspect", geometry.file) + " tells more");
 }
 
 SurfaceSet selected_faces(const Geometry& geometry, const FaceSelection& asked) {

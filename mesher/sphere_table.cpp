@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <string_view>
 
 #include "base/nearest_name.hpp"
 #include "mesher/uses.hpp"
@@ -21,24 +22,44 @@ constexpr std::array known{"x", "y", "z", "radius", "vx", "vy", "vz", "wx", "wy"
 /// What a column's unit is like.
 const char* example_of(std::size_t column) { return column < 4 ? "1 mm" : column < 7 ? "1 m/s" : "1 rad/s"; }
 
-/// One cell of a line, without spaces around it.
+/// One cell of a line, without the quotes and spaces around it.
 struct Cell {
     std::string text;
     int column = 1;
 };
 
-std::vector<Cell> cells_of(const std::string& line) {
-    std::vector<Cell> cells;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        const std::size_t first = std::min(line.find_first_not_of(" \t\r", begin), end);
-        std::size_t last = end;
-        while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t' || line[last - 1] == '\r')) --last;
-        cells.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
-        begin = end + 1;
+Cell cell_of(const std::string& line, std::size_t begin, std::size_t end) {
+    constexpr std::string_view spaces = " \t\r";
+    const auto trim = [&] {
+        while (begin < end && spaces.find(line[begin]) != std::string_view::npos) ++begin;
+        while (end > begin && spaces.find(line[end - 1]) != std::string_view::npos) --end;
+    };
+    trim();
+    if (end - begin >= 2 && line[begin] == '"' && line[end - 1] == '"') {
+        ++begin;
+        --end;
+        trim();
     }
+    return {line.substr(begin, end - begin), static_cast<int>(begin) + 1};
+}
+
+/// Cells between separators that stand in no quotes.
+std::vector<Cell> cells_of(const std::string& line, char separator) {
+    std::vector<Cell> cells;
+    std::size_t begin = 0;
+    bool quoted = false;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] == '"') quoted = !quoted;
+        if (line[at] != separator || quoted) continue;
+        cells.push_back(cell_of(line, begin, at));
+        begin = at + 1;
+    }
+    cells.push_back(cell_of(line, begin, line.size()));
     return cells;
 }
+
+/// What separates the cells, by the table's heading: spreadsheets of countries that write 1,5 use semicolons.
+char separator_in(const std::string& heading) { return heading.find(';') == std::string::npos ? ',' : ';'; }
 
 /// A column of the table: which of the known ones, and its unit in SI.
 struct Column {
@@ -76,7 +97,10 @@ double read_number(const Cell& cell, const SourceLocation& at) {
     if (begin != end && *begin == '+') ++begin;
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
-        throw InputError(at, "found \"" + cell.text + "\", expected a number", "correct the table");
+        throw InputError(at, "found \"" + cell.text + "\", expected a number",
+                         cell.text.find(',') == std::string::npos
+                             ? "correct the table"
+                             : "write 1.5, not 1,5: save the table with points in its numbers");
     return value;
 }
 
@@ -101,10 +125,14 @@ SphereTable read_sphere_table(const std::string& file, const SourceLocation& loc
     std::vector<Column> columns;
     Positions places{};
     std::string line;
+    char separator = ',';
     for (int number = 1; std::getline(stream, line); ++number) {
+        // The mark with which Windows' programs begin a text.
+        if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
         const std::size_t begin = line.find_first_not_of(" \t\r");
         if (begin == std::string::npos || line[begin] == '#') continue;
-        const std::vector<Cell> cells = cells_of(line);
+        if (columns.empty()) separator = separator_in(line);
+        const std::vector<Cell> cells = cells_of(line, separator);
         const auto at = [&](const Cell& cell) { return SourceLocation{file, number, cell.column}; };
         if (columns.empty()) {
             for (const Cell& cell : cells) {

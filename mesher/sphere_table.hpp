@@ -17,8 +17,9 @@ struct SphereTable {
     std::vector<Vec> spin;       ///< [rad/s]
 };
 
-/// Reads a table of spheres (docs/spheres.md): comma-separated values, lines that start with '#' are left out, the
-/// first line names the columns with their units:
+/// Reads a table of spheres (docs/spheres.md): values separated by commas, or by semicolons if the heading is, in
+/// quotes or not, with a byte-order mark or not. Lines that start with '#' are left out. The first line names the
+/// columns with their units:
 ///
 ///     x [mm], y [mm], z [mm], radius [um], vx [m/s], vy [m/s], vz [m/s]
 ///

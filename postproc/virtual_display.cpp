@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/allocation.hpp"
+
 namespace dmp::postproc {
 
 namespace {
@@ -88,6 +90,11 @@ std::string read_number(int pipe) {
 }  // namespace
 
 VirtualDisplay::VirtualDisplay() {
+    constexpr std::size_t memory_to_draw = std::size_t{1} << 30U;  // with less the software renderer crashes
+    if (!may_allocate(memory_to_draw)) {
+        problem_ = "rendering may take 1 GiB of memory, more than the limit of this process leaves (ulimit -v)";
+        return;
+    }
     if (const char* given = std::getenv("DISPLAY"); given != nullptr && *given != '\0') {
         display_before_ = given;
         if (is_local(*display_before_) && can_draw(*display_before_)) return;

@@ -11,8 +11,10 @@
 
 #include <vtkErrorCode.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "base/allocation.hpp"
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 #include "postproc/paraview_script.hpp"
@@ -55,10 +57,23 @@ void drop_ranges_without_numbers(std::string& text) {
     }
 }
 
+/// Bytes that VTK takes at most to write the data as text: base64 of arrays that do not get smaller by compression, in
+/// a stream that grows by doubling, and two copies of what it then holds.
+std::size_t memory_to_write(vtkPolyData* data) {
+    constexpr std::size_t besides = std::size_t{16} << 20U;
+    const std::size_t arrays = std::size_t{1024} * data->GetActualMemorySize();
+    return besides + arrays * 4 / 3 * 5;
+}
+
 /// The text of the file. VTK writes it to memory because VTK 9.1 misses errors or crashes when the disk becomes full.
 /// The data are inline, not appended: ParaView 5.11 of Debian 12 cannot read appended data with that system's
 /// libexpat.
 std::string vtp_text(vtkPolyData* data, const fs::path& file) {
+    if (!may_allocate(memory_to_write(data)))
+        throw ResourceError("'" + file.string() + "' was not written: VTK may take " +
+                                std::to_string(memory_to_write(data) >> 20U) +
+                                " MiB for it, more than the limit of this process' memory leaves (ulimit -v)",
+                            "Raise the limit, or write frames with --frames hdf5.");
     const VtkMessages messages;
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(data);

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "base/unlisted_value.hpp"
+#include "scene/key_depth.hpp"
 
 namespace dmp::scene {
 
@@ -169,6 +170,7 @@ std::string TomlNode::shown() const {
 }
 
 TomlNode parse_toml(std::string_view text, const std::string& file) {
+    check_key_depth(text, file);
     const Source source(text, file);
     try {
         return convert(toml::parse(text), source);
@@ -187,6 +189,7 @@ TomlNode parse_toml_value(std::string_view text, const SourceLocation& location)
     std::optional<TomlNode> value;
     try {
         const std::string document = "value = " + std::string(text);
+        check_key_depth(document, location.file);
         const Source source(document, location.file);
         TomlNode root = convert(toml::parse(document), source);
         if (root.children.size() == 1 && root.children[0].key == "value") value = std::move(root.children[0]);

@@ -3,12 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 #include "base/errors.hpp"
 #include "models/springs/spring.hpp"
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/self_contact.hpp"
+#include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
 
@@ -139,7 +141,7 @@ class Stream {
 
     void operator()(double& value) {
         if (reading_) {
-            if (at_end()) throw InputError("the checkpoint's elastic bodies are truncated", "start the run anew");
+            if (at_end()) refuse_truncated();
             value = numbers_[next_++];
         } else {
             numbers_.push_back(value);
@@ -154,6 +156,8 @@ class Stream {
     void list(std::vector<T>& values, const Each& each) {
         auto size = static_cast<int>(values.size());
         (*this)(size);
+        // Each entry takes a number at least.
+        if (reading_ && (size < 0 || static_cast<std::size_t>(size) > numbers_.size() - next_)) refuse_truncated();
         values.resize(static_cast<std::size_t>(size));
         for (T& value : values) each(value);
     }
@@ -163,13 +167,27 @@ class Stream {
     void through(T& value) {
         auto number = static_cast<double>(value);
         (*this)(number);
+        if (!(number >= std::numeric_limits<T>::min() && number <= std::numeric_limits<T>::max())) refuse_truncated();
         value = static_cast<T>(number);
+    }
+    [[noreturn]] static void refuse_truncated() {
+        throw InputError("the checkpoint's elastic bodies are truncated", "start the run anew");
     }
 
     std::vector<double>& numbers_;
     bool reading_;
     std::size_t next_ = 0;
 };
+
+/// Whether all springs and pairs are between nodes that the body has.
+bool joins_own_nodes(const BodyParts& body) {
+    const auto own = [&](int node) { return node >= 0 && static_cast<std::size_t>(node) < body.nodes.size(); };
+    const auto all_own = [&](const auto& springs) {
+        return std::ranges::all_of(springs, [&](const auto& spring) { return std::ranges::all_of(spring.node, own); });
+    };
+    return all_own(body.bonds) && all_own(body.hinges) && all_own(body.dihedrals) &&
+           std::ranges::all_of(body.held_apart, [&](const auto& pair) { return own(pair.first) && own(pair.second); });
+}
 
 }  // namespace
 
@@ -207,6 +225,8 @@ void archive(Archive& file, const std::string& name, std::vector<BodyParts>& bod
         });
     });
     if (!file.loading()) file(name, numbers);
+    if (file.loading() && !std::ranges::all_of(bodies, joins_own_nodes))
+        throw unlike_any_run("springs between nodes that are not there");
 }
 
 }  // namespace dmp::solver

@@ -8,6 +8,7 @@
 
 #include "solver/parallel/each_of.hpp"
 #include "solver/parallel/exact_sum.hpp"
+#include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
 
@@ -118,8 +119,15 @@ void SpringBodies::archive_parts(Archive& file) {
         file("springs/bonds_broken_" + names_[k], tally_[k].broken);
     }
     if (!file.loading()) return;
+    const auto known = [&](const auto& each) {
+        return each.origin >= 0 && static_cast<std::size_t>(each.origin) < names_.size();
+    };
     bodies_.clear();
-    for (const BodyParts& body : parts) bodies_.push_back(made_of(body));
+    for (const BodyParts& body : parts) {
+        if (body.nodes.empty() || !std::ranges::all_of(body.nodes, known) || !std::ranges::all_of(body.bonds, known))
+            throw unlike_any_run("a body of no solid of the scene");
+        bodies_.push_back(made_of(body));
+    }
     number_nodes();
     note_step_limits();
 }

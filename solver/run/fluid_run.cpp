@@ -14,6 +14,7 @@
 #include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
 #include "solver/run/warnings.hpp"
+#include "solver/state/loaded_groups.hpp"
 #include "solver/state/state_hash.hpp"
 #include "solver/uses.hpp"
 
@@ -134,7 +135,13 @@ void FluidRun::archive(Archive& file) {
     file("momentum_at_start", at_start_.momentum);
     measures_.archive(file);
     events_.archive(file);
+    const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(particles_.owned())); };
+    const std::int64_t before = all();
     for (ParticleGroup& group : particles_.groups()) file(std::string(to_string(group.kind())), group);
+    if (file.loading()) {
+        check_loaded(particles_.groups(), before, particles_.space().parts.size());
+        if (all() != before) throw unlike_any_run("more or fewer particles than the run has");
+    }
     fluid_.archive(file);
     mean_displacement_.archive(file);
 }

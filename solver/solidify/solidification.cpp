@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "solver/solidify/conditions.hpp"
+#include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
 
@@ -241,9 +242,10 @@ void Solidification::archive(Archive& file) {
     file(name + "/seeds", ids);
     file(name + "/since", events);
     if (!file.loading()) return;
+    if (ids.size() != events.size()) throw unlike_any_run("seeds without the event that made them");
     since_.clear();
     for (std::size_t k = 0; k < ids.size(); ++k)
-        since_[static_cast<std::int64_t>(ids[k])] = static_cast<std::int64_t>(events.at(k));
+        since_[static_cast<std::int64_t>(ids[k])] = static_cast<std::int64_t>(events[k]);
 }
 
 }  // namespace dmp::solver

@@ -13,6 +13,7 @@
 #include "solver/spheres/sphere_group.hpp"
 #include "solver/spheres/sphere_monitor.hpp"
 #include "solver/spheres/sphere_output.hpp"
+#include "solver/state/loaded_groups.hpp"
 #include "solver/state/state_hash.hpp"
 #include "solver/store/position_quantum.hpp"
 #include "solver/time/step_limits.hpp"
@@ -170,7 +171,13 @@ void SphereRun::archive(Archive& file) {
     file("fastest", fastest_);
     measures_.archive(file);
     steady_state_.archive(file);
+    const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(group_.owned())); };
+    const std::int64_t before = all();
     file("spheres", group_);
+    if (file.loading()) {
+        check_loaded({&group_, 1}, before, space_.parts.size());
+        if (all() != before) throw unlike_any_run("more or fewer spheres than the run has");
+    }
     step_.archive(file);
 }
 

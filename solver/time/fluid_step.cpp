@@ -8,6 +8,7 @@
 #include "solver/elastic/node_mass.hpp"
 #include "solver/elastic/turn_solid.hpp"
 #include "solver/forcing/driven.hpp"
+#include "solver/state/loaded_groups.hpp"
 #include "solver/uses.hpp"
 
 namespace dmp::solver {
@@ -408,6 +409,9 @@ void FluidStep::archive(Archive& file) {
     file("fluid/impulse_of_fixed", impulses_.of_fixed);
     file("fluid/impulse_of_drag", impulses_.of_drag);
     springs_.archive(file);
+    if (file.loading())
+        for (const ParticleTag& tag : particles_.of(PartKind::elastic).tags())
+            if (!springs_.holds(tag.id)) throw unlike_any_run("an elastic particle that is a node of no body");
     if (viscosity_) viscosity_->archive(file);
     walls_.archive(file);
     if (species_) species_->archive(file);

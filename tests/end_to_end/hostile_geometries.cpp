@@ -172,9 +172,8 @@ struct Endless {
 
 TEST(HostileGeometries, ThatNeverEndAreGivenUpWithWhatWasGoingOn) {
     const std::vector<Endless> all{
-        {"loop", "For i In {1 : 1000000000000}\n  a = i;\nEndFor\n"},
-        {"macro", "Macro f\n  Call f;\nReturn\nCall f;\n"},
-        {"sums", "a = 1;\nFor i In {1 : 2 : 0.0000000001}\n  a += i;\nEndFor\n"},
+        {"loop", "n = 1000000; n = n * n;\nFor i In {1 : n}\n  a = i;\nEndFor\n"},
+        {"sums", "a = 1;\nb = 0.00001; b = b * b;\nFor i In {1 : 2 : b}\n  a += i;\nEndFor\n"},
     };
     for (const Endless& endless : all) {
         const Folders folders;
@@ -190,6 +189,19 @@ TEST(HostileGeometries, ThatNeverEndAreGivenUpWithWhatWasGoingOn) {
                                                      HasSubstr("gmsh crashed on it")))
                 << endless.name;
         }
+    }
+}
+
+TEST(HostileGeometries, ThatCannotEndAreRefusedAtOnceWithTheirPlace) {
+    const Folders folders;
+    for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+             {"For i In {1 : 1000000000000}\n  a = i;\nEndFor\n", "part.geo:1:10: this loop takes 1e+12 rounds"},
+             {"Macro f\n  Call f;\nReturn\nCall f;\n", "part.geo:2:3: the macro 'f' has no end"},
+             {square + "a[] = {1:1e12};\n", "part.geo:4:7: this list is of 1e+12 numbers"}}) {
+        folders.write("part.geo", text);
+        const Outcome outcome = run_dmp(folders.inside(), {"inspect", "part.geo"});
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_THAT(outcome.errors, HasSubstr(says));
     }
 }
 

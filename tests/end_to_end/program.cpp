@@ -64,10 +64,12 @@ std::string text_of(const fs::path& file) {
     const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const bool ready = dup2(in, 0) == 0 && dup2(out, 1) == 1 && dup2(err, 2) == 2 && chdir(folder.c_str()) == 0;
-    if (with.largest_file > 0) {
-        const rlimit limit{static_cast<rlim_t>(with.largest_file), static_cast<rlim_t>(with.largest_file)};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
+    const auto limit = [](__rlimit_resource_t what, long value) {
+        const rlimit both{static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
+        if (value > 0) setrlimit(what, &both);
+    };
+    limit(RLIMIT_FSIZE, with.largest_file);
+    limit(RLIMIT_AS, with.most_memory);
     if (ready) execv(argv[0], argv.data());
     _exit(127);
 }

@@ -135,6 +135,32 @@ TEST_F(Poiseuille, WithoutOutTheFolderCarriesTheScenesName) {
     EXPECT_TRUE(has("out/my_channel/summary.json"));
 }
 
+TEST_F(Poiseuille, FramesThatRuleTheStepsAreWarnedOf) {
+    const auto outcome =
+        dmp({"run", ".", "--dry-run", "--threads", "1", "--until", "0.1 ms", "--set", "output.every=\"1 us\""});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("output.every is shorter than the time step, "));
+}
+
+TEST_F(Poiseuille, WhatATitleHoldsDoesNotReachTheTerminal) {
+    const auto outcome =
+        dmp({"run", ".", "--dry-run", "--threads", "1", "--set", R"(title="a\u001b[2Jb\u0007\u009b2J")"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("a\\x1b[2Jb\\x07\\xc2\\x9b2J\n"));
+    EXPECT_EQ(outcome.output.find_first_of("\033\007"), std::string::npos);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which takes terabytes of addresses for itself
+TEST_F(Poiseuille, WhereMemoryIsTooLittleForPicturesTheRestIsThere) {
+    const auto outcome = dmp({"run", ".", "--out", "out", "--threads", "1", "--until", "0.01 s"},
+                             {.environment = {"DISPLAY="}, .most_memory = 900L << 20});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("no pictures of the frames: rendering may take 1 GiB of memory"));
+    EXPECT_TRUE(has("out/fluid.pvd"));
+    EXPECT_FALSE(has("out/last_frame.png"));
+}
+#endif
+
 TEST_F(Poiseuille, AnInterruptedRunWritesWhatThereIs) {
     const auto outcome = dmp({"run", ".", "--out", "out", "--threads", "1", "--set", "run.duration=\"10000 s\""},
                              {.interrupt_at = "out/frames/fluid_000001.vtp"});

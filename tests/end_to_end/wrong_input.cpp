@@ -31,8 +31,56 @@ const std::string drive = R"("-0.1 Pa/m")";
 
 std::vector<std::string> set(const std::string& text) { return {"--set", text}; }
 
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int k = 0; k < times; ++k) all += text;
+    return all;
+}
+
 std::vector<WrongInput> wrong_inputs() {
     return {
+        {"KeyOfAHundredThousandParts",
+         poiseuille,
+         {{scene, "schema = 1", "schema = 1\na" + repeated(".a", 100'000) + " = 1"}},
+         {},
+         {"scene.toml:3:", "a key of more than 32 parts"}},
+        {"ControlCharactersInAName",
+         poiseuille,
+         {{scene, "name = \"wall\"", "name = \"wa\\u001b[2Jll\""}},
+         {},
+         {"scene.toml:20:8: part.name: found", "a name of letters, digits"}},
+        {"ViscosityBeyondAnyStep",
+         valve,
+         {},
+         set("part.blood.viscosity=\"1e30 Pa*s\""),
+         {"the run would take 2.9e+35 steps of 1.357e-35 s, ruled by viscosity (", "12 days"}},
+        {"DensityBeyondAnyStep",
+         valve,
+         {},
+         set("part.blood.density=\"1e-300 kg/m^3\""),
+         {"the run would take 1.1e+306 steps of ", "ruled by viscosity"}},
+        {"FramesBeyondAnyDisk",
+         poiseuille,
+         {},
+         set("output.every=\"1 ns\""),
+         {"--set output.every=\"1 ns\": output.every: 1 s in frames 1e-09 s apart are 1e+09 frames, more than the "
+          "1e+06"}},
+        {"RowsBeyondAnyDisk",
+         poiseuille,
+         {},
+         set("output.measure_every=\"1 ns\""),
+         {"output.measure_every: 1 s in rows 1e-09 s apart are 1e+09 rows of measures.csv"}},
+        {"LayersBeyondAnyMemory",
+         poiseuille,
+         {{scene, "layers = 3", "layers = 1000000"}},
+         {},
+         {"scene.toml:22:10: 1000000 layers of 'wall' around a geometry of", "are a lattice of 4e+12 points",
+          "reaches, 3"}},
+        {"SpacingFarTooFineInSpace",
+         "verification/pipe",
+         {},
+         set("particles.spacing=\"1 nm\""),
+         {"particles.spacing", "that is a lattice of 4e+17 points", "check geometry.unit"}},
         {"Syntax", poiseuille, {{scene, "schema = 1", "schema = = 1"}}, {}, {"scene.toml:2:10:", "TOML"}},
         {"KeyTwice",
          poiseuille,
@@ -271,6 +319,31 @@ TEST(WrongPlace, OutputFolderBelowAFile) {
     const auto outcome = run_dmp(folder.path(), {"run", ".", "--out", "scene.toml/below"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.errors, testing::HasSubstr("'scene.toml' is a file"));
+}
+
+TEST(WrongPlace, OutputIsNoDeviceAndNoFolder) {
+    const CaseFolder folder;
+    folder.copy_case(poiseuille);
+    std::filesystem::create_symlink("/dev/null", folder.path() / "device");
+    std::filesystem::create_directory(folder.path() / "taken");
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"escape", "--out", "device"},
+                                                  {"mesh", ".", "--particles", "device"},
+                                                  {"mesh", ".", "--particles", "taken"}}) {
+        const auto outcome = run_dmp(folder.path(), words);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.output, "") << "it is told before the work";
+        EXPECT_THAT(outcome.errors, testing::HasSubstr(": this is no file, but a "));
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "device"));
+}
+
+TEST(WrongPlace, FolderForAFirstSceneIsToldBeforeTheGeometryIsRead) {
+    const CaseFolder folder;
+    folder.write("file", "");
+    folder.write("part.geo", "this is no geometry");
+    const auto outcome = run_dmp(folder.path(), {"new", "file/below", "--from", "part.geo"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("/file' is a file"));
 }
 
 TEST(WrongPlace, OutputFolderWithFilesOfOthersIsLeftAlone) {

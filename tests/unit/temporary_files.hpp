@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -63,6 +64,25 @@ class FileSizeLimit {
   private:
     rlimit before_{};
     void (*handler_)(int);
+};
+
+/// Limits the addresses of this process to so many bytes more than it has, for as long as it lives.
+class AddressLimit {
+  public:
+    explicit AddressLimit(rlim_t bytes) {
+        getrlimit(RLIMIT_AS, &before_);
+        std::ifstream pages("/proc/self/statm");
+        rlim_t taken = 0;
+        pages >> taken;
+        const rlimit limit{taken * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + bytes, before_.rlim_max};
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    ~AddressLimit() { setrlimit(RLIMIT_AS, &before_); }
+    AddressLimit(const AddressLimit&) = delete;
+    AddressLimit& operator=(const AddressLimit&) = delete;
+
+  private:
+    rlimit before_{};
 };
 
 }  // namespace dmp::tests

@@ -14,16 +14,6 @@ namespace {
 
 using namespace cli;
 
-TEST(ShellWord, IsQuotedWhereAShellWouldReadIt) {
-    EXPECT_EQ(shell_word("cases/vein_valve"), "cases/vein_valve");
-    EXPECT_EQ(shell_word("particles.spacing=0.4"), "particles.spacing=0.4");
-    EXPECT_EQ(shell_word("0.2 s"), "'0.2 s'");
-    EXPECT_EQ(shell_word(""), "''");
-    EXPECT_EQ(shell_word("$(rm x)"), "'$(rm x)'");
-    EXPECT_EQ(shell_word("it's"), R"('it'\''s')");
-    EXPECT_EQ(shell_word("~/out"), "'~/out'");
-}
-
 TEST(TypedCommand, GetsAnOption) {
     const TypedCommand typed({"./dmp", "run", "my case", "--set", "part.a.b=\"1 mm\""});
     EXPECT_EQ(typed.with("--resume"), "./dmp run 'my case' --set 'part.a.b=\"1 mm\"' --resume");

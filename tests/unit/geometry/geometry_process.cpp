@@ -95,6 +95,25 @@ TEST_F(GeometryProcesses, AHangIsAnErrorToo) {
     EXPECT_FALSE(std::filesystem::exists(path("ended"))) << "the child was waited for";
 }
 
+TEST_F(GeometryProcesses, ALongReadingIsSpokenOf) {
+    (void)write("answer", "G" + bytes_of(read_geometry(options_for(geometry_file_))));
+    std::vector<std::string> stages;
+    // It goes on until it has been spoken of.
+    const std::string waits = "printf 'Sit was reading\\000' >&3; while [ ! -e " + path("spoken_of") +
+                              " ]; do sleep 0.01; done; cat " + path("answer") + " >&3";
+    (void)read_geometry_in_process(options_for(geometry_file_),
+                                   {.command = {"/bin/sh", "-c", waits},
+                                    .seconds = 60,
+                                    .silent_seconds = 0.2,
+                                    .still_reading = [&](double seconds, const std::string& stage) {
+                                        EXPECT_GE(seconds, 0.2);
+                                        stages.push_back(stage);
+                                        (void)write("spoken_of", "");
+                                    }});
+    ASSERT_FALSE(stages.empty());
+    EXPECT_EQ(stages.back(), "it was reading");
+}
+
 TEST_F(GeometryProcesses, AnAnswerOfNoKindOrWithoutAnEndIsRefused) {
     (void)write("answer", "Z" + bytes_of(ErrorText{{"scene.toml", 3, 4}, "what", "to do"}));
     EXPECT_THAT(fault("cat " + path("answer") + " >&3"), HasSubstr("its reader broke off"));

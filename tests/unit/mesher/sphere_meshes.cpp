@@ -162,6 +162,20 @@ TEST(SphereMesh, a_table_gives_places_sizes_and_motion_in_its_units) {
     EXPECT_EQ(set.angular_velocity[0], Vec::Zero());
 }
 
+TEST(SphereMesh, a_table_may_be_as_spreadsheets_save_it) {
+    const ParticleSet plain = meshed(head + elastic + spheres("beads", "radius = \"1 mm\"\npositions = \"table.csv\""),
+                                     "x [mm], y [mm], z [mm]\n1.5, 2, 3\n4, 5, -6\n")
+                                  .particles;
+    for (const char* table : {"\xEF\xBB\xBFx [mm],y [mm],z [mm]\r\n1.5,2,3\r\n4,5,-6\r\n",
+                              "\"x [mm]\",\"y [mm]\",\"z [mm]\"\n\"1.5\",\" 2 \",\"3\"\n4,5,-6\n",
+                              "x [mm];y [mm];z [mm]\n1.5;2;3\n4;5;-6\n",
+                              "\xEF\xBB\xBF\"x [mm]\";\"y [mm]\";\"z [mm]\"\r\n\"1.5\";2;3\r\n4;5;-6\r\n"})
+        EXPECT_EQ(meshed(head + elastic + spheres("beads", "radius = \"1 mm\"\npositions = \"table.csv\""), table)
+                      .particles.position,
+                  plain.position)
+            << table;
+}
+
 TEST(SphereMesh, a_box_is_filled_beside_what_stands_in_it) {
     const MeshResult made =
         meshed(head + elastic +
@@ -265,6 +279,8 @@ TEST(WrongSphereTable, says_where_and_what_to_do) {
           TableFault{"x [mm], y [mm], x [mm]\n", "./table.csv:1:17: column 'x' stands twice"},
           TableFault{"x [mm], y [mm], z [mm]\n1,2\n", "./table.csv:2:1: found 2 values in a table of 3 columns"},
           TableFault{"x [mm], y [mm], z [mm]\n1, 2, nan\n", "./table.csv:2:7: found \"nan\", expected a number"},
+          TableFault{"x [mm]; y [mm]; z [mm]\n1,5; 2; 3\n",
+                     "./table.csv:2:1: found \"1,5\", expected a number\n  write 1.5, not 1,5"},
           TableFault{"x [mm], y [mm], z [mm], radius [mm]\n1,2,3,-1\n",
                      "./table.csv:2:7: a sphere's radius is more than 0"}})
         EXPECT_THAT(fault(head + elastic + spheres("beads", "positions = \"table.csv\"\nradius = \"1 mm\""), table),

@@ -338,6 +338,38 @@ TEST(VtkSink, AFullDiskIsAResourceErrorAndTheSeriesStaysWhole) {
     EXPECT_EQ(read_series(folder.path() / "fluid.pvd").size(), 2U);
 }
 
+#ifndef __SANITIZE_ADDRESS__  // which takes terabytes of addresses for itself
+TEST(VtkSink, TooLittleMemoryIsAResourceErrorBeforeVtkCrashesOnIt) {
+    const TemporaryFolder folder;
+    VtkSink sink(folder.path(), label);
+    Frame frame;
+    frame.spacing = 1e-3;
+    frame.parts = {"water"};
+    FrameGroup group;
+    group.name = "fluid";
+    for (int i = 0; i < 300'000; ++i) {
+        group.id.push_back(i);
+        group.part.push_back(0);
+        group.position.insert(group.position.end(), {static_cast<float>(i), 0, 0});
+    }
+    frame.groups.push_back(std::move(group));
+    std::string message;
+    {
+        const AddressLimit limit(rlim_t{32} << 20U);
+        try {
+            sink.write(frame);
+        } catch (const ResourceError& error) {
+            message = error.what();
+        }
+    }
+    EXPECT_THAT(message, HasSubstr("frames/fluid_000000.vtp' was not written: VTK may take "));
+    EXPECT_THAT(message, HasSubstr("--frames hdf5"));
+    EXPECT_TRUE(files_in(folder.path() / "frames").empty());
+    sink.write(frame);
+    EXPECT_EQ(Opened(folder.path() / "frames/fluid_000000.vtp").data().GetNumberOfPoints(), 300'000);
+}
+#endif
+
 TEST(VtkSink, ATextThatCannotBeWrittenLeavesTheOldOne) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "list.pvd";
