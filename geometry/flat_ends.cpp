@@ -114,12 +114,12 @@ class Faces {
     /// The largest distance back to the next surface: what stands in the solid may be nearer in places [m].
     [[nodiscard]] double depth_behind(const std::vector<std::size_t>& face, const FlatEnd& end) const {
         constexpr std::size_t most_lines = 16;
-        double deepest = 0;
+        double farthest = 0;
         for (std::size_t k = 0; k < face.size(); k += face.size() / most_lines + 1) {
             const auto& [a, b, c] = corners(face[k]);
-            deepest = std::max(deepest, depth_behind((a + b + c) / 3, end));
+            farthest = std::max(farthest, depth_behind((a + b + c) / 3, end));
         }
-        return deepest;
+        return farthest;
     }
     [[nodiscard]] double depth_behind(const Vec& start, const FlatEnd& end) const {
         double nearest = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@ namespace dmp::geometry {
 
 namespace {
 
-constexpr int deepest = 50;  // brackets and signs
+constexpr int deepest_number = 50;  // brackets and signs
 
 /// Recursive descent, a function for each level of precedence; none as soon as something else stands there.
 class Expression {
@@ -77,7 +77,7 @@ class Expression {
     }
     template <class Read>
     Value deeper(const Read& read) {
-        if (depth_ == deepest) return std::nullopt;
+        if (depth_ == deepest_number) return std::nullopt;
         ++depth_;
         const Value value = read();
         --depth_;

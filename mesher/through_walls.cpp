@@ -19,7 +19,7 @@ namespace dmp::mesher {
 
 namespace {
 
-constexpr double beyond = 0.25, touching = 0.05;  // [spacings]
+constexpr double beyond = 0.25, touching_wall = 0.05;  // [spacings]
 
 /// All fluids of a scene together.
 class Fluids {
@@ -134,7 +134,7 @@ std::string line_about(const Geometry& geometry, const Fluids& fluids, const Par
         } else if (fluids.hold(point)) {
             ++within;
         }
-        if (!first_touching && fluids.end_within(touching * spacing, point)) first_touching = point;
+        if (!first_touching && fluids.end_within(touching_wall * spacing, point)) first_touching = point;
     });
     if (within == 0) return {};
     const auto where = [&](const Vec& point) { return position_text(point, geometry.dimension); };
