@@ -14,6 +14,7 @@
 #include "cli/first_guess.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
+#include "geometry/flat_ends.hpp"
 #include "geometry/nearest_triangle.hpp"
 #include "geometry/select_faces.hpp"
 #include "geometry/surface_box.hpp"
@@ -204,6 +205,42 @@ class Author {
                (anchor.empty() ? "" : fmt::format("anchor = \"{}\"\n", anchor));
     }
 
+    /// Ends of branches besides those of the period, that no named surface closes.
+    [[nodiscard]] std::vector<FlatEnd> closed_ends() const {
+        std::vector<FlatEnd> ends = flat_ends(fluid_.surface);
+        std::erase_if(ends, [&](const FlatEnd& end) {
+            const auto is_at = [&](double position) {
+                return periodic_ && end.box.extent()[axis_] <= tolerance_ &&
+                       std::abs(end.centre[axis_] - position) <= tolerance_;
+            };
+            if (is_at(box_.low[axis_]) || is_at(box_.high[axis_])) return true;
+            return std::ranges::any_of(geometry_.surfaces, [&](const SurfaceSet& set) {
+                return NearestTriangle(set.surface, tolerance_).nearest(end.centre).has_value();
+            });
+        });
+        return ends;
+    }
+
+    /// The selection of an end that lies across an axis; none of another, which stays a piece of the wall.
+    [[nodiscard]] std::optional<FaceSelection> selection_of(const FlatEnd& end, int number) const {
+        // Finer triangles follow a round rim further out; the plane keeps to the end.
+        const Vec margin = Vec::Constant(0.02 * end.box.extent().norm());
+        FaceSelection selection{.name = free_name("closed_end_" + std::to_string(number)), .of = fluid_.name};
+        for (int axis = 0; axis < 3; ++axis)
+            if (end.box.extent()[axis] <= tolerance_) {
+                selection.in_plane.at(static_cast<std::size_t>(axis)) = end.centre[axis];
+                selection.in_box = Box{.low = end.box.low - margin, .high = end.box.high + margin};
+                return selection;
+            }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] static std::string end_text(const FlatEnd& end) {
+        const double millimetre = 1e-3;
+        return fmt::format("of {:.3g} mm^2 around ({:.4g}, {:.4g}, {:.4g}) mm", end.area / (millimetre * millimetre),
+                           end.centre[0] / millimetre, end.centre[1] / millimetre, end.centre[2] / millimetre);
+    }
+
     std::string written_parts() {
         std::string parts = written_fluid(fluid_.name, liquid_);
         std::string selections, walls;
@@ -237,6 +274,17 @@ class Author {
             selections += written_selection(cap, box_.extent().norm(), 3);
             taken.push_back(cap.name);
             asked.push_back(cap);
+        }
+        int number = 0;
+        for (const FlatEnd& end : closed_ends()) {
+            const auto selection = selection_of(end, ++number);
+            assume(fmt::format("the flat end {} is {}: nothing flows through it", end_text(end),
+                               selection ? "a wall, '" + selection->name + "'" : "a piece of the wall"));
+            if (!selection) continue;
+            selections += written_selection(*selection, box_.extent().norm(), 3);
+            taken.push_back(selection->name);
+            asked.push_back(*selection);
+            wall(selection->name);
         }
         const FaceSelection rest{.name = free_name("wall"), .of = fluid_.name, .except = taken};
         asked.push_back(rest);

@@ -15,6 +15,7 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
+#include "geometry/flat_ends.hpp"
 #include "geometry/geometry_file.hpp"
 #include "geometry/solids_that_meet.hpp"
 #include "geometry/surface_box.hpp"
@@ -127,6 +128,11 @@ std::string geometry_text(const Geometry& geometry, bool unit_known) {
     for (const auto& [name, places] : geometry.points) parts.add(name, count_text(places.size(), "point"));
     std::string text = Style(Stream::output).strong(geometry.file) + "\n" + facts.text() +
                        "\nParts, by the names that a scene gives them\n" + parts.text();
+    Listing ends;
+    for (const Solid& solid : geometry.solids)
+        for (const FlatEnd& end : flat_ends(solid.surface))
+            ends.add(solid.name, fmt::format("{} around {}", scale.power(end.area, 2), scale.location(end.centre)));
+    if (!ends.empty()) text += "\nFlat ends, which are walls unless a scene selects them for a period\n" + ends.text();
     std::vector<std::string> notes = geometry.warnings;
     for (const SolidMeeting& meeting : meetings_in(geometry)) notes.push_back(meeting.text(scale.metres, scale.unit));
     for (const std::string& note : notes) text += Style(Stream::output).warning("note: ") + note + "\n";
@@ -142,6 +148,8 @@ std::string geometry_json(const Geometry& geometry, bool unit_known) {
         Json part = json_of(solid.surface, solid.name, "solid");
         part["volume"] = solid.volume();
         part["watertight"] = true;
+        for (const FlatEnd& end : flat_ends(solid.surface))
+            part["flat_ends"].push_back({{"area", end.area}, {"centre", json_of(end.centre)}});
         json["parts"].push_back(part);
     }
     for (const SurfaceSet& set : geometry.surfaces) {

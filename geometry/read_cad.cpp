@@ -2,10 +2,12 @@
 #include "geometry/read_cad.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <gmsh.h>
 
+#include "base/disjoint_sets.hpp"
 #include "geometry/cad_curves.hpp"
 #include "geometry/cad_surfaces.hpp"
 #include "geometry/geometry_file.hpp"
@@ -81,6 +83,35 @@ std::vector<int> loose_curves() {
     return loose;
 }
 
+/// Faces that bound no body and have no name of their own, in connected pieces: face_1, ...
+std::vector<Named> loose_faces(const std::vector<Named>& bodies, const std::vector<Named>& named) {
+    std::vector<int> loose;
+    std::map<int, std::vector<std::size_t>> at_curve;  // which of them it bounds
+    for (const int tag : tags_of(2)) {
+        std::vector<int> volumes, curves;
+        gmsh::model::getAdjacencies(2, tag, volumes, curves);
+        const auto has = [&](const Named& each) { return std::ranges::find(each.tags, tag) != each.tags.end(); };
+        if (!volumes.empty() || std::ranges::any_of(named, has)) continue;
+        for (const int curve : curves) at_curve[curve].push_back(loose.size());
+        loose.push_back(tag);
+    }
+    DisjointSets together(loose.size());
+    for (const auto& [curve, faces] : at_curve)
+        for (const std::size_t face : faces) together.join(faces.front(), face);
+    std::map<std::size_t, std::vector<int>> pieces;
+    for (std::size_t k = 0; k < loose.size(); ++k) pieces[together.find(k)].push_back(loose[k]);
+    std::vector<Named> all;
+    int number = 0;
+    for (auto& [first, tags] : pieces) {
+        std::string name;
+        const auto is_taken = [&](const Named& each) { return each.name == name; };
+        do name = "face_" + std::to_string(++number);
+        while (std::ranges::any_of(bodies, is_taken) || std::ranges::any_of(named, is_taken));
+        all.push_back({std::move(name), std::move(tags)});
+    }
+    return all;
+}
+
 Box box_in_the_file() {
     Box box;
     gmsh::model::getBoundingBox(-1, -1, box.low.x(), box.low.y(), box.low.z(), box.high.x(), box.high.y(),
@@ -139,8 +170,11 @@ Geometry read_open_cad(const GeometryOptions& asked) {
                              "Repair the body in the program that made it, and export it again.");
         geometry.solids.push_back(std::move(solid));
     }
-    for (const Named& face : named_sides(2, bodies))
-        geometry.surfaces.push_back({face.name, drawn.surfaces(face.tags), {}});
+    const std::vector<Named> sides = named_sides(2, bodies);
+    for (const Named& face : sides) geometry.surfaces.push_back({face.name, drawn.surfaces(face.tags), {}});
+    if (!bodies.empty())
+        for (const Named& face : loose_faces(bodies, sides))
+            geometry.surfaces.push_back({face.name, drawn.surfaces(face.tags), "it bounds no body of the file"});
     if (bodies.empty())
         geometry.surfaces.push_back(
             {name_of_file(asked.file), drawn.surfaces(tags_of(2)), "the file has faces only, and no closed body"});
