@@ -77,9 +77,10 @@ std::string memory_text(const Plan& plan) {
                        bytes_text(static_cast<double>(plan.bytes_per_particle * total)), count_text(total, "particle"));
 }
 
-std::string warnings_text(const Plan& plan) {
-    if (plan.warnings.empty()) return "";
+std::string warnings_text(const Plan& plan, const std::vector<std::string>& of_particles) {
+    if (plan.warnings.empty() && of_particles.empty()) return "";
     std::string text = "\n" + Style(Stream::output).strong("Warnings") + "\n";
+    for (const std::string& warning : of_particles) text += "  " + warning + "\n";
     for (const Warning& warning : plan.warnings) text += "  " + warning.text() + "\n";
     return text;
 }
@@ -113,7 +114,7 @@ int execute(const ExplainCommand& command) {
         }
     }
     print(head + "\n" + chosen_text(prepared.scene, plan, prepared.origin) + "\n" + models_text(plan, costs) + "\n" +
-          limits_text(plan) + "\n" + memory_text(plan) + measured + warnings_text(plan));
+          limits_text(plan) + "\n" + memory_text(plan) + measured + warnings_text(plan, prepared.origin.warnings));
     return exit_done;
 }
 

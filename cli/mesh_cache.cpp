@@ -94,6 +94,7 @@ std::optional<ParticlesWithOrigin> MeshCache::find(const Scene& scene) const {
         for (const auto& line : json.at("elastic"))
             found.origin.springs.emplace_back(line.at(0).get<std::string>(), line.at(1).get<std::string>());
         found.origin.notes = json.at("notes").get<std::vector<std::string>>();
+        found.origin.warnings = json.at("warnings").get<std::vector<std::string>>();
         found.origin.notes.push_back("these particles were made in an earlier run, which took " +
                                      fmt::format("{:.3g} s", json.at("seconds").get<double>()) +
                                      "; 'dmp mesh' makes them anew");
@@ -120,7 +121,10 @@ void MeshCache::keep(const Scene& scene, ParticlesWithOrigin& made, double secon
         const auto name = name_of(lines);
         if (!name) return;
         make_folder(*folder_);
-        Json json{{"elastic", Json::array()}, {"notes", made.origin.notes}, {"seconds", seconds}};
+        Json json{{"elastic", Json::array()},
+                  {"notes", made.origin.notes},
+                  {"warnings", made.origin.warnings},
+                  {"seconds", seconds}};
         for (const auto& [part, constants] : made.origin.springs) json["elastic"].push_back({part, constants});
         write_file(with_ending(*name, ".json"), json.dump(2, ' ', false, Json::error_handler_t::replace));
         write_particles(with_ending(*name, ".h5"), made.particles, lines);

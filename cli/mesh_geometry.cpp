@@ -172,7 +172,8 @@ MeshResult mesh_geometry(const Scene& scene, const GeometryReading& reading, Mes
 }
 
 Origin origin_of(const Scene& scene, const MeshReport& report) {
-    Origin origin{is_of_spheres(scene) ? "spheres" : "geometry", scene.geometry.file, {}, report.notes};
+    Origin origin{
+        is_of_spheres(scene) ? "spheres" : "geometry", scene.geometry.file, {}, report.notes, report.warnings};
     for (const auto& line : report.springs) origin.springs.emplace_back("springs " + line.part, springs_text(line));
     for (const auto& line : report.joins)
         origin.springs.emplace_back("join " + line.name,

@@ -21,6 +21,7 @@ struct Origin {
     std::string file;
     std::vector<std::pair<std::string, std::string>> springs;  ///< constants, by "springs PART" or "join NAME"
     std::vector<std::string> notes;                            ///< what was adapted
+    std::vector<std::string> warnings{};                       ///< what makes results wrong
 };
 
 struct ParticlesWithOrigin {

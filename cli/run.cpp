@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
@@ -146,6 +147,8 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
     print(head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n");
     flush_output();
+    for (const std::string& warning : prepared.origin.warnings)
+        print_error(Style(Stream::error).warning("warning:") + " " + warning + "\n");
     for (const Warning& warning : plan.warnings)
         print_error(Style(Stream::error).warning("warning:") + " " + warning.text() + "\n");
     if (command.dry_run) {

@@ -18,6 +18,7 @@
 #include "mesher/space_builder.hpp"
 #include "mesher/stopwatch.hpp"
 #include "mesher/thin_places.hpp"
+#include "mesher/through_walls.hpp"
 
 namespace dmp::mesher {
 
@@ -82,7 +83,8 @@ MeshResult mesh_in_space(const Geometry& geometry, const Scene& scene) {
     join_parts(result, scene);
     count_bonds(result);
     monitor.lap("quality");
-    std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.notes));
+    std::ranges::move(bodies_through_walls(geometry, scene), std::back_inserter(result.report.warnings));
+    std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.warnings));
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;
@@ -127,7 +129,8 @@ MeshResult mesh(const Geometry& geometry, const Scene& scene) {
     join_parts(result, scene);
     count_bonds(result);
     monitor.lap("quality");
-    std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.notes));
+    std::ranges::move(bodies_through_walls(geometry, scene), std::back_inserter(result.report.warnings));
+    std::ranges::move(thin_regions(geometry, scene), std::back_inserter(result.report.warnings));
     monitor.lap("thin places");
     result.report.cost = cost;
     return result;

@@ -153,6 +153,8 @@ struct MeshReport {
     double deepest_overlap = 0;   ///< of those [m]
     std::vector<std::string>
         notes;  ///< what was adapted: lattice snapped to the period, fluid left out near solids, ...
+    std::vector<std::string>
+        warnings;  ///< what makes results wrong: gaps of few particles, stiffness not as asked, ...
 
     /// The table a person reads.
     [[nodiscard]] std::string text() const;

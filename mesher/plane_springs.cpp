@@ -140,15 +140,18 @@ void ParticleBuilder::add_elastic(const Part& part) {
                                    : "let the curve begin or end on it in the geometry");
     }
     if (std::abs(line.axial_stiffness / line.axial_stiffness_asked - 1) > 1e-9) {
-        std::ostringstream note;
+        std::ostringstream text;
         const bool lowered = line.axial_stiffness < line.axial_stiffness_asked;
-        note << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
+        text << part.name.value << ": EA " << (lowered ? "lowered" : "raised") << " from " << line.axial_stiffness_asked
              << " to " << line.axial_stiffness << " N, so that two rows " << spacing_ << " m apart can "
              << (part.shear_stiffness.given() ? "hold GA"
                  : lowered                    ? "bend as softly as EI asks"
                                               : "resist shear by cross bonds")
              << "; EI is held";
-        result_.report.notes.push_back(note.str());
+        // In tension the part is so many times as soft, or as stiff.
+        const double ratio = line.axial_stiffness / line.axial_stiffness_asked;
+        const bool matters = std::abs(ratio - 1) > 0.1;
+        (matters ? result_.report.warnings : result_.report.notes).push_back(text.str());
     }
     result_.report.springs.push_back(line);
 }

@@ -206,6 +206,7 @@ std::string MeshReport::text() const {
     for (const JoinLine& line : joins) text += join_text(line);
     text += cost_text(*this);
     for (const std::string& note : notes) text += "note: " + note + "\n";
+    for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
     return text;
 }
 

@@ -163,6 +163,7 @@ std::string MeshReport::json() const {
         seconds[stage.name] = {{"clock", stage.seconds}, {"processor", stage.processor_seconds}};
     json["cost"] = {{"candidates", cost.candidates}, {"seconds", seconds}, {"peak_bytes", cost.peak_bytes}};
     json["notes"] = notes;
+    json["warnings"] = warnings;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

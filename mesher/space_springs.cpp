@@ -32,6 +32,16 @@ bool is_within(const NearestTriangle& sheet, const Vec& point, double distance) 
     return found && found->distance < distance;
 }
 
+/// Of a shell whose membrane could not be as stiff as asked for, by more than a tenth; else empty.
+std::string softness_text(const Part& part, const MeshReport::SpringLine& line) {
+    const double asked = line.shell->membrane_stiffness_asked, is = line.shell->constants.membrane_stiffness();
+    if (is >= 0.9 * asked) return {};
+    std::ostringstream text;
+    text << part.name.value << ": E h lowered from " << asked << " to " << is
+         << " N/m, so that two layers can bend as softly as D asks; D is held";
+    return text.str();
+}
+
 }  // namespace
 
 bool SpaceBuilder::take_as_sheet(const Part& part, const Solid& solid) {
@@ -171,6 +181,8 @@ void SpaceBuilder::add_elastic(const Part& part) {
             line.particle_mass = of.density * of.thickness * spacing_ * spacing_ / 2;
             add_body(body, number, line);
         }
+        if (std::string text = softness_text(part, line); !text.empty())
+            result_.report.warnings.push_back(std::move(text));
     }
     clamp(part, first, line);
     note_open_ends(set, first, part.name, result_.report.notes);

@@ -122,7 +122,7 @@ StabilityMonitor::Finding StabilityMonitor::describe(const Violation& violation,
     text << ") " << violation.limit << ": speed " << speed_of(group, i) << " m/s, sound speed " << sound_speed_
          << " m/s";
     if (group.has(Field::density)) text << ", density " << group.data(Field::density)[i] << " kg/m^3";
-    return {text.str(), likely_causes(violation, particles.fluid(), step, t) + "\nThe last frame shows the state"};
+    return {text.str(), likely_causes(violation, particles.fluid(), step, t)};
 }
 
 /// Those that this scene can have, the likeliest first, judged by what was set and by the state of all particles.

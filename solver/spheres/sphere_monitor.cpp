@@ -46,15 +46,13 @@ LargestOverlap largest_overlap(const SphereStep& step) {
 }
 
 std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& space) {
-    const std::string frame = "\nThe last frame shows the state";
     for (std::size_t i = 0; i < step.rows().owned(); ++i) {
         const SphereMotion& sphere = step.rows().motion()[i];
         double sum = 0;
         for (int c = 0; c < 3; ++c) sum += sphere.position.c[c] + sphere.velocity.c[c] + sphere.spin.c[c];
         if (!std::isfinite(sum))
             return describe(step, space, static_cast<std::int32_t>(i)) +
-                   ": not finite\nlikely cause: numerics.steps_per_contact is too small, or contact_step too large" +
-                   frame;
+                   ": not finite\nlikely cause: numerics.steps_per_contact is too small, or contact_step too large";
     }
     const LargestOverlap largest = largest_overlap(step);
     if (largest.ratio <= most_overlap) return {};
@@ -65,8 +63,7 @@ std::string trouble_with_spheres(const SphereStep& step, const ParticleSpace& sp
          << most_overlap
          << "\nlikely causes: youngs_modulus is too small for how fast or how loaded the spheres are; or they were "
             "drawn "
-            "in each other; or numerics.steps_per_contact is too small"
-         << frame;
+            "in each other; or numerics.steps_per_contact is too small";
     return text.str();
 }
 

@@ -122,6 +122,13 @@ TEST_F(Poiseuille, WithoutOutTheFolderCarriesTheScenesName) {
     EXPECT_TRUE(has("out/my_channel/summary.json"));
 }
 
+TEST_F(Poiseuille, FramesThatRuleTheStepsAreWarnedOf) {
+    const auto outcome =
+        dmp({"run", ".", "--dry-run", "--threads", "1", "--until", "0.1 ms", "--set", "output.every=\"1 us\""});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("output.every is shorter than the time step, "));
+}
+
 TEST_F(Poiseuille, WhatATitleHoldsDoesNotReachTheTerminal) {
     const auto outcome =
         dmp({"run", ".", "--dry-run", "--threads", "1", "--set", R"(title="a\u001b[2Jb\u0007\u009b2J")"});

@@ -188,9 +188,9 @@ TEST(VeinValveMesh, BendsAlikeAtEverySpacing) {
             "EI "
             "is held";
         if (spacing == "0.4") {
-            EXPECT_THAT(meshed.report.notes, testing::Contains(note));
+            EXPECT_THAT(meshed.report.warnings, testing::Contains(note));
         } else {
-            EXPECT_THAT(meshed.report.notes, testing::Not(testing::Contains(testing::HasSubstr("EA lowered"))));
+            EXPECT_THAT(meshed.report.warnings, testing::Not(testing::Contains(testing::HasSubstr("EA lowered"))));
         }
     }
 }

@@ -174,10 +174,10 @@ TEST(PlaneSolids, of_curved_shape_leave_out_what_is_in_no_cell) {
 }
 
 TEST(PlaneSolids, gaps_beside_them_are_said) {
-    EXPECT_THAT(mesh_texts(block).report.notes, Not(Contains(HasSubstr("a gap of"))));
-    EXPECT_THAT(
-        mesh_texts(block.with("{2.25, 1, 0}", "{2.25, 1.75, 0}").with("{1.75, 1, 0}", "{1.75, 1.75, 0}")).report.notes,
-        Contains(AllOf(HasSubstr("water: a gap of 2 spacings near"), HasSubstr("less than 3 particles"))));
+    EXPECT_THAT(mesh_texts(block).report.warnings, Not(Contains(HasSubstr("a gap of"))));
+    EXPECT_THAT(mesh_texts(block.with("{2.25, 1, 0}", "{2.25, 1.75, 0}").with("{1.75, 1, 0}", "{1.75, 1.75, 0}"))
+                    .report.warnings,
+                Contains(AllOf(HasSubstr("water: a gap of 2 spacings near"), HasSubstr("less than 3 particles"))));
 }
 
 TEST(PlaneSolids, that_cannot_be_are_refused_with_what_to_do) {

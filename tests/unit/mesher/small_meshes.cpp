@@ -135,18 +135,36 @@ TEST(FlapMesh, IsSeatedWhereItIsDrawnNearAWall) {
 
 TEST(ChannelMesh, GapsTooNarrowForThreeParticlesAreSaid) {
     const Texts narrow = channel.with("{4, 2, 0}", "{4, 0.3, 0}").with("{0, 2, 0}", "{0, 0.3, 0}");
-    EXPECT_THAT(mesh_texts(narrow).report.notes,
+    EXPECT_THAT(mesh_texts(narrow).report.warnings,
                 testing::Contains(testing::AllOf(testing::HasSubstr("water: a gap of 2.4 spacings near ("),
                                                  testing::HasSubstr(", 150) mm, less than 3 particles, as are 100 % of "
                                                                     "its edge"))));
-    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.7, 0}")).report.notes,
+    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.7, 0}")).report.warnings,
                 testing::Contains("flap: a gap at its end near (2, 1.7) m that 1.9 particles fit into, less "
                                   "than 3"));
     // 3.5 spacings from the wall, as the fluid's first layer is half a spacing from it; and a bridge has no loose end.
-    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.5625, 0}")).report.notes,
+    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 1.5625, 0}")).report.warnings,
                 testing::Not(testing::Contains(testing::HasSubstr("gap"))));
-    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 2, 0}")).report.notes,
+    EXPECT_THAT(mesh_texts(flap_channel.with("{2, 1, 0}", "{2, 2, 0}")).report.warnings,
                 testing::Not(testing::Contains(testing::HasSubstr("gap"))));
+}
+
+TEST(FlapMesh, ThroughItsWallOrLooseOnItIsWarnedOf) {
+    const auto warnings = [](const Texts& texts) { return mesh_texts(texts).report.warnings; };
+    const auto opens = testing::Contains(testing::HasSubstr("flap: it "));
+    EXPECT_THAT(warnings(flap_channel), testing::Not(opens));
+    const Texts through = flap_channel.with("{2, 0, 0}", "{2, -0.5, 0}");
+    EXPECT_THAT(
+        warnings(through),
+        testing::Contains("flap: it goes through the boundary of the fluid, and is outside near (2, -0.5) m: where "
+                          "it moves it opens the wall; let it end on the wall"));
+    const Texts loose = flap_channel.with("anchor = \"root\"\n", "").with("Physical Point(\"root\") = {10};\n", "");
+    EXPECT_THAT(warnings(loose),
+                testing::Contains("flap: it touches the boundary of the fluid near (2, 0) m and is held nowhere: fluid "
+                                  "passes between; give it an `anchor`, or keep it apart"));
+    EXPECT_THAT(warnings(loose.with("{2, 0, 0}", "{2, 0.5, 0}")), testing::Not(opens));
+    // Along the period there is no wall to go through.
+    EXPECT_THAT(warnings(flap_channel.with("{2, 1, 0}", "{4.5, 1, 0}")), testing::Not(opens));
 }
 
 TEST(FlapMesh, IsClampedWhereItEndsOnACurve) {

@@ -181,7 +181,7 @@ TEST(SpaceBodies, a_sheet_becomes_a_shell) {
 
 TEST(SpaceBodies, gaps_beside_a_shell_are_said) {
     // Its sides end two spacings from the walls, its upper edge four.
-    const auto said_of = [](const Texts& texts) { return mesh_texts(texts).report.notes; };
+    const auto said_of = [](const Texts& texts) { return mesh_texts(texts).report.warnings; };
     const auto gap = [](const std::string& text) {
         return Contains(AllOf(HasSubstr("water: a gap of "), HasSubstr(text)));
     };

@@ -116,19 +116,19 @@ TEST(SpaceMeshes, a_body_with_holes_is_filled_all_the_same) {
 }
 
 TEST(SpaceMeshes, say_what_is_too_thin_for_particles) {
-    const auto notes = [](const Texts& texts) { return mesh_texts(texts).report.notes; };
-    EXPECT_THAT(notes(duct), ::testing::IsEmpty());
-    EXPECT_THAT(notes(duct.with("Box(1) = {0, 0, 0, 2, 1, 1}", "Box(1) = {0, 0, 0, 2, 0.25, 1}")),
+    const auto warnings = [](const Texts& texts) { return mesh_texts(texts).report.warnings; };
+    EXPECT_THAT(warnings(duct), ::testing::IsEmpty());
+    EXPECT_THAT(warnings(duct.with("Box(1) = {0, 0, 0, 2, 1, 1}", "Box(1) = {0, 0, 0, 2, 0.25, 1}")),
                 ::testing::ElementsAre(::testing::HasSubstr("water: a gap of 2 spacings near (")));
     const Texts around = ball.with("periodic = [\"x\"]", "periodic = [\"x\", \"y\", \"z\"]");
-    EXPECT_THAT(notes(around.with("Sphere(2) = {1, 0.5, 0.5, 0.4}", "Box(2) = {0.5, 0.3, 0.3, 0.2, 0.4, 0.4}")),
+    EXPECT_THAT(warnings(around.with("Sphere(2) = {1, 0.5, 0.5, 0.4}", "Box(2) = {0.5, 0.3, 0.3, 0.2, 0.4, 0.4}")),
                 ::testing::Contains(
                     ::testing::AllOf(::testing::HasSubstr("wall: a thickness of 1.6 spacings near (600, "),
                                      ::testing::HasSubstr(" mm, less than 2 particles, as are 50 % of its surface"))));
-    EXPECT_THAT(notes(around
-                          .with("Sphere(2) = {1, 0.5, 0.5, 0.4}",
-                                "Box(2) = {0.2, 0.2, 0.2, 0.4, 0.6, 0.6};\nBox(3) = {0.85, 0.2, 0.2, 0.4, 0.6, 0.6}")
-                          .with("\"wall\") = {2}", "\"wall\") = {2, 3}")),
+    EXPECT_THAT(warnings(around
+                             .with("Sphere(2) = {1, 0.5, 0.5, 0.4}",
+                                   "Box(2) = {0.2, 0.2, 0.2, 0.4, 0.6, 0.6};\nBox(3) = {0.85, 0.2, 0.2, 0.4, 0.6, 0.6}")
+                             .with("\"wall\") = {2}", "\"wall\") = {2, 3}")),
                 ::testing::Contains(::testing::HasSubstr("water: a gap of 2 spacings near (725, ")));
 }
 
