@@ -47,7 +47,7 @@ int execute(const MeshCommand& command) {
     if (const std::string removed = remove_results(folder); !removed.empty()) print(removed + "\n");
 
     write_file(folder / mesh_report_name, report.json());
-    write_file(folder / resolved_scene_name, scene_text_in(folder, prepared.scene));
+    write_scene(folder, prepared.scene);
     VtkSink sink(folder, label_of(prepared.scene));
     sink.write(particle_frame(prepared.particles));
     std::vector<std::string> files = sink.files();

@@ -197,7 +197,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         remove_file(folder / summary_file_name);
     }
 
-    write_file(folder / resolved_scene_name, scene_text_of_run(folder, scene, plan, resources, options.until));
+    write_scene_of_run(folder, scene, plan, resources, options.until);
     ProgressLine line;
     const StopSignals signals;
     options.sink = sink.get();

@@ -1,8 +1,12 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_as_run.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "base/errors.hpp"
+#include "base/safe_file.hpp"
+#include "cli/output_folder.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/scene_difference.hpp"
 #include "solver/run/setup.hpp"
@@ -19,37 +23,64 @@ void refer_from(const fs::path& folder, const std::string& directory, Value<std:
     file.value = fs::proximate(fs::path(directory) / *file, folder).string();
 }
 
-/// A unit that was not given may be one that the geometry's file states itself, which must not be given again.
-std::string without_unit(std::string text) {
-    const std::string line = "\nunit = ";
-    const auto from = text.find(line, text.find("\n[geometry]\n"));
-    if (from == std::string::npos || from > text.find("\n[", text.find("\n[geometry]\n") + 1)) return text;
-    return text.erase(from, text.find('\n', from + 1) - from);
+/// Where the line with this number begins, from 1 on.
+std::size_t start_of_line(const std::string& text, int number) {
+    std::size_t at = 0;
+    for (int line = 1; line < number && at != std::string::npos; ++line) at = text.find('\n', at) + 1;
+    return at;
 }
 
-std::string text_in(const fs::path& folder, const Scene& written, Scene as_run) {
+/// Makes comments of the lines that a scene may not have: reading the file names them, one at a time. Leaves the file
+/// as it was where they are not defaults, so that the scene without them would be another.
+void comment_out_what_may_not_be_given(const fs::path& file, const std::string& text, const Scene& as_run) {
+    std::string changed = text;
+    for (auto tries = std::ranges::count(text, '\n'); tries > 0; --tries) {
+        write_file(file, changed);
+        try {
+            if (resolved_scene(read_scene(file.string())) != resolved_scene(as_run)) break;
+            return;
+        } catch (const InputError& error) {
+            const SourceLocation& at = error.where();
+            if (at.line == 0) break;
+            const std::size_t start = start_of_line(changed, at.line);
+            if (changed.compare(start, 1, "#") == 0 || changed.compare(start, 1, "[") == 0) break;
+            changed.insert(start, "# ");
+        }
+    }
+    write_file(file, text);
+}
+
+/// A unit that was not given may be one that the geometry's file states itself, which must not be given again.
+std::string without_unit(std::string text) {
+    const auto table = text.find("\n[geometry]\n"), line = text.find("\nunit = ", table);
+    if (line != std::string::npos) text.insert(line + 1, "# ");
+    return text;
+}
+
+void write(const fs::path& folder, const Scene& written, Scene as_run) {
     refer_from(folder, as_run.directory, as_run.geometry.file);
     for (Part& part : as_run.parts) {
         refer_from(folder, as_run.directory, part.positions);
         refer_from(folder, as_run.directory, part.file);
     }
     const std::string text = with_values_of(resolved_scene(written), resolved_scene(as_run));
-    return written.geometry.unit.given() ? text : without_unit(text);
+    comment_out_what_may_not_be_given(folder / resolved_scene_name,
+                                      written.geometry.unit.given() ? text : without_unit(text), as_run);
 }
 
 }  // namespace
 
-std::string scene_text_in(const fs::path& folder, const Scene& scene) { return text_in(folder, scene, scene); }
+void write_scene(const fs::path& folder, const Scene& scene) { write(folder, scene, scene); }
 
-std::string scene_text_of_run(const fs::path& folder, const Scene& scene, const Plan& plan, const Resources& resources,
-                              double until) {
+void write_scene_of_run(const fs::path& folder, const Scene& scene, const Plan& plan, const Resources& resources,
+                        double until) {
     Scene as_run = scene;
     as_run.run.duration.value = until;
     if (*as_run.output.measure_every == 0) as_run.output.measure_every.value = as_run.output.every / 4;
     if (plan.sound.value > 0) as_run.numerics.sound_speed.value = plan.sound.value;
     if (plan.sound.value > 0 && *as_run.contact.strength == 0)
         as_run.contact.strength.value = pair_settings(as_run, resources).repulsion_strength;
-    return text_in(folder, scene, std::move(as_run));
+    write(folder, scene, std::move(as_run));
 }
 
 }  // namespace dmp::cli

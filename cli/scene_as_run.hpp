@@ -11,13 +11,16 @@
 
 namespace dmp::cli {
 
-/// The scene as a file in `folder` that can be read there: files that it names are found from there.
-[[nodiscard]] std::string scene_text_in(const std::filesystem::path& folder, const Scene& scene);
+/// Writes folder/scene.resolved.toml: the scene with all defaults, as one that can be read there. Files that it names
+/// are found from the folder. A default that scenes may not give (one that is for other kinds of parts, say) is a
+/// comment,
+/// "# KEY = VALUE". Throws ResourceError.
+void write_scene(const std::filesystem::path& folder, const Scene& scene);
 
 /// The same of a run to `until` [s], which it repeats: what the plan chose stands in place of "auto", where that is one
 /// number (the speed of sound, the strength of the repulsion, the time between measures), and `until` in place of the
 /// duration. Comments hold what the scene says (with_values_of).
-[[nodiscard]] std::string scene_text_of_run(const std::filesystem::path& folder, const Scene& scene, const Plan& plan,
-                                            const Resources& resources, double until);
+void write_scene_of_run(const std::filesystem::path& folder, const Scene& scene, const Plan& plan,
+                        const Resources& resources, double until);
 
 }  // namespace dmp::cli

@@ -35,6 +35,7 @@ std::vector<Line> lines_of(const std::string& scene) {
     std::istringstream text(scene);
     std::string table;
     for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("# ")) line.erase(0, 2);
         if (line.starts_with("[")) {
             table = table_in(line);
             if (line.starts_with("[[")) table += "." + std::to_string(++tables[table]);

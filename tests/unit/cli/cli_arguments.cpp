@@ -142,7 +142,7 @@ TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
     EXPECT_THAT(error.what_to_do(),
-                HasSubstr("'run', 'mesh', 'inspect', 'new', 'convert', 'explain', 'escape' and 'doctor'"));
+                HasSubstr("'run', 'mesh', 'inspect', 'new', 'convert', 'pictures', 'explain', 'escape' and 'doctor'"));
 }
 
 TEST(Arguments, UnknownOptionNamesTheNearest) {

@@ -20,11 +20,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// The scene that a text in a folder is.
-Scene read_in(const fs::path& folder, const std::string& text) {
-    write_file(folder / "scene.resolved.toml", text);
-    return read_scene((folder / "scene.resolved.toml").string(), {});
-}
+std::string text_in(const fs::path& folder) { return read_file(folder / "scene.resolved.toml"); }
+Scene scene_in(const fs::path& folder) { return read_scene((folder / "scene.resolved.toml").string()); }
 
 TEST(SceneAsRun, OfEachCaseReadsBackInItsFolderAndFindsItsFiles) {
     int scenes = 0;
@@ -33,7 +30,8 @@ TEST(SceneAsRun, OfEachCaseReadsBackInItsFolderAndFindsItsFiles) {
         ++scenes;
         const TemporaryFolder folder;
         const Scene scene = read_scene(entry.path().string(), {});
-        const Scene again = read_in(folder.path(), scene_text_in(folder.path(), scene));
+        write_scene(folder.path(), scene);
+        const Scene again = scene_in(folder.path());
         for (const auto& one : differences(resolved_scene(scene), resolved_scene(again)))
             EXPECT_THAT(one.key,
                         testing::AnyOf("geometry.file", testing::EndsWith(".file"), testing::EndsWith(".positions")))
@@ -57,7 +55,8 @@ TEST(SceneAsRun, HasWhatWasChosenAndInCommentsWhatTheSceneSays) {
         std::vector<std::string>{"numerics.sound_speed=auto", "output.every=\"20 ms\"", "output.measure_every=auto"});
     Plan plan;
     plan.sound.value = 2.5;
-    const std::string text = scene_text_of_run(folder.path(), scene, plan, Resources(1), 0.5);
+    write_scene_of_run(folder.path(), scene, plan, Resources(1), 0.5);
+    const std::string text = text_in(folder.path());
     EXPECT_THAT(text, AllOf(HasSubstr("\nduration = \"0.5 s\"  # in the scene: \"4 s\"\n"),
                             HasSubstr("\nsound_speed = \"2.5 m/s\"  # in the scene: \"auto\"\n"),
                             HasSubstr("\nmeasure_every = \"0.005 s\"  # in the scene: \"auto\"\n"),
@@ -65,7 +64,7 @@ TEST(SceneAsRun, HasWhatWasChosenAndInCommentsWhatTheSceneSays) {
                             HasSubstr("vein_valve.geo\"  # in the scene: \"vein_valve.geo\"\n"),
                             HasSubstr("\nbending_stiffness = \"3e-06 N*m^2\"\n"), Not(HasSubstr("= \"auto\"  #"))));
     EXPECT_THAT(differences(text, resolved_scene(scene)), IsEmpty());
-    const Scene again = read_in(folder.path(), text);
+    const Scene again = scene_in(folder.path());
     EXPECT_EQ(*again.numerics.sound_speed, 2.5);
     EXPECT_EQ(*again.run.duration, 0.5);
     EXPECT_GT(*again.contact.strength, 0);
@@ -77,7 +76,8 @@ TEST(SceneAsRun, KeepsAbsolutePathsAndUnitsThatWereGiven) {
     const Scene scene =
         read_scene(DMP_SOURCE_DIR "/cases/vein_valve",
                    std::vector<std::string>{"geometry.file=\"" + geometry + "\"", "geometry.unit=\"2 m\""});
-    EXPECT_THAT(scene_text_in(folder.path(), scene),
+    write_scene(folder.path(), scene);
+    EXPECT_THAT(text_in(folder.path()),
                 AllOf(HasSubstr("\nfile = \"" + geometry + "\"\n"), HasSubstr("\nunit = \"2 m\"\n")));
 }
 

@@ -71,6 +71,7 @@ TEST(SceneDifference, GoesByTheValuesOfTheSceneInComments) {
     const std::string run = with_values_of(written, "a = 1\n\n[run]\nduration = \"0.5 s\"\n");
     EXPECT_EQ(run, "a = 1\n\n[run]\nduration = \"0.5 s\"  # in the scene: \"4 s\"\n");
     EXPECT_THAT(keys(run, written), IsEmpty());
+    EXPECT_THAT(keys("# a = 1\n\n[run]\nduration = \"4 s\"\n", written), IsEmpty());
     EXPECT_THAT(keys(run, "a = 1\n\n[run]\nduration = \"5 s\"\n"), ElementsAre("run.duration"));
 }
 
