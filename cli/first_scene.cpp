@@ -224,12 +224,12 @@ class Author {
     /// The selection of an end that lies across an axis; none of another, which stays a piece of the wall.
     [[nodiscard]] std::optional<FaceSelection> selection_of(const FlatEnd& end, int number) const {
         // Finer triangles follow a round rim further out; the plane keeps to the end.
-        const Vec margin = Vec::Constant(0.02 * end.box.extent().norm());
+        const Vec room = Vec::Constant(0.02 * end.box.extent().norm());
         FaceSelection selection{.name = free_name("closed_end_" + std::to_string(number)), .of = fluid_.name};
         for (int axis = 0; axis < 3; ++axis)
             if (end.box.extent()[axis] <= tolerance_) {
                 selection.in_plane.at(static_cast<std::size_t>(axis)) = end.centre[axis];
-                selection.in_box = Box{.low = end.box.low - margin, .high = end.box.high + margin};
+                selection.in_box = Box{.low = end.box.low - room, .high = end.box.high + room};
                 return selection;
             }
         return std::nullopt;
