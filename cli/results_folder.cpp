@@ -93,6 +93,9 @@ InputError refusal(const fs::path& folder, const FolderContents& contents, const
     const std::string state = contents.kind == finished
                                   ? fmt::format("{}; this one would end at {:.6g} s", end_text(contents), run.until)
                                   : "unfinished";
+    if (!contents.has_checkpoint && contents.kind == unfinished)
+        return {where, "it holds a run that did not get to its end and has no checkpoint to go on from",
+                both + "\n" + replace};
     if (!contents.has_checkpoint)
         return {where, "it holds this run, " + state + ", and no checkpoint to go on from", both + "\n" + replace};
     return {where, "it holds this run, " + state + but,

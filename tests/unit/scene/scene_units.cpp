@@ -76,7 +76,8 @@ TEST(Dimension, has_a_name_and_an_si_unit_that_reads_back) {
     EXPECT_EQ(dimension_of("N*m^2").name(), "bending stiffness");
     EXPECT_EQ(dimension_of("N*m").name_with_article(), "an energy");
     EXPECT_EQ(dimension_of("m^3/kg").name_with_article(), "a quantity in m^3/kg");
-    for (const std::string unit : {"N", "J", "W", "Pa", "Pa/m", "Pa*s", "N/m", "N*m^2", "1/s", "kg/m^3", "1/m^2/s", "V", "mol/L", "K", "cd", "A"}) {
+    for (const std::string unit : {"N", "J", "W", "Pa", "Pa/m", "Pa*s", "N/m", "N*m^2", "1/s", "kg/m^3", "1/m^2/s", "V",
+                                   "mol/L", "K", "cd", "A"}) {
         EXPECT_EQ(dimension_of(dimension_of(unit).si_unit()), dimension_of(unit)) << unit;
     }
     EXPECT_EQ(dimension_of("1/m/s").si_unit(), "m^-1*s^-1");
