@@ -60,7 +60,8 @@ enum class MeasureKind {
     spin,
     wall_force,
     detached,
-    aggregate
+    aggregate,
+    uptake
 };
 enum class FluidField {
     velocity,
@@ -127,7 +128,7 @@ inline constexpr auto enum_names<scene::Axis> = std::to_array<std::string_view>(
 template <>
 inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string_view>(
     {"flux", "gap", "largest_speed", "density", "kinetic_energy", "probe", "line", "amount", "mean_concentration",
-     "profile", "spread", "wall_flux", "peclet", "velocity", "spin", "wall_force", "detached", "aggregate"});
+     "profile", "spread", "wall_flux", "peclet", "velocity", "spin", "wall_force", "detached", "aggregate", "uptake"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});
