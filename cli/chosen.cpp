@@ -95,6 +95,15 @@ void add_fluid_models(Listing& list, const Scene& scene) {
                                         origin_text(numerics.viscosity_tolerance, "numerics.viscosity_tolerance")));
 }
 
+/// "; taken up at 0.1 1/s in gel"; empty where nothing takes it up.
+std::string uptake_text(const Scene& scene, const Species& species) {
+    std::string text;
+    for (const Part* part : scene.takers_of(species))
+        text += fmt::format("{}{} in {}", text.empty() ? "; taken up at " : ", ",
+                            quantity_text(**species.uptake_in(*part), "1/s"), *part->name);
+    return text;
+}
+
 }  // namespace
 
 std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
@@ -114,9 +123,10 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     if (has_fluid && !plan.at_rest) add_fluid_models(list, scene);
     for (const Species& species : scene.species)
         list.add("species " + *species.name,
-                 fmt::format("in {}, diffusion stepped {}ly ({})", species.concentration_unit(),
+                 fmt::format("in {}, diffusion stepped {}ly ({}){}", species.concentration_unit(),
                              to_string(*numerics.species_stepping),
-                             origin_text(numerics.species_stepping, "numerics.species_stepping")));
+                             origin_text(numerics.species_stepping, "numerics.species_stepping"),
+                             uptake_text(scene, species)));
     if (!plan.at_rest)
         list.add("step factor", fmt::format("{:.4g} ({})", *numerics.step_factor,
                                             origin_text(numerics.step_factor, "numerics.step_factor")));

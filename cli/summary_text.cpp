@@ -80,9 +80,10 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
                              summary.viscous_solves.mean_iterations(), summary.viscous_solves.most_iterations));
     for (const SpeciesBalance& species : summary.species)
         list.add(species.name,
-                 fmt::format("{:.6g} {} at the start, {:.6g} from walls, {:.6g} at the end; {:.2g} of it is "
-                             "unaccounted for",
-                             species.start, species.unit, species.from_walls, species.end, species.residual()));
+                 fmt::format("{:.6g} {} at the start, {:.6g} from walls, {:.6g} taken up, {:.6g} at the end; {:.2g} of "
+                             "it is unaccounted for",
+                             species.start, species.unit, species.from_walls, species.taken_up, species.end,
+                             species.residual()));
     if (summary.species_solves.solves > 0)
         list.add("diffusion",
                  fmt::format("{:.3g} iterations a solve on average, {} at most",

@@ -250,11 +250,9 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
                                       {"iterations_mean", viscous.mean_iterations()},
                                       {"iterations_most", viscous.most_iterations}};
     for (const SpeciesBalance& species : summary.species)
-        json["species"][species.name] = {{"unit", species.unit},
-                                         {"start", species.start},
-                                         {"end", species.end},
-                                         {"from_walls", species.from_walls},
-                                         {"residual", species.residual()}};
+        json["species"][species.name] = {{"unit", species.unit},         {"start", species.start},
+                                         {"end", species.end},           {"from_walls", species.from_walls},
+                                         {"taken_up", species.taken_up}, {"residual", species.residual()}};
     const ViscousSolves& diffusion = summary.species_solves;
     if (diffusion.solves > 0)
         json["implicit_diffusion"] = {{"solves", diffusion.solves},

@@ -61,7 +61,8 @@ enum class MeasureKind {
     spin,
     wall_force,
     detached,
-    aggregate
+    aggregate,
+    uptake
 };
 enum class FluidField {
     velocity,
@@ -126,10 +127,10 @@ inline constexpr auto enum_names<scene::SpeciesUnit> = std::to_array<std::string
 template <>
 inline constexpr auto enum_names<scene::Axis> = std::to_array<std::string_view>({"x", "y", "z"});
 template <>
-inline constexpr auto enum_names<scene::MeasureKind> =
-    std::to_array<std::string_view>({"flux", "gap", "largest_speed", "density", "kinetic_energy", "probe", "line",
-                                     "mode", "amount", "mean_concentration", "profile", "spread", "wall_flux", "peclet",
-                                     "velocity", "spin", "wall_force", "detached", "aggregate"});
+inline constexpr auto enum_names<scene::MeasureKind> = std::to_array<std::string_view>(
+    {"flux",     "gap",    "largest_speed",      "density",  "kinetic_energy", "probe",     "line",
+     "mode",     "amount", "mean_concentration", "profile",  "spread",         "wall_flux", "peclet",
+     "velocity", "spin",   "wall_force",         "detached", "aggregate",      "uptake"});
 template <>
 inline constexpr auto enum_names<scene::SolidifyRule> = std::to_array<std::string_view>({"per_pair", "per_candidate",
                                                                                          "mutually_closest"});

@@ -64,8 +64,9 @@ struct Species {
     Value<SpeciesUnit> unit = SpeciesUnit::mass;
     ByPart<double> diffusivity;             ///< in all fluids, or by part, with solids that conduct [m^2/s]
     ByPart<Expression> concentration;       ///< initially, as functions of x, y, z
-    ByPart<Expression> wall_concentration;  ///< at the surface of rigid parts, as functions of t, x, y, z
+    ByPart<Expression> wall_concentration;  ///< at the surface of rigid and elastic parts, of t, x, y, z
     ByPart<Expression> wall_flux;           ///< out of rigid parts into the fluid, per area, as functions of t, x, y, z
+    ByPart<double> uptake;                  ///< k of dc/dt = -k c in what carries the species, or by part [1/s]
 
     /// Unit of an amount: "kg", "mol" or "m^3".
     [[nodiscard]] std::string amount_unit() const;
@@ -73,6 +74,8 @@ struct Species {
     [[nodiscard]] std::string concentration_unit() const;
     /// Diffusivity in a part; null if the part does not carry the species.
     [[nodiscard]] const Value<double>* diffusivity_in(const Part& part) const;
+    /// Rate of uptake in a part [1/s]; null if there is none, or the part does not carry the species.
+    [[nodiscard]] const Value<double>* uptake_in(const Part& part) const;
 };
 
 /// [[measure]]: a quantity that is recorded over time.
@@ -85,14 +88,14 @@ struct Measure {
     Value<FluidField> field = FluidField::velocity;  ///< probe, line, mode: field to measure
     Value<int> points = 20;                          ///< line: number of points along it, its ends among them
     Value<std::array<int, 3>> waves;                 ///< mode: number of waves in the period along each axis
-    Value<std::string> part;     ///< gap: elastic solid; wall_flux: rigid part; velocity, spin, detached: spheres;
-                                 ///< aggregate: [[solidify]] or elastic solid
-    Value<std::string> species;  ///< measures of species: its name; empty: the only one
-    Value<Axis> axis = Axis::x;  ///< profile, spread: along this axis
-    Value<int> bins = 20;        ///< profile: number of bins
-    Value<double> about = 0.0;   ///< spread: centre of the variance; not given: the mean [m]
-    Value<double> length = 0.0;  ///< peclet, wall_flux: of the Peclet or Sherwood number [m]; 0: not given
-    Value<double> area = 0.0;    ///< wall_flux: of the wall, for the Sherwood number [m^2]
+    Value<std::string> part;  ///< gap: elastic solid; wall_flux: rigid or elastic part; uptake: what takes up, empty:
+                              ///< all; velocity, spin, detached: spheres; aggregate: [[solidify]] or elastic solid
+    Value<std::string> species;          ///< measures of species: its name; empty: the only one
+    Value<Axis> axis = Axis::x;          ///< profile, spread: along this axis
+    Value<int> bins = 20;                ///< profile: number of bins
+    Value<double> about = 0.0;           ///< spread: centre of the variance; not given: the mean [m]
+    Value<double> length = 0.0;          ///< peclet, wall_flux: of the Peclet or Sherwood number [m]; 0: not given
+    Value<double> area = 0.0;            ///< wall_flux: of the wall, for the Sherwood number [m^2]
     Value<Vec> direction{Vec::UnitZ()};  ///< detached: direction to the upper half
 };
 

@@ -13,6 +13,12 @@ ValueType<double> diffusivity_type() {
     return type;
 }
 
+ValueType<double> rate_type() {
+    ValueType<double> type = quantity("0.1 1/s", not_negative);
+    type.description = "a rate such as \"0.1 1/s\", at least 0";
+    return type;
+}
+
 }  // namespace
 
 // Columns as in schema.cpp.
@@ -31,10 +37,13 @@ std::vector<Key<Species>> species_keys() {
         {"concentration", {}, &Species::concentration, concentrations, concentration, not_given,
          "Initial concentration, as a formula of x, y, z, or a table by part; 0 by default."},
         {"wall_concentration", {}, &Species::wall_concentration, concentrations, concentration, not_given,
-         "Concentration at the surface of rigid parts: a table by part of formulas of t, x, y, z. Other walls are "
-         "closed."},
+         "Concentration at the surface of rigid and elastic parts: a table by part of formulas of t, x, y, z. All others "
+         "are closed."},
         {"wall_flux", {}, &Species::wall_flux, fluxes, by_part(flux_formula(SpeciesUnit::mass)).description, not_given,
          "Flux out of rigid parts into the fluid, per area and time: a table by part of formulas of t, x, y, z."},
+        {"uptake", &Species::uptake, by_part(rate_type()), not_given,
+         "Rate k of first-order uptake, dc/dt = -k c, in all that carries the species, or a table by part; none by "
+         "default."},
     };
 }
 
@@ -58,7 +67,7 @@ std::vector<Key<Measure>> measure_keys() {
         {"kind", all, &Measure::kind, one_of<MeasureKind>(), required,
          "Quantity to measure: flux through a line, gap between the pieces of a part, largest speed, density, "
          "kinetic energy, field at a probe, along a line or its Fourier mode; of a species its amount, mean concentration, profile, "
-         "spread, flux into a wall, Peclet number; of spheres their velocity, spin, force on the walls, number "
+         "spread, flux into a wall, uptake, Peclet number; of spheres their velocity, spin, force on the walls, number "
          "detached from a sphere; size, pieces and bonds of an aggregate."},
         {"from", lines, &Measure::from, point(), required, "Start of the line."},
         {"to", lines, &Measure::to, point(), required, "End of the line."},
@@ -86,7 +95,10 @@ std::vector<Key<Measure>> measure_keys() {
          "Number of equal parts of the box along the axis; the mean of each is a column."},
         {"about", {"spread"}, &Measure::about, quantity("1 mm"), not_given,
          "Coordinate about which the variance is taken; the mean one by default."},
-        {"part", wall_flux, &Measure::part, name(), required, "Rigid part into which the flux is measured."},
+        {"part", wall_flux, &Measure::part, name(), required,
+         "Rigid or elastic part into which the flux is measured."},
+        {"part", {"uptake"}, &Measure::part, name(), not_given,
+         "Part whose uptake is measured; all that take up the species by default."},
         {"length", {"peclet"}, &Measure::length, quantity("1 mm", positive), required,
          "Length L of the Peclet number U L / D, with the fluid's largest speed U."},
         {"length", wall_flux, &Measure::length, quantity("1 mm", positive), not_given,

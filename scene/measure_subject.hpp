@@ -35,6 +35,7 @@ constexpr MeasureSubject subject_of(MeasureKind kind) {
         case MeasureKind::spread:
         case MeasureKind::wall_flux:
         case MeasureKind::peclet:
+        case MeasureKind::uptake:
             return MeasureSubject::species;
         case MeasureKind::velocity:
         case MeasureKind::spin:

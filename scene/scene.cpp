@@ -24,11 +24,23 @@ const Value<double>* Species::diffusivity_in(const Part& part) const {
     return diffusivity.of(*part.name);
 }
 
+const Value<double>* Species::uptake_in(const Part& part) const {
+    const Value<double>* rate = diffusivity_in(part) != nullptr ? uptake.of(*part.name) : nullptr;
+    return rate != nullptr && **rate > 0 ? rate : nullptr;
+}
+
 std::size_t Scene::species_of(const Measure& measure) const {
     if (measure.species->empty() && species.size() == 1) return 0;
     for (std::size_t s = 0; s < species.size(); ++s)
         if (*species[s].name == *measure.species) return s;
     throw std::out_of_range("no species '" + *measure.species + "'");
+}
+
+std::vector<const Part*> Scene::takers_of(const Species& of) const {
+    std::vector<const Part*> found;
+    for (const Part& part : parts)
+        if (*part.enabled && of.uptake_in(part) != nullptr) found.push_back(&part);
+    return found;
 }
 
 std::vector<const Join*> Scene::joins_of_enabled() const {

@@ -127,6 +127,8 @@ struct Scene {
 
     /// Index of the species of a measure; throws std::out_of_range if there is none.
     [[nodiscard]] std::size_t species_of(const Measure& measure) const;
+    /// The enabled parts that take the species up.
+    [[nodiscard]] std::vector<const Part*> takers_of(const Species& of) const;
     /// Whether elastic bodies may gain or lose bonds during the run.
     [[nodiscard]] bool changes_bodies() const { return !solidify.empty() || !breaking.empty(); }
     /// Whether there are elastic bodies at the start or later.

@@ -42,32 +42,49 @@ void check_diffusivity(const Scene& scene, const Species& species) {
                              "add its diffusivity; 0 if the species only moves with the fluid");
 }
 
+/// Throws InputError if a part of a table does not carry the species.
+void need_carrier(const Scene& scene, const Species& species, const std::string& table, const std::string& name,
+                  const SourceLocation& location) {
+    const Part& part = known_part(scene, table, name, location);
+    if (species.diffusivity_in(part) != nullptr) return;
+    throw InputError(location,
+                     table + ": the part '" + name + "' of kind '" + to_string(*part.kind) +
+                         "' does not carry the species, because it has no diffusivity",
+                     "add it to the species' diffusivity, or leave it out here");
+}
+
 void check_start(const Scene& scene, const Species& species) {
     const std::string table = named(species) + ", concentration";
     if (species.concentration.all) need_no_time(table, *species.concentration.all);
     for (const auto& [name, value] : species.concentration.parts) {
         need_no_time(table, value);
-        const Part& part = known_part(scene, table, name, value.location);
-        if (species.diffusivity_in(part) != nullptr) continue;
-        throw InputError(value.location,
-                         table + ": the part '" + name + "' of kind '" + to_string(*part.kind) +
-                             "' does not carry the species, because it has no diffusivity",
-                         "add it to the species' diffusivity, or leave it out here");
+        need_carrier(scene, species, table, name, value.location);
     }
 }
 
-/// Walls with a fixed concentration or flux must be rigid, named and not conducting.
-void check_walls(const Scene& scene, const Species& species, const ByPart<Expression>& walls, const std::string& key) {
+void check_uptake(const Scene& scene, const Species& species) {
+    for (const auto& [name, value] : species.uptake.parts)
+        need_carrier(scene, species, named(species) + ", uptake", name, value.location);
+}
+
+/// Surfaces with a fixed concentration or flux must be named, of one of these kinds and not conducting.
+void check_surfaces(const Scene& scene, const Species& species, const ByPart<Expression>& surfaces,
+                    const std::string& key, const std::vector<PartKind>& kinds) {
     const std::string table = named(species) + ", " + key;
-    if (walls.all)
-        throw InputError(walls.all->location, table + ": one value for all parts is not allowed",
-                         "write a table of rigid parts, " + key + " = { wall = ... }");
-    for (const auto& [name, value] : walls.parts) {
+    std::string words, quoted;
+    for (const PartKind kind : kinds) {
+        words += (words.empty() ? "" : " or ") + to_string(kind);
+        quoted += (quoted.empty() ? "'" : " or '") + to_string(kind) + "'";
+    }
+    if (surfaces.all)
+        throw InputError(surfaces.all->location, table + ": one value for all parts is not allowed",
+                         "write a table of " + words + " parts, " + key + " = { wall = ... }");
+    for (const auto& [name, value] : surfaces.parts) {
         const Part& part = known_part(scene, table, name, value.location);
-        if (*part.kind != PartKind::rigid)
+        if (std::ranges::find(kinds, *part.kind) == kinds.end())
             throw InputError(value.location,
-                             table + ": '" + name + "' is of kind '" + to_string(*part.kind) + "', expected 'rigid'",
-                             "name rigid parts only");
+                             table + ": '" + name + "' is of kind '" + to_string(*part.kind) + "', expected " + quoted,
+                             "name " + words + " parts only");
         if (species.diffusivity_in(part) != nullptr)
             throw InputError(value.location,
                              table + ": '" + name + "' conducts the species, because it has a diffusivity",
@@ -81,8 +98,10 @@ void check_one(const Scene& scene, const Species& species) {
                          "add a [[part]] with kind = \"fluid\", or leave the species out");
     check_diffusivity(scene, species);
     check_start(scene, species);
-    check_walls(scene, species, species.wall_concentration, "wall_concentration");
-    check_walls(scene, species, species.wall_flux, "wall_flux");
+    check_uptake(scene, species);
+    check_surfaces(scene, species, species.wall_concentration, "wall_concentration",
+                   {PartKind::rigid, PartKind::elastic});
+    check_surfaces(scene, species, species.wall_flux, "wall_flux", {PartKind::rigid});
     for (const auto& [name, value] : species.wall_flux.parts)
         if (species.wall_concentration.parts.contains(name))
             throw InputError(value.location,
@@ -132,14 +151,27 @@ void check_wall_flux(const Scene& scene, const Measure& measure) {
         for (const auto& [name, value] : species.wall_concentration.parts) held.push_back(name);
         throw InputError(
             measure.part.location,
-            "measure '" + *measure.name + "': '" + *measure.part + "' is not a wall where " + named(species) +
+            "measure '" + *measure.name + "': '" + *measure.part + "' is not a part at which " + named(species) +
                 " has a fixed concentration",
-            held.empty() ? "add the part to the species' wall_concentration" : "such walls are " + quoted_list(held));
+            held.empty() ? "add the part to the species' wall_concentration" : "such parts are " + quoted_list(held));
     }
     if (measure.length.given() != measure.area.given())
         throw InputError(measure.length.given() ? measure.length.location : measure.area.location,
                          "measure '" + *measure.name + "': a Sherwood number needs a length and an area",
                          "give both, or neither");
+}
+
+void check_uptake_measure(const Scene& scene, const Measure& measure) {
+    const Species& species = scene.species[scene.species_of(measure)];
+    std::vector<std::string> takers;
+    for (const Part* part : scene.takers_of(species)) takers.push_back(*part->name);
+    const std::string what = "measure '" + *measure.name + "': ";
+    if (takers.empty())
+        throw InputError(measure.kind.location, what + "nothing takes up " + named(species),
+                         "give the species an uptake, or leave the measure out");
+    if (measure.part->empty() || std::ranges::find(takers, *measure.part) != takers.end()) return;
+    throw InputError(measure.part.location, what + "'" + *measure.part + "' does not take up " + named(species),
+                     "what does is " + quoted_list(takers) + "; leave part out for all of it");
 }
 
 void check_species_measure(const Scene& scene, const Measure& measure) {
@@ -152,6 +184,7 @@ void check_species_measure(const Scene& scene, const Measure& measure) {
     if (!is_of_species(*measure.kind)) return;
     need_species(scene, measure);
     if (*measure.kind == wall_flux) check_wall_flux(scene, measure);
+    if (*measure.kind == uptake) check_uptake_measure(scene, measure);
     check_box(scene, measure);
     if (scene.dimension == 2 && *measure.axis == Axis::z)
         throw InputError(measure.axis.location, "measure '" + *measure.name + "': a scene in 2-D has no axis 'z'",

@@ -64,6 +64,14 @@ std::vector<Omission> omissions(const Scene& scene) {
             s.species.erase(s.species.begin() + static_cast<std::ptrdiff_t>(number));
             if (s.species.empty()) std::erase(s.output.fields, FluidField::concentration);
         });
+    for (std::size_t number = 0; number < scene.species.size(); ++number)
+        leave_out(!scene.takers_of(scene.species[number]).empty(), "uptake of '" + *scene.species[number].name + "'",
+                  [number, &scene](Scene& s) {
+                      std::erase_if(s.measures, [&](const Measure& measure) {
+                          return *measure.kind == MeasureKind::uptake && scene.species_of(measure) == number;
+                      });
+                      s.species[number].uptake = {};
+                  });
     return all;
 }
 

@@ -29,6 +29,12 @@ struct SpeciesWallPoint : SpeciesPoint<T, D> {
     T gives;              ///< 1: the surface has a given flux; otherwise 0
 };
 
+/// The state of a particle of an elastic part.
+template <class T, int D>
+struct SpeciesBodyPoint : SpeciesPoint<T, D> {
+    T held;  ///< 1: the part's surface is held at the concentration; otherwise 0
+};
+
 /// Diffusion of a species between two particles: the amount that particle i gains from j per unit of time (Brookshaw
 /// 1985; Cleary & Monaghan 1999, eq. 18, for amounts w = c V):
 ///   dw_i/dt = SUM_j V_i V_j [4 D_i D_j / (D_i + D_j)] (c_i - c_j) (1/r dW/dr)
@@ -65,6 +71,10 @@ struct SpeciesDiffusion {
   private:
     template <class P>
     static constexpr bool is_wall = requires(const P& p) {
+        p.normal;
+    };
+    template <class P>
+    static constexpr bool is_body = !is_wall<P> && requires(const P& p) {
         p.held;
     };
 
@@ -72,12 +82,16 @@ struct SpeciesDiffusion {
     /// extrapolated linearly from the particle's through the surface's, c_j = c_w - (d_j / d_i) (c_i - c_w), where d
     /// are the distances to the surface (as Morris, Fox & Zhu 1997, section 2.6, for velocities), so that c_i - c_j =
     /// (1 + d_j / d_i) (c_i - c_w).
+    /// The surface of an elastic part, whose nodes have no normals, is half-way: d_j = d_i, as if the part conducted
+    /// infinitely well.
     template <class I, class J>
     [[nodiscard]] auto surface(const I& i, const J& j) const {
         using T = decltype(i.volume * j.volume);
         T sum = T(0.0);
         if constexpr (is_wall<J>) sum = sum + j.held * (2.0 * i.diffusivity * behind(i, j));
         if constexpr (is_wall<I>) sum = sum + i.held * (2.0 * j.diffusivity * behind(j, i));
+        if constexpr (is_body<J>) sum = sum + j.held * (4.0 * i.diffusivity);
+        if constexpr (is_body<I>) sum = sum + i.held * (4.0 * j.diffusivity);
         return sum;
     }
     /// 1 + d_wall / d_particle.

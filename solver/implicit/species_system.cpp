@@ -28,7 +28,7 @@ SpeciesSystem::SpeciesSystem(const Around& around, const SpeciesSums& sums) : on
         for (std::size_t i = 0; i < group->owned(); ++i) {
             if (a.diffusivity != nullptr && group->kind() != PartKind::fluid && a.diffusivity[i] == 0) continue;
             largest[0] = std::max(largest[0], a.diagonal[i]);
-            largest[1] = std::max(largest[1], a.diagonal[i] / on_.rest_volume(*group, i));
+            largest[1] = std::max(largest[1], a.diagonal[i] / on_.volume(*group, i));
         }
     }
     on_.ranks.largest(largest);
@@ -54,7 +54,7 @@ std::array<double, Count> SpeciesSystem::sums_over_unknowns(const Visit& visit) 
         const bool is_fluid = group->kind() == PartKind::fluid;
         const auto of_group = sums_over<Count>(*group, on_.threads, [&](std::ptrdiff_t i, auto& sums) {
             if (!is_fluid && a.diffusivity[i] == 0) return;
-            visit(a, i, on_.rest_volume(*group, static_cast<std::size_t>(i)), sums);
+            visit(a, i, on_.volume(*group, static_cast<std::size_t>(i)), sums);
         });
         for (std::size_t k = 0; k < Count; ++k) all[k].add(of_group[k]);
     }
@@ -72,7 +72,7 @@ void SpeciesSystem::for_each_unknown(const Visit& visit) {
         const auto count = static_cast<std::ptrdiff_t>(group->owned());
 #pragma omp parallel for num_threads(on_.threads) schedule(static)
         for (std::ptrdiff_t i = 0; i < count; ++i)
-            if (is_fluid || a.diffusivity[i] != 0) visit(a, i, on_.rest_volume(*group, static_cast<std::size_t>(i)));
+            if (is_fluid || a.diffusivity[i] != 0) visit(a, i, on_.volume(*group, static_cast<std::size_t>(i)));
     }
 }
 

@@ -13,10 +13,11 @@ namespace dmp::solver {
 
 /// The equations of one step's implicit diffusion of a species (backward Euler), as conjugate_gradients wants them:
 ///   V_i c_i - dt SUM_j G_ij (c_j - c_i) = w_i
-/// V the volume at rest, w the amount before the step, G the pair's conductance; walls that are held at a concentration
-/// stand on the right. The matrix is symmetric, because pairs are, and positive definite. The unknowns are
-/// Field::concentration of the particles that carry the species, from where they stand. All sums are exact or
-/// order-free: results are the same bits on any number of threads and ranks.
+/// V the volume at rest over the share that uptake leaves of what comes in during the step (FirstOrderUptake; 1
+/// without), w the amount before, less what was taken up before anything came in, G the pair's conductance; walls that
+/// are held at a concentration stand on the right. The matrix is symmetric, because pairs are, and positive definite.
+/// The unknowns are Field::concentration of the particles that carry the species, from where they stand. All sums are
+/// exact or order-free: results are the same bits on any number of threads and ranks.
 class SpeciesSystem {
   public:
     struct Around {
@@ -25,8 +26,8 @@ class SpeciesSystem {
         const PairSweeps& sweeps;
         const Ranks& ranks;
         int threads;
-        /// Volume at rest of an owned particle [m^3].
-        const std::function<double(const ParticleGroup&, std::size_t)>& rest_volume;
+        /// V of an owned particle [m^3].
+        const std::function<double(const ParticleGroup&, std::size_t)>& volume;
     };
 
     /// `sums`: of the species, with the step as its time and the largest conductance of a pair during it as its largest

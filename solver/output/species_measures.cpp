@@ -89,6 +89,14 @@ struct SpeciesMeasures::Rows {
          [](const Self& self, const Measure& measure, const FluidMoment& moment) {
              return Values{quotient(moment.step.extremes().largest_speed * measure.length, self.diffusivity(measure))};
          }},
+        {MeasureKind::uptake,
+         [](const Self& self, const Measure& measure) {
+             const std::string &name = measure.name, unit = self.species_of(measure).amount_unit();
+             return Columns{{name, unit + "/s"}, {name + "_total", unit}};
+         },
+         [](const Self& self, const Measure& measure, const FluidMoment& moment) {
+             return self.uptake(measure, moment);
+         }},
     });
 };
 
@@ -182,31 +190,44 @@ std::vector<double> SpeciesMeasures::spread(const Measure& measure, const FluidM
     return {variance, effective, quotient(effective, diffusivity(measure))};
 }
 
-std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, const FluidMoment& moment) const {
+/// What was taken since the last row, over the time; and in all.
+std::vector<double> SpeciesMeasures::rate_and_total(double taken, const FluidMoment& moment) {
     const MeasureSeries& series = moment.series;
-    const int part = space_.part_named(measure.part);
-    if (part < 0) return std::vector<double>(columns(measure).size(), nothing);
-    const double taken = moment.step.species()->taken_by_walls(moment.particles, scene_.species_of(measure),
-                                                               static_cast<std::uint16_t>(part));
     const bool begun = !series.rows.empty();
     const double before = begun ? series.rows.back()[moment.first + 1] : 0, since = begun ? series.time.back() : 0;
-    const double flux = quotient(taken - before, moment.time - since);
-    std::vector<double> values{flux, taken};
+    return {quotient(taken - before, moment.time - since), taken};
+}
+
+std::vector<double> SpeciesMeasures::uptake(const Measure& measure, const FluidMoment& moment) const {
+    const std::size_t species = scene_.species_of(measure);
+    if (measure.part->empty()) return rate_and_total(moment.step.species()->taken_up(species), moment);
+    const int part = space_.part_named(measure.part);
+    if (part < 0) return {nothing, nothing};
+    return rate_and_total(moment.step.species()->taken_up(species, static_cast<std::uint16_t>(part)), moment);
+}
+
+std::vector<double> SpeciesMeasures::wall_flux(const Measure& measure, const FluidMoment& moment) const {
+    const int part = space_.part_named(measure.part);
+    if (part < 0) return std::vector<double>(columns(measure).size(), nothing);
+    const double taken = moment.step.species()->taken_by_surfaces(moment.particles, scene_.species_of(measure),
+                                                                  static_cast<std::uint16_t>(part));
+    std::vector<double> values = rate_and_total(taken, moment);
     if (!measure.length.given()) return values;
     const double difference = mean(measure, moment) - wall_concentration(measure, moment.particles);
-    values.push_back(quotient(flux * measure.length, measure.area * diffusivity(measure) * difference));
+    values.push_back(quotient(values.front() * measure.length, measure.area * diffusivity(measure) * difference));
     return values;
 }
 
 /// The mean over the wall's particles, as they were last shown.
 double SpeciesMeasures::wall_concentration(const Measure& measure, const ParticleStore& particles) const {
-    const ParticleGroup& rigid = particles.of(PartKind::rigid);
+    const int part = space_.part_named(measure.part);
+    const ParticleGroup& group = particles.of(space_.parts[static_cast<std::size_t>(part)].kind);
     const auto species = static_cast<int>(scene_.species_of(measure));
     ExactSum sum;
     std::int64_t count = 0;
-    for (std::size_t i = 0; i < rigid.owned(); ++i) {
-        if (space_.parts[rigid.tags()[i].part].name != *measure.part) continue;
-        sum.add(rigid.data(Field::concentration, species)[i]);
+    for (std::size_t i = 0; i < group.owned(); ++i) {
+        if (group.tags()[i].part != part) continue;
+        sum.add(group.data(Field::concentration, species)[i]);
         ++count;
     }
     return quotient(over_all_ranks(sum), static_cast<double>(ranks_.sum(count)));

@@ -35,6 +35,8 @@ struct FluidMoment {
 ///   all;
 ///                       with length L and area A, NAME_sherwood = J L / (A D (c - c_w)), c the fluid's mean
 ///                       concentration, c_w the wall's, D as above
+///   uptake              what a part, or all, took up since the last row, over the time [1/s]; NAME_total, since the
+///                       start
 ///   peclet              U L / D, U the fluid's largest speed, D as above
 class SpeciesMeasures {
   public:
@@ -54,6 +56,8 @@ class SpeciesMeasures {
     [[nodiscard]] double mean(const Measure& measure, const FluidMoment& moment) const;
     [[nodiscard]] std::vector<double> profile(const Measure& measure, const FluidMoment& moment) const;
     [[nodiscard]] std::vector<double> spread(const Measure& measure, const FluidMoment& moment) const;
+    [[nodiscard]] static std::vector<double> rate_and_total(double taken, const FluidMoment& moment);
+    [[nodiscard]] std::vector<double> uptake(const Measure& measure, const FluidMoment& moment) const;
     [[nodiscard]] std::vector<double> wall_flux(const Measure& measure, const FluidMoment& moment) const;
     [[nodiscard]] double wall_concentration(const Measure& measure, const ParticleStore& particles) const;
     [[nodiscard]] const Species& species_of(const Measure& measure) const;

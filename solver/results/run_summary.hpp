@@ -35,10 +35,11 @@ struct SpeciesBalance {
     std::string name, unit;     ///< unit of amounts
     double start = 0, end = 0;  ///< in all particles that carry it
     double from_walls = 0;      ///< from walls held at a concentration or with a given flux
-    /// The unaccounted amount, divided by the larger of start and end.
+    double taken_up = 0;        ///< by the parts' uptake
+    /// The unaccounted amount, divided by the largest of start, end and what was taken up.
     [[nodiscard]] double residual() const {
-        const double scale = std::max(std::abs(start), std::abs(end));
-        return scale > 0 ? (end - start - from_walls) / scale : 0;
+        const double scale = std::max({std::abs(start), std::abs(end), taken_up});
+        return scale > 0 ? (end - start - from_walls + taken_up) / scale : 0;
     }
 };
 

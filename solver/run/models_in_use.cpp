@@ -228,9 +228,14 @@ void Models::add_elastic(const SpringBodies& springs) {
 }
 
 void Models::add_species() {
-    for (const Species& species : scene_.species)
+    for (const Species& species : scene_.species) {
         add("diffusion of '" + *species.name + "'", "Cleary & Monaghan 1999, harmonic mean where diffusivities meet",
             "species at " + species.name.location.text());
+        const auto takers = scene_.takers_of(species);
+        if (!takers.empty())
+            add("uptake of '" + *species.name + "'", "first order, exponential Euler: Cox & Matthews 2002",
+                "species." + *species.name + ".uptake at " + species.uptake_in(*takers.front())->location.text());
+    }
     if (!scene_.species.empty() && *scene_.numerics.species_stepping == SpeciesStepping::implicitly)
         add("implicit diffusion", "backward Euler, conjugate gradients",
             because(scene_.numerics.species_stepping, "numerics.species_stepping"));

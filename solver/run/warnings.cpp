@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/length_text.hpp"
 #include "base/number_text.hpp"
 #include "scene/measure_subject.hpp"
 #include "solver/forcing/driven.hpp"
@@ -148,7 +149,20 @@ class Warnings {
             if (species.concentration.empty() && species.wall_concentration.empty() && species.wall_flux.empty())
                 add(key, species.name.location, "is nowhere: it starts at 0 and no wall gives any of it",
                     "give a concentration at the start or at a wall");
+            for (const Part* part : scene_.takers_of(species)) about_uptake(species, *part);
         }
+    }
+
+    /// Next to where the species comes from, its concentration falls over sqrt(D / k).
+    void about_uptake(const Species& species, const Part& part) {
+        const Value<double>& rate = *species.uptake_in(part);
+        const double layer = std::sqrt(**species.diffusivity_in(part) / *rate), spacing = scene_.particles.spacing;
+        if (layer == 0 || layer >= spacing) return;
+        add("species." + *species.name + ".uptake", rate.location,
+            "in '" + *part.name + "' makes layers of sqrt(D / k) = " + length_text(layer) +
+                " next to where the species comes from, thinner than the spacing of the particles, " +
+                length_text(spacing),
+            "take a smaller particles.spacing if they matter");
     }
 
     void about_solidify() {

@@ -32,6 +32,16 @@ double concentration_at(const std::string& of, const Value<Expression>& formula,
     throw InputError(formula.location, problem.str(), "correct the formula");
 }
 
+/// By part number [1/s].
+std::vector<double> rates_of_uptake(const Species& species, const std::vector<const Part*>& parts) {
+    std::vector<double> rates;
+    for (const Part* part : parts) {
+        const Value<double>* rate = species.uptake_in(*part);
+        rates.push_back(rate != nullptr ? **rate : 0);
+    }
+    return rates;
+}
+
 /// One for all fluids, or -1.
 double common_diffusivity(const Scene& scene, const Species& species) {
     const auto fluids = scene.parts_of(PartKind::fluid);
@@ -62,9 +72,11 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
                                   species.wall_flux.of(*part->name) != nullptr;
             conducts_in_solids_ |= conducts;
         }
-        for (const Part* part : scene.parts_of(PartKind::elastic))
-            carried.with_elastic |= species.diffusivity_in(*part) != nullptr;
-        conducts_in_solids_ |= carried.with_elastic;
+        for (const Part* part : scene.parts_of(PartKind::elastic)) {
+            const bool conducts = species.diffusivity_in(*part) != nullptr;
+            carried.with_elastic |= conducts || species.wall_concentration.of(*part->name) != nullptr;
+            conducts_in_solids_ |= conducts;
+        }
         species_.push_back(carried);
     }
     declare(scene, particles);
@@ -72,7 +84,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
     for (CarriedSpecies& carried : species_) {
         const Species& species = given_[static_cast<std::size_t>(carried.number)];
         fill(species, set, parts, particles, carried);
-        fill_walls(scene, species, set, particles, carried);
+        fill_surfaces(scene, species, set, particles, carried);
         carried.largest_amount = at_least_something(ranks_.largest(carried.largest_amount));
         carried.largest_diffusivity = ranks_.largest(carried.largest_diffusivity);
         // Amounts in whole quanta, as those that are handed over are.
@@ -82,6 +94,7 @@ SpeciesTransport::SpeciesTransport(const Scene& scene, const ParticleSet& set, P
             double* amount = group.data(Field::species_amount, carried.number);
             for (std::size_t i = 0; i < group.owned(); ++i) amount[i] = whole(amount[i]);
         }
+        uptake_.emplace_back(carried.number, rates_of_uptake(species, parts), carried.largest_amount, threads_);
         at_start_.push_back(held_by_particles(particles, static_cast<std::size_t>(carried.number)));
     }
     largest_volume_ = ranks_.largest(largest_volume_);
@@ -94,15 +107,17 @@ void SpeciesTransport::declare(const Scene& scene, ParticleStore& particles) {
     };
     const int count = static_cast<int>(species_.size());
     for (ParticleGroup& group : particles.groups()) {
-        const bool is_fluid = group.kind() == PartKind::fluid, is_rigid = group.kind() == PartKind::rigid;
-        if (!is_fluid && !any(is_rigid ? &CarriedSpecies::with_rigid : &CarriedSpecies::with_elastic)) continue;
+        const bool is_fluid = group.kind() == PartKind::fluid;
+        if (!is_fluid &&
+            !any(group.kind() == PartKind::rigid ? &CarriedSpecies::with_rigid : &CarriedSpecies::with_elastic))
+            continue;
         group.declare(Field::species_amount, count);
         group.declare(Field::concentration, count);
         const bool alike =
             std::ranges::all_of(species_, [](const CarriedSpecies& one) { return one.diffusivity >= 0; });
         const bool solids = any(&CarriedSpecies::with_rigid) || any(&CarriedSpecies::with_elastic);
         if (!is_fluid || solids || !alike) group.declare(Field::species_diffusivity, count);
-        if (is_rigid) group.declare(Field::species_wall, count);
+        if (!is_fluid) group.declare(Field::species_wall, count);
         if (*scene.numerics.shifting > 0 || *scene.numerics.transport_velocity) group.declare({Field::species_change});
         if (*scene.numerics.species_stepping == SpeciesStepping::implicitly)
             group.declare(
@@ -134,23 +149,24 @@ void SpeciesTransport::fill(const Species& species, const ParticleSet& set, cons
     }
 }
 
-void SpeciesTransport::fill_walls(const Scene& scene, const Species& species, const ParticleSet& set,
-                                  ParticleStore& particles, CarriedSpecies& carried) {
-    ParticleGroup& rigid = particles.of(PartKind::rigid);
+void SpeciesTransport::fill_surfaces(const Scene& scene, const Species& species, const ParticleSet& set,
+                                     ParticleStore& particles, CarriedSpecies& carried) {
     for (std::size_t number = 0; number < set.parts.size(); ++number)
         for (const bool held : {true, false}) {
-            const ByPart<Expression>& walls = held ? species.wall_concentration : species.wall_flux;
-            const Value<Expression>* formula = walls.of(set.parts[number].name);
-            if (formula == nullptr || set.parts[number].kind != PartKind::rigid) continue;
-            carried.walls.push_back({static_cast<std::uint16_t>(number), **formula, held});
+            const PartKind kind = set.parts[number].kind;
+            const ByPart<Expression>& surfaces = held ? species.wall_concentration : species.wall_flux;
+            const Value<Expression>* formula = surfaces.of(set.parts[number].name);
+            if (formula == nullptr || (kind != PartKind::rigid && kind != PartKind::elastic)) continue;
+            carried.surfaces.push_back({static_cast<std::uint16_t>(number), kind, **formula, held});
+            ParticleGroup& group = particles.of(kind);
             constexpr int times = 16;
-            for (std::size_t i = 0; i < rigid.owned(); ++i) {
-                if (rigid.tags()[i].part != number) continue;
-                rigid.data(Field::species_wall, carried.number)[i] = held ? 1 : -1;
-                const Vec& at = set.position[static_cast<std::size_t>(rigid.tags()[i].id)];
+            for (std::size_t i = 0; i < group.owned(); ++i) {
+                if (group.tags()[i].part != number) continue;
+                group.data(Field::species_wall, carried.number)[i] = held ? 1 : -1;
+                const Vec& at = set.position[static_cast<std::size_t>(group.tags()[i].id)];
                 for (int k = 0; k <= ((*formula)->depends_on_time() ? times : 0); ++k) {
                     const double t = scene.run.duration * k / times;
-                    const double volume = rigid.data(Field::volume)[i];
+                    const double volume = group.data(Field::volume)[i];
                     const double amount =
                         held
                             ? concentration_at("species '" + *species.name + "': wall_concentration", *formula, t, at) *
@@ -171,8 +187,13 @@ double SpeciesTransport::concentration(const ParticleGroup& group, std::size_t i
     return group.data(Field::species_amount, static_cast<int>(species))[i] / rest_volume(group, i);
 }
 
-bool SpeciesTransport::is_wall(const ParticleGroup& group, std::size_t i, std::size_t species) const {
+bool SpeciesTransport::is_surface(const ParticleGroup& group, std::size_t i, std::size_t species) const {
     return group.has(Field::species_wall) && group.data(Field::species_wall, static_cast<int>(species))[i] != 0;
+}
+
+void SpeciesTransport::start(ParticleStore& particles, double t, double dt) {
+    show(particles, t);
+    for (SpeciesUptake& uptake : uptake_) uptake.take(particles, dt, SpeciesUptake::When::before_supply);
 }
 
 void SpeciesTransport::show(ParticleStore& particles, double t) const {
@@ -194,20 +215,20 @@ void SpeciesTransport::show(ParticleStore& particles, double t) const {
             for (std::ptrdiff_t i = 0; i < count; ++i)
                 concentration[i] = amount[i] / rest_volume(group, static_cast<std::size_t>(i));
         }
-        ParticleGroup& rigid = particles.of(PartKind::rigid);
-        for (const CarriedSpecies::Wall& wall : species.walls) {
-            const bool by_position = wall.value.depends_on_position();
-            const double everywhere = by_position ? 0 : wall.value(t);
-            double* concentration = rigid.data(Field::concentration, species.number);
-            for (std::size_t i = 0; i < rigid.owned(); ++i) {
-                if (rigid.tags()[i].part != wall.part) continue;
+        for (const CarriedSpecies::Surface& surface : species.surfaces) {
+            const bool by_position = surface.value.depends_on_position();
+            const double everywhere = by_position ? 0 : surface.value(t);
+            ParticleGroup& group = particles.of(surface.kind);
+            double* concentration = group.data(Field::concentration, species.number);
+            for (std::size_t i = 0; i < group.owned(); ++i) {
+                if (group.tags()[i].part != surface.part) continue;
                 std::array<double, 3> x{};
-                for (int axis = 0; by_position && axis < rigid.dimension(); ++axis) {
-                    const double at = rigid.data(Field::position, axis)[i];
+                for (int axis = 0; by_position && axis < group.dimension(); ++axis) {
+                    const double at = group.data(Field::position, axis)[i];
                     // Wherever it was wrapped last.
                     x[axis] = space.periodic[axis] ? wrapped(at, space.box.low[axis], space.box.high[axis]) : at;
                 }
-                concentration[i] = by_position ? wall.value(t, x[0], x[1], x[2]) : everywhere;
+                concentration[i] = by_position ? surface.value(t, x[0], x[1], x[2]) : everywhere;
             }
         }
     }
@@ -262,6 +283,7 @@ void SpeciesTransport::advance(ParticleStore& particles, Neighbours& neighbours,
         sweeps.species(particles, {neighbours.list(), neighbours.within_solids()}, sums);
         if (shift.per_sum != 0) hand_over(species, particles);
     }
+    for (SpeciesUptake& uptake : uptake_) uptake.take(particles, dt, SpeciesUptake::When::after_supply);
 }
 
 /// Adds to the amounts what particles have taken, less the excess.
@@ -305,8 +327,9 @@ void SpeciesTransport::hand_over(const CarriedSpecies& species, ParticleStore& p
 
 void SpeciesTransport::solve(const CarriedSpecies& species, ParticleStore& particles, Neighbours& neighbours,
                              const PairSweeps& sweeps, const SpeciesSums& of_step) {
-    const std::function<double(const ParticleGroup&, std::size_t)> volume = [this](const auto& group, std::size_t i) {
-        return rest_volume(group, i);
+    const std::function<double(const ParticleGroup&, std::size_t)> volume = [&](const auto& group, std::size_t i) {
+        const SpeciesUptake& uptake = uptake_[static_cast<std::size_t>(species.number)];
+        return rest_volume(group, i) / uptake.share_kept(group.tags()[i].part, of_step.time);
     };
     SpeciesSums sums = of_step;
     // Of two particles that all but touch.
@@ -337,13 +360,13 @@ void SpeciesTransport::give_up(const CarriedSpecies& species, double error, long
                           "explicit limit), or lower numerics.step_factor");
 }
 
-double SpeciesTransport::taken_by_walls(const ParticleStore& particles, std::size_t species,
-                                        std::optional<std::uint16_t> part) const {
-    const ParticleGroup& rigid = particles.of(PartKind::rigid);
+double SpeciesTransport::taken_by_surfaces(const ParticleStore& particles, std::size_t species,
+                                           std::optional<std::uint16_t> part) const {
     ExactSum sum;
-    for (std::size_t i = 0; rigid.has(Field::species_amount) && i < rigid.owned(); ++i)
-        if (is_wall(rigid, i, species) && (!part || rigid.tags()[i].part == *part))
-            sum.add(rigid.data(Field::species_amount, static_cast<int>(species))[i]);
+    for (const ParticleGroup& group : particles.groups())
+        for (std::size_t i = 0; group.has(Field::species_wall) && i < group.owned(); ++i)
+            if (is_surface(group, i, species) && (!part || group.tags()[i].part == *part))
+                sum.add(group.data(Field::species_amount, static_cast<int>(species))[i]);
     ranks_.sum(sum);
     return sum.value();
 }
@@ -352,16 +375,21 @@ double SpeciesTransport::held_by_particles(const ParticleStore& particles, std::
     ExactSum sum;
     for (const ParticleGroup& group : particles.groups())
         for (std::size_t i = 0; group.has(Field::species_amount) && i < group.owned(); ++i)
-            if (!is_wall(group, i, species)) sum.add(group.data(Field::species_amount, static_cast<int>(species))[i]);
+            if (!is_surface(group, i, species))
+                sum.add(group.data(Field::species_amount, static_cast<int>(species))[i]);
     ranks_.sum(sum);
     return sum.value();
+}
+
+double SpeciesTransport::taken_up(std::size_t species, std::optional<std::uint16_t> part) const {
+    return uptake_[species].taken(ranks_, part);
 }
 
 std::vector<SpeciesBalance> SpeciesTransport::balances(const ParticleStore& particles) const {
     std::vector<SpeciesBalance> all;
     for (std::size_t s = 0; s < species_.size(); ++s)
         all.push_back({*given_[s].name, given_[s].amount_unit(), at_start_[s], held_by_particles(particles, s),
-                       -taken_by_walls(particles, s)});
+                       -taken_by_surfaces(particles, s), taken_up(s)});
     return all;
 }
 
@@ -371,6 +399,7 @@ void SpeciesTransport::archive(Archive& file) {
                   "the largest amount of a species that a particle is expected to hold");
     file("species/at_start", at_start_);
     file("species/excess", excess_);
+    for (std::size_t s = 0; s < uptake_.size(); ++s) uptake_[s].archive(file, *given_[s].name, ranks_);
     file("species/solves", solves_.solves);
     file("species/iterations", solves_.iterations);
     file("species/most_iterations", solves_.most_iterations);

@@ -9,6 +9,7 @@
 #include "scene/scene.hpp"
 #include "solver/neighbours/neighbours.hpp"
 #include "solver/results/run_summary.hpp"
+#include "solver/species/species_uptake.hpp"
 #include "solver/state/archive.hpp"
 #include "solver/sweeps/fluid_passes.hpp"
 #include "solver/sweeps/pair_sweeps.hpp"
@@ -24,16 +25,17 @@ class UnsolvedSpecies : public DivergenceError {
 
 /// One species as the solver has it.
 struct CarriedSpecies {
-    /// A rigid part whose surface is held at a concentration, or gives off a flux.
-    struct Wall {
+    /// A part whose surface is held at a concentration, or, of rigid ones, gives off a flux.
+    struct Surface {
         std::uint16_t part = 0;
+        PartKind kind = PartKind::rigid;
         Expression value;
         bool held = true;
     };
     int number = 0;
     double diffusivity = -1;  ///< of all fluid particles [m^2/s]; negative: by particle
     bool with_rigid = false, with_elastic = false;
-    std::vector<Wall> walls;
+    std::vector<Surface> surfaces;
     double largest_amount = 0;       ///< that a particle is expected to hold
     double largest_diffusivity = 0;  ///< [m^2/s]
 };
@@ -47,9 +49,9 @@ struct CarriedSpecies {
 /// excess is taken from the particles in proportion to what they have taken up or given in the step, so that nothing
 /// changes where concentrations are even (as semi-Lagrangian schemes do: Bermejo & Conde 2002). What rounding leaves of
 /// it, half a quantum a particle at most, waits for the next step.
-/// Walls whose surface is held at a concentration, or gives off a flux, keep the account of what they have taken (less
-/// what they gave) as their own amount. Walls are closed otherwise; solids with a diffusivity take part like the fluid,
-/// and conduct within themselves.
+/// Solids whose surface is held at a concentration, and walls that give off a flux, keep the account of what they have
+/// taken (less what they gave) as their own amount. Solids are closed otherwise; those with a diffusivity take part
+/// like the fluid, and conduct within themselves. What parts take up (SpeciesUptake) leaves the particles.
 class SpeciesTransport {
   public:
     /// Declares the fields and fills them. `rest_density` by part number. Throws InputError where a formula gives no
@@ -59,12 +61,14 @@ class SpeciesTransport {
 
     /// Whether pairs within solids are needed.
     [[nodiscard]] bool conducts_in_solids() const { return conducts_in_solids_; }
-    /// Concentrations of owned particles from their amounts; of walls those at time t.
-    void show(ParticleStore& particles, double t) const;
+    /// Before copies learn of concentrations: those of owned particles from their amounts, of surfaces those at time t;
+    /// and what is taken up during dt before neighbours supply anything.
+    void start(ParticleStore& particles, double t, double dt);
     /// What the sweep of density rates, which is to come before advance(), sums for a species on its way, if anything.
     [[nodiscard]] std::optional<SpeciesSums> along(const PairSweeps& sweeps, double dt, const ShiftStep& shift) const;
-    /// Diffusion during dt, from the concentrations shown, of which copies know; and, where particles are about to be
-    /// shifted, what stays behind of them. `along`: what density rates were told to sum.
+    /// Diffusion during dt, from the concentrations of its start, of which copies know; where particles are about to be
+    /// shifted, what stays behind of them; and the rest of what is taken up. `along`: what density rates were told to
+    /// sum.
     void advance(ParticleStore& particles, Neighbours& neighbours, const PairSweeps& sweeps, double dt,
                  const ShiftStep& shift, const std::optional<SpeciesSums>& along);
 
@@ -72,10 +76,13 @@ class SpeciesTransport {
     /// Volume at rest of an owned particle [m^3].
     [[nodiscard]] double rest_volume(const ParticleGroup& group, std::size_t i) const;
     [[nodiscard]] double concentration(const ParticleGroup& group, std::size_t i, std::size_t species) const;
-    /// What walls of this part (of any part: none given) have taken, or, of other particles, hold. All ranks take part.
-    [[nodiscard]] double taken_by_walls(const ParticleStore& particles, std::size_t species,
-                                        std::optional<std::uint16_t> part = {}) const;
+    /// What the surface of this part (of any part: none given) has taken, or, of other particles, hold. All ranks take
+    /// part.
+    [[nodiscard]] double taken_by_surfaces(const ParticleStore& particles, std::size_t species,
+                                           std::optional<std::uint16_t> part = {}) const;
     [[nodiscard]] double held_by_particles(const ParticleStore& particles, std::size_t species) const;
+    /// What this part (any part: none given) has taken up since the start. All ranks take part.
+    [[nodiscard]] double taken_up(std::size_t species, std::optional<std::uint16_t> part = {}) const;
     /// Of each species, from the start to now.
     [[nodiscard]] std::vector<SpeciesBalance> balances(const ParticleStore& particles) const;
 
@@ -85,21 +92,23 @@ class SpeciesTransport {
 
   private:
     void declare(const Scene& scene, ParticleStore& particles);
+    void show(ParticleStore& particles, double t) const;
     [[nodiscard]] static bool stays(const CarriedSpecies& species, const ShiftStep& shift);
     [[nodiscard]] static SpeciesSums sums_of(const CarriedSpecies& species, double dt);
     static void add_shift(const ShiftStep& shift, SpeciesSums& sums);
     void hand_over(const CarriedSpecies& species, ParticleStore& particles);
     void fill(const Species& species, const ParticleSet& set, const std::vector<const Part*>& parts,
               ParticleStore& particles, CarriedSpecies& carried);
-    void fill_walls(const Scene& scene, const Species& species, const ParticleSet& set, ParticleStore& particles,
-                    CarriedSpecies& carried);
+    void fill_surfaces(const Scene& scene, const Species& species, const ParticleSet& set, ParticleStore& particles,
+                       CarriedSpecies& carried);
     void solve(const CarriedSpecies& species, ParticleStore& particles, Neighbours& neighbours,
                const PairSweeps& sweeps, const SpeciesSums& of_step);
     [[noreturn]] void give_up(const CarriedSpecies& species, double error, long iterations) const;
-    [[nodiscard]] bool is_wall(const ParticleGroup& group, std::size_t i, std::size_t species) const;
+    [[nodiscard]] bool is_surface(const ParticleGroup& group, std::size_t i, std::size_t species) const;
 
     std::vector<Species> given_;
     std::vector<CarriedSpecies> species_;
+    std::vector<SpeciesUptake> uptake_;  ///< by species
     std::vector<double> rest_density_;
     const Ranks& ranks_;
     int threads_;

@@ -46,6 +46,8 @@ class SpeciesReader {
             const T wall = load<L>(wall_, at);
             return SpeciesWallPoint<T, D>{point, load_vector<L, D>(normal_, at), load<L>(depth_, at), max(wall, T(0.0)),
                                           max(-wall, T(0.0))};
+        } else if constexpr (kind == PartKind::elastic) {
+            return SpeciesBodyPoint<T, D>{point, load<L>(wall_, at)};
         } else {
             return point;
         }

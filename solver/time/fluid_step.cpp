@@ -77,7 +77,7 @@ FluidExtremes FluidStep::advance(double t, double dt) {
 
 /// Diffusion alone: particles, densities and neighbours stay as they are.
 FluidExtremes FluidStep::advance_species(double t, double dt) {
-    timer_.timed("species", [&] { species_->show(particles_, t + dt); });
+    timer_.timed("species", [&] { species_->start(particles_, t + dt, dt); });
     timer_.timed("halo", [&] { exchange({Field::position, Field::concentration}); });
     timer_.timed("species",
                  [&] { species_->advance(particles_, neighbours_, *sweeps_, dt, ShiftStep{}, std::nullopt); });
@@ -132,7 +132,7 @@ void FluidStep::sum_gradients(double t, double dt) {
     FieldList fields = walls_.show_velocities(particles_);
     fields.insert(fields.end(), {Field::position, Field::velocity, Field::density_gradient});
     if (species_ && dt > 0) {
-        timer_.timed("species", [&] { species_->show(particles_, t); });
+        timer_.timed("species", [&] { species_->start(particles_, t, dt); });
         fields.push_back(Field::concentration);
     }
     sweep("density", fields, [&, g = body_force_.hydrostatic(t)](ClusterChoice clusters) {
@@ -206,7 +206,7 @@ void FluidStep::sum_density_rates(double t, double dt) {
     fields.push_back(Field::velocity);
     std::optional<SpeciesSums> fused;
     if (species_) {
-        timer_.timed("species", [&] { species_->show(particles_, t); });
+        timer_.timed("species", [&] { species_->start(particles_, t, dt); });
         fields.push_back(Field::concentration);
         fused = species_->along(*sweeps_, dt, shift_step(dt));
     }

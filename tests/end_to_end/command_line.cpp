@@ -100,6 +100,10 @@ TEST(CommandLine, ExplainsOnlyWhatASceneHas) {
     EXPECT_THAT(species.output, HasSubstr("only species are stepped"));
     EXPECT_THAT(species.output, Not(HasSubstr("equation of state")));
     EXPECT_THAT(species.output + species.errors, Not(HasSubstr("nothing will move"))) << "it diffuses";
+
+    const CaseFolder taken_up;
+    taken_up.copy_case("verification/uptake");
+    EXPECT_THAT(run_dmp(taken_up.path(), {"explain", "."}).output, HasSubstr("taken up at 0.8 1/s in tissue"));
 }
 
 TEST(CommandLine, CommandsThatDoNotUseSeveralRanksRefuseThem) {

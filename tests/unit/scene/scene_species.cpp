@@ -42,6 +42,35 @@ TEST(Species, are_read_with_their_units) {
     EXPECT_THAT(resolved, testing::HasSubstr("diffusivity = { blood = \"1e-09 m^2/s\", leaflets = \"1e-10 m^2/s\" }"));
 }
 
+TEST(Species, are_taken_up_where_the_scene_says) {
+    const Scene scene = read_text(with_drug("[[measure]]",
+                                            "uptake = { leaflets = \"0.1 1/s\", blood = \"0 1/s\" }\n"
+                                            "[[measure]]\nname = \"m\"\nkind = \"uptake\"\n[[measure]]"));
+    const Species& species = scene.species[0];
+    EXPECT_EQ(species.uptake_in(scene.parts[0]), nullptr) << "0 is none";
+    EXPECT_EQ(species.uptake_in(scene.parts[1]), nullptr);
+    EXPECT_DOUBLE_EQ(**species.uptake_in(scene.parts[2]), 0.1);
+    ASSERT_EQ(scene.takers_of(species).size(), 1U);
+    EXPECT_EQ(*scene.takers_of(species)[0]->name, "leaflets");
+    const std::string resolved = resolved_scene(scene);
+    EXPECT_EQ(resolved_scene(read_text(resolved)), resolved);
+    EXPECT_THAT(resolved, testing::HasSubstr("uptake = { blood = \"0 s^-1\", leaflets = \"0.1 s^-1\" }"));
+
+    const Scene everywhere = read_text(with_drug("[[measure]]", "uptake = \"2 1/s\"\n[[measure]]"));
+    EXPECT_DOUBLE_EQ(**everywhere.species[0].uptake_in(everywhere.parts[0]), 2);
+    EXPECT_EQ(everywhere.species[0].uptake_in(everywhere.parts[1]), nullptr) << "the wall carries nothing";
+    EXPECT_DOUBLE_EQ(**everywhere.species[0].uptake_in(everywhere.parts[2]), 2) << "all that carries it takes it up";
+}
+
+TEST(Species, may_be_held_at_elastic_parts) {
+    const Scene scene =
+        read_text(with_drug("{ blood = \"1e-9 m^2/s\", leaflets = \"1e-10 m^2/s\" }\n"
+                            "concentration = \"1 mg/ml * x / 1 mm\"\n"
+                            "wall_concentration = { wall = \"0.5 kg/m^3 * exp(-t / 1 s)\" }",
+                            "\"1e-9 m^2/s\"\nwall_concentration = { leaflets = \"2 kg/m^3\" }"));
+    EXPECT_DOUBLE_EQ((**scene.species[0].wall_concentration.of("leaflets"))(0), 2);
+}
+
 TEST(Species, may_be_counted_in_moles_or_in_nothing) {
     std::string text =
         with_drug("concentration = \"1 mg/ml * x / 1 mm\"", "unit = \"mol/m^3\"\nconcentration = \"3 mM\"");
@@ -113,10 +142,43 @@ INSTANTIATE_TEST_SUITE_P(
               "  add it to the species' diffusivity, or leave it out here"},
         Fault{"walls_of_which_part", "{ wall = \"0.5 kg/m^3 * exp(-t / 1 s)\" }", "\"0.5 kg/m^3\"",
               "scene.toml:40:22: species 'drug', wall_concentration: one value for all parts is not allowed\n"
-              "  write a table of rigid parts, wall_concentration = { wall = ... }"},
+              "  write a table of rigid or elastic parts, wall_concentration = { wall = ... }"},
         Fault{"held_part_that_is_no_wall", "{ wall =", "{ blood =",
-              "scene.toml:40:24: species 'drug', wall_concentration: 'blood' is of kind 'fluid', expected 'rigid'\n"
+              "scene.toml:40:24: species 'drug', wall_concentration: 'blood' is of kind 'fluid', expected 'rigid' or "
+              "'elastic'\n"
+              "  name rigid or elastic parts only"},
+        Fault{"held_body_that_conducts", "{ wall =", "{ leaflets =",
+              "scene.toml:40:24: species 'drug', wall_concentration: 'leaflets' conducts the species, because it has "
+              "a diffusivity\n"
+              "  leave it out of one of the two"},
+        Fault{"flux_out_of_a_body", "[[measure]]", "wall_flux = { leaflets = \"1 kg/m^2/s\" }\n[[measure]]",
+              "scene.toml:41:15: species 'drug', wall_flux: 'leaflets' is of kind 'elastic', expected 'rigid'\n"
               "  name rigid parts only"},
+        Fault{"negative_uptake", "[[measure]]", "uptake = { blood = \"-1 1/s\" }\n[[measure]]",
+              "scene.toml:41:20: species.drug.uptake.blood: found \"-1 1/s\", expected at least 0\n"
+              "  give a value that is at least 0"},
+        Fault{"uptake_without_unit", "[[measure]]", "uptake = 0.1\n[[measure]]",
+              "scene.toml:41:10: missing unit: uptake = 0.1, expected a frequency such as \"0.1 1/s\"\n"
+              "  write uptake = \"0.1 1/s\", with the unit you mean"},
+        Fault{"uptake_of_another_unit", "[[measure]]", "uptake = \"0.1 m/s\"\n[[measure]]",
+              "scene.toml:41:10: species.drug.uptake: found \"0.1 m/s\" (speed), expected a frequency such as \"0.1 "
+              "1/s\"\n"
+              "  give a frequency for uptake"},
+        Fault{"uptake_in_which_part", "[[measure]]", "uptake = { leaflet = \"1 1/s\" }\n[[measure]]",
+              "scene.toml:41:12: species 'drug', uptake: the scene has no part 'leaflet'\n"
+              "  did you mean 'leaflets'?"},
+        Fault{"uptake_in_what_is_closed", "[[measure]]", "uptake = { wall = \"1 1/s\" }\n[[measure]]",
+              "scene.toml:41:12: species 'drug', uptake: the part 'wall' of kind 'rigid' does not carry the species, "
+              "because it has no diffusivity\n"
+              "  add it to the species' diffusivity, or leave it out here"},
+        Fault{"measure_of_no_uptake", "[[measure]]", "[[measure]]\nname = \"m\"\nkind = \"uptake\"\n[[measure]]",
+              "scene.toml:43:8: measure 'm': nothing takes up species 'drug'\n"
+              "  give the species an uptake, or leave the measure out"},
+        Fault{"measure_of_no_uptake_there", "[[measure]]",
+              "uptake = { leaflets = \"1 1/s\" }\n[[measure]]\nname = \"m\"\nkind = \"uptake\"\npart = "
+              "\"blood\"\n[[measure]]",
+              "scene.toml:45:8: measure 'm': 'blood' does not take up species 'drug'\n"
+              "  what does is 'leaflets'; leave part out for all of it"},
         Fault{"held_wall_that_conducts", "leaflets =", "wall =",
               "scene.toml:40:24: species 'drug', wall_concentration: 'wall' conducts the species, because it has "
               "a diffusivity\n"
@@ -153,9 +215,9 @@ INSTANTIATE_TEST_SUITE_P(
               "  give a value that is between 1 and 1000"},
         Fault{"flux_into_a_closed_wall", "[[measure]]",
               "[[measure]]\nname = \"m\"\nkind = \"wall_flux\"\npart = \"leaflets\"\n[[measure]]",
-              "scene.toml:44:8: measure 'm': 'leaflets' is not a wall where species 'drug' has a fixed "
+              "scene.toml:44:8: measure 'm': 'leaflets' is not a part at which species 'drug' has a fixed "
               "concentration\n"
-              "  such walls are 'wall'"},
+              "  such parts are 'wall'"},
         Fault{"half_a_sherwood_number", "[[measure]]",
               "[[measure]]\nname = \"m\"\nkind = \"wall_flux\"\npart = \"wall\"\nlength = \"1 mm\"\n[[measure]]",
               "scene.toml:45:10: measure 'm': a Sherwood number needs a length and an area\n"

@@ -61,7 +61,8 @@ inline void make_part(WalledWater& made, const std::string& name, PartKind kind,
 }
 
 /// A stirred channel with all that species know: a floor that is held, a lid that slides and gives off, a wall of solid
-/// across it and a rod of springs that conduct, unlike liquids, a species that does not diffuse; shifting.
+/// across it and a rod of springs that conduct, unlike liquids, uptake in some of them; a species that does not
+/// diffuse; one at which the rod is held; shifting.
 inline SceneAndParticles stirred_mixture() {
     WalledWater made(14, 12, {"floor", "lid"}, [](int column, int row) {
         return column < 0 || column >= 14 ? 0 : row < 0 ? 1 : 2;
@@ -78,7 +79,10 @@ inline SceneAndParticles stirred_mixture() {
     drug.diffusivity.parts = {{"water", 0.02}, {"oil", 0.005}, {"block", 0.01}, {"flags", 0.03}};
     drug.wall_concentration.parts = {{"floor", placed("0.5 + 0.2 * sin(t) * x")}};
     drug.wall_flux.parts = {{"lid", placed("0.1 * t")}};
-    scene.species = {drug, species_of("marker", 0, "y > 0.6 ? 1 : 0")};
+    drug.uptake.parts = {{"oil", 0.5}, {"block", 0.2}, {"flags", 1.0}};
+    Species oxygen = species_of("oxygen", 0.01, "0.5");
+    oxygen.wall_concentration.parts = {{"flags", placed("0.3 + 0.1 * sin(t) * x")}};
+    scene.species = {drug, species_of("marker", 0, "y > 0.6 ? 1 : 0"), oxygen};
     scene.output.fields = {FluidField::velocity, FluidField::concentration};
     scene.run.duration = 0.6;
     scene.output.every = 0.3;
@@ -97,7 +101,14 @@ inline SceneAndParticles stirred_mixture() {
     spread.name = std::string("spread");
     spread.species = std::string("drug");
     spread.kind = MeasureKind::spread;
-    scene.measures = {uptake, profile, spread};
+    Measure taken_up = uptake, to_rod = uptake;
+    taken_up.name = std::string("taken_up");
+    taken_up.kind = MeasureKind::uptake;
+    taken_up.part = std::string("oil");
+    to_rod.name = std::string("to_rod");
+    to_rod.part = std::string("flags");
+    to_rod.species = std::string("oxygen");
+    scene.measures = {uptake, taken_up, to_rod, profile, spread};
     SceneAndParticles mixture{scene, made.particles};
     add_flags(mixture);
     add_rod(mixture, Vec(1.2, 0.5, 0), 0);

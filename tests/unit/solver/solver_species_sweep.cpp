@@ -47,6 +47,21 @@ TEST(SpeciesDiffusion, at_a_held_surface_by_hand) {
     EXPECT_DOUBLE_EQ(diffusion.conductance(touching, wall), 0.99 * 2 * 2 * (1 + 0.2 / 0.05)) << "no nearer than dx/2";
 }
 
+TEST(SpeciesDiffusion, at_a_held_body_by_hand) {
+    // As to a body that conducts infinitely well; between two that are held nothing goes.
+    const SpeciesBodyPoint<double, 2> body{{{{0.1, 0.7}}, 0.9, 3, 0}, 1};
+    EXPECT_DOUBLE_EQ(diffusion.law(particle_i, body), 0.99 * 4 * 2 * (5 - 3));
+    EXPECT_EQ(diffusion.law(body, particle_i), -diffusion.law(particle_i, body));
+    SpeciesBodyPoint<double, 2> other = body;
+    other.concentration = 7;
+    EXPECT_EQ(diffusion.law(body, other), 0);
+    Point infinite = particle_j;
+    infinite.diffusivity = 1e20;
+    EXPECT_DOUBLE_EQ(diffusion.conductance(particle_i, body), diffusion.conductance(particle_i, infinite));
+    other.held = 0;
+    EXPECT_EQ(diffusion.law(particle_i, other), 0) << "closed";
+}
+
 TEST(SpeciesDiffusion, of_a_surface_that_gives_by_hand) {
     const WallPoint wall{{{{0.1, -0.2}}, 0.9, 7, 0}, {{0, 1}}, 0.2, 0, 1};
     EXPECT_DOUBLE_EQ(diffusion.law(particle_i, wall), -2 * 0.99 * 7 * 0.5);
@@ -79,7 +94,7 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
             for (ParticleGroup& group : particles.groups()) {
                 for (const Field field : {Field::species_amount, Field::concentration, Field::species_diffusivity})
                     group.declare(field, 2);
-                if (group.kind() == PartKind::rigid) group.declare(Field::species_wall, 2);
+                if (group.kind() != PartKind::fluid) group.declare(Field::species_wall, 2);
             }
             neighbours.list_within_solids();
             fill(set, alike);
@@ -97,11 +112,17 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
                 };
                 const bool fluid = set.kind(id) == PartKind::fluid, rigid = set.kind(id) == PartKind::rigid;
                 const double concentration = unit(random), diffusivity = 0.5 + unit(random);
-                // A third of the wall each is held, gives a flux and conducts; a quarter of the bodies is closed.
-                const bool wall = rigid && id % 3 != 2, closed = !fluid && !rigid && id % 4 == 0;
+                // A third of the wall each is held, gives a flux and conducts; a quarter of the bodies is closed, and
+                // one held.
+                const bool wall = rigid && id % 3 != 2, body = !fluid && !rigid, closed = body && id % 4 == 0;
+                const bool held = (wall && id % 3 == 0) || (body && id % 4 == 1);
                 put(Field::concentration, concentration, species);
-                put(Field::species_diffusivity, wall || closed ? 0 : fluid && alike ? 0.8 : diffusivity, species);
-                put(Field::species_wall, !wall ? 0 : id % 3 == 0 ? 1 : -1, species);
+                put(Field::species_diffusivity,
+                    wall || closed || held ? 0
+                    : fluid && alike       ? 0.8
+                                           : diffusivity,
+                    species);
+                put(Field::species_wall, held ? 1 : wall ? -1 : 0, species);
                 for (int axis = 0; axis < set.dimension; ++axis)
                     put(Field::wall_normal, set.wall_normal[id][axis], axis);
                 put(Field::wall_distance, set.wall_distance[id], 0);
@@ -120,10 +141,11 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
         point.volume = by_id.value(Field::volume, id);
         point.concentration = by_id.value(Field::concentration, id, species);
         point.diffusivity = by_id.value(Field::species_diffusivity, id, species);
+        if (by_id.group(id).kind() == PartKind::fluid) return point;
+        point.held = by_id.value(Field::species_wall, id, species) > 0 ? 1 : 0;
         if (by_id.group(id).kind() != PartKind::rigid) return point;
         for (int axis = 0; axis < D; ++axis) point.normal[axis] = by_id.value(Field::wall_normal, id, axis);
         point.depth = by_id.value(Field::wall_distance, id);
-        point.held = by_id.value(Field::species_wall, id, species) > 0 ? 1 : 0;
         point.gives = by_id.value(Field::species_wall, id, species) < 0 ? 1 : 0;
         return point;
     }
@@ -147,6 +169,8 @@ class SpeciesSweepOf : public testing::TestWithParam<Variant> {
             double both = di + dj > 0 ? 4 * di * dj / (di + dj) : 0;
             if (wall_j) both += j.held * 2 * di * ratio(j, 1);
             if (wall_i) both += i.held * 2 * dj * ratio(i, -1);
+            if (!wall_j) both += j.held * 4 * di;
+            if (!wall_i) both += i.held * 4 * dj;
             taken[m.i] += pair * both * (i.concentration - j.concentration);
             conductances[m.i] -= pair * both;
             for (int axis = 0; axis < D; ++axis) {

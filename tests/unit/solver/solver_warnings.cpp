@@ -220,6 +220,26 @@ TEST(Warnings, of_solidifying_are_about_reach_and_times_and_not_about_the_region
     EXPECT_THAT(texts(scene, 2), ElementsAre(HasSubstr("nothing will turn solid")));
 }
 
+TEST(Warnings, of_uptake_are_about_layers_thinner_than_the_spacing) {
+    Scene scene = pipe();
+    scene.particles.spacing = 1e-5;
+    scene.output.fields = {FluidField::velocity, FluidField::concentration};
+    Species oxygen;
+    oxygen.name = std::string("oxygen");
+    oxygen.diffusivity.all = Value<double>(2e-9);
+    oxygen.concentration.all = Value<Expression>(Expression("1", "1"));
+    oxygen.uptake.parts["water"] = {19.0, here};
+    scene.species = {oxygen};
+    EXPECT_THAT(texts(scene), IsEmpty());
+    scene.species[0].uptake.parts["water"] = {80.0, here};
+    EXPECT_THAT(texts(scene),
+                ElementsAre(AllOf(HasSubstr("scene.toml:7:9: species.oxygen.uptake in 'water' makes layers "
+                                            "of sqrt(D / k) = 5 um"),
+                                  HasSubstr("thinner than the spacing of the particles, 10 um"))));
+    scene.species[0].diffusivity.all = Value<double>(0.0);
+    EXPECT_THAT(texts(scene), IsEmpty()) << "nothing comes from elsewhere";
+}
+
 TEST(Warnings, of_missing_contact_count_bodies) {
     Scene scene = pipe();
     without(scene, PartKind::rigid);
