@@ -11,7 +11,8 @@ namespace dmp {
 /// Makes the folder and those above it. Throws InputError when it cannot be made or written to.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws the InputError of make_folder where that is certain to fail, and makes nothing. For before a long work.
+/// Throws the InputError of make_folder where that is certain to fail, and makes nothing. To be called before long
+/// work.
 void check_output_folder(const std::filesystem::path& folder);
 
 /// Throws InputError where `file` cannot be written as a file: its folder cannot be made or written to, or something

@@ -135,7 +135,7 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
     for (const auto& [what, constants] : origin.springs) list.add(what, constants);
     for (const Part* part : scene.parts_of(PartKind::elastic)) {
         list.add("damping " + *part->name,
-                 fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({}), {:.3g} of the mass per s ({})",
+                 fmt::format("bonds {:.3g} of critical ({}), drag {:.3g} kg/s ({}), mass damping {:.3g} 1/s ({})",
                              *part->bond_damping, origin_text(part->bond_damping, "bond_damping"), *part->drag,
                              origin_text(part->drag, "drag"), *part->mass_damping,
                              origin_text(part->mass_damping, "mass_damping")));

@@ -30,6 +30,15 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 8> marks{"fluid.pvd", "solid.pvd",      "spheres.pvd",     "moving_walls.pvd",
                                                 "walls.vtp", frame_index_name, summary_file_name, resolved_scene_name};
 
+/// "measures_2.csv": what keep_other_measures has left.
+bool is_kept_measures(std::string_view name) {
+    constexpr std::string_view before = "measures_", after = ".csv";
+    if (!name.starts_with(before) || !name.ends_with(after) || name.size() <= before.size() + after.size())
+        return false;
+    const std::string_view number = name.substr(before.size(), name.size() - before.size() - after.size());
+    return std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 bool is_own(const fs::path& file) {
     const std::string name = file.filename().string();
     if (file.parent_path().filename() == "frames") {
@@ -37,7 +46,7 @@ bool is_own(const fs::path& file) {
         return name.ends_with(".vtp") &&
                std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
     }
-    if (name.starts_with("measures_") && name.ends_with(".csv")) return true;  // keep_other_measures
+    if (is_kept_measures(name)) return true;
     constexpr std::array<std::string_view, 11> others{
         film_file_name, run_log_name,   measures_file_name, paraview_script_name, mesh_report_name, "last_frame.png",
         "cycle.png",    "measures.png", "slices.png",       "surface_error.png",  "valence.png"};

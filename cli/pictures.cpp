@@ -32,6 +32,10 @@ int execute(const PicturesCommand& command) {
     if (!std::filesystem::exists(scene_file))
         throw InputError({folder.string()}, "there is no run here: it has no " + std::string(resolved_scene_name),
                          "Give the folder of a run, the one with frames/ in it.");
+    for (const std::string& set : command.overrides)
+        if (!set.starts_with("output.picture_field=") && !set.starts_with("flow.symmetry="))
+            throw InputError({"--set " + set}, "pictures of a run that is done do not depend on it",
+                             "Set output.picture_field or flow.symmetry only.");
     const Scene scene = read_scene(scene_file.string(), command.overrides);
     PictureOptions options = picture_options(scene);
     options.film = command.film;

@@ -59,13 +59,14 @@ void ProgressLine::show(const RunProgress& progress) {
 void ProgressLine::show(const std::string& text) {
     if (!on_) return;
     const auto width = static_cast<std::size_t>(terminal_width(Stream::error)) - 1;
-    print_error("\r\033[K" + text.substr(0, width));
+    erase_error_line();
+    print_error(text.substr(0, width));
     shown_ = true;
 }
 
 void ProgressLine::clear() {
     if (!shown_) return;
-    print_error("\r\033[K");
+    erase_error_line();
     shown_ = false;
 }
 

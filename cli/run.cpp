@@ -81,7 +81,11 @@ Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, Pr
 /// Runs to the end; what ends it before that is in the log. Of a run that diverges it also says where its frames are.
 RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs::path& folder, RunLog& log) {
     const auto note = [&](const Error& error) {
-        log.add(error_text(error.where().text(), error.problem(), error.what_to_do(), false));
+        try {
+            log.add(error_text(error.where().text(), error.problem(), error.what_to_do(), false));
+        } catch (const Error&) {
+            // The first error counts, also where the log cannot be written.
+        }
     };
     try {
         return simulation.run(options);
@@ -90,7 +94,7 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
                                          error.what_to_do() + "\nThe frames up to there are in " + folder.string());
         note(with_place);
         throw with_place;
-    } catch (const InputError& error) {
+    } catch (const Error& error) {
         note(error);
         throw;
     }
@@ -224,12 +228,13 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     line.clear();
 
     log.say(summary_text(scene, summary));
-    const auto files = write_results(folder, scene, summary, sink->files(), format, line, log);
-    log.say("\n" + results_text(folder, files));
-    for (const Warning& warning : summary.warnings) log.warn(": " + warning.text());
+    // Before the pictures: who stops a job may not wait for those.
     if (summary.interrupted)
         log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
                             stopped_by(summary, signals), typed.with("--resume")));
+    const auto files = write_results(folder, scene, summary, sink->files(), format, line, log);
+    log.say("\n" + results_text(folder, files));
+    for (const Warning& warning : summary.warnings) log.warn(": " + warning.text());
     if (summary.out_of_time) return exit_out_of_time;
     return summary.interrupted ? signals.exit_code() : exit_done;
 }

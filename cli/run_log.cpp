@@ -16,18 +16,6 @@ namespace dmp::cli {
 
 namespace {
 
-std::string without_colours(const std::string& text) {
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text.compare(i, 2, "\033[") == 0)
-            i = text.find('m', i);
-        else
-            plain += text[i];
-        if (i == std::string::npos) break;
-    }
-    return plain;
-}
-
 std::string now_text() {
     const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now));
@@ -54,7 +42,7 @@ RunLog::RunLog(const std::filesystem::path& folder, const std::string& command_l
 
 void RunLog::add(const std::string& text) {
     if (!std::filesystem::exists(file_)) write_file(file_, "");
-    append_to_file(file_, printable(without_colours(text), false));
+    append_to_file(file_, printable(without_marks(text), false));
 }
 
 void RunLog::say(const std::string& text) {

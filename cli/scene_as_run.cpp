@@ -26,7 +26,10 @@ void refer_from(const fs::path& folder, const std::string& directory, Value<std:
 /// Where the line with this number begins, from 1 on.
 std::size_t start_of_line(const std::string& text, int number) {
     std::size_t at = 0;
-    for (int line = 1; line < number && at != std::string::npos; ++line) at = text.find('\n', at) + 1;
+    for (int line = 1; line < number && at != std::string::npos; ++line) {
+        at = text.find('\n', at);
+        if (at != std::string::npos) ++at;
+    }
     return at;
 }
 
@@ -41,8 +44,9 @@ void comment_out_what_may_not_be_given(const fs::path& file, const std::string& 
             return;
         } catch (const InputError& error) {
             const SourceLocation& at = error.where();
-            if (at.line == 0) break;
+            if (at.line == 0 || at.file != file.string()) break;
             const std::size_t start = start_of_line(changed, at.line);
+            if (start == std::string::npos) break;
             if (changed.compare(start, 1, "#") == 0 || changed.compare(start, 1, "[") == 0) break;
             changed.insert(start, "# ");
         }

@@ -112,9 +112,8 @@ std::string summary_text(const Scene& scene, const RunSummary& summary) {
     }
     if (scene.parts_of(PartKind::spheres).empty()) list.add("density", density_text(scene, summary));
     for (const LargestStrain& strain : summary.strains)
-        if (strain.compressed < 0 || strain.stretched > 0)
-            list.add("strain", fmt::format("{} to {} along the bonds of '{}'", percent_text(strain.compressed),
-                                           percent_text(strain.stretched), strain.name));
+        list.add("strain", fmt::format("{} to {} along the bonds of '{}'", percent_text(strain.compressed),
+                                       percent_text(strain.stretched), strain.name));
     list.add("lost", count_text(summary.lost, "particle"));
     const std::string first = fmt::format("{}: {:.4g} s simulated in {}", summary.interrupted ? "Interrupted" : "Done",
                                           summary.simulated_s, duration_text(summary.wall_s));

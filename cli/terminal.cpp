@@ -89,6 +89,16 @@ std::string printable(std::string_view text, bool marked) {
     return result;
 }
 
+std::string without_marks(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t mark = mark_at(text).size();
+        if (mark == 0) result += text.front();
+        text.remove_prefix(std::max<std::size_t>(mark, 1));
+    }
+    return result;
+}
+
 void print(std::string_view text) {
     const std::string shown = printable(text, colours_on(Stream::output));
     if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size()) output_is_lost();
@@ -101,6 +111,11 @@ void flush_output() {
 void print_error(std::string_view text) {
     const std::string shown = printable(text, colours_on(Stream::error));
     std::fwrite(shown.data(), 1, shown.size(), stderr);
+    std::fflush(stderr);
+}
+
+void erase_error_line() {
+    std::fputs("\r\033[K", stderr);  // not printable()
     std::fflush(stderr);
 }
 

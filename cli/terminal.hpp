@@ -20,13 +20,20 @@ enum class Stream { output, error };
 /// any.
 [[nodiscard]] std::string printable(std::string_view text, bool marked);
 
+/// The text without the marks of Style.
+[[nodiscard]] std::string without_marks(std::string_view text);
+
 /// Text to stdout, made printable. Throws ResourceError when it does not get there, unless nobody reads it any more (a
-/// closed pipe, a terminal that is gone): who has gone away misses nothing.
+/// closed pipe, a terminal that is gone): a run must not end because of that.
 void print(std::string_view text);
 /// Throws likewise when what was printed does not get there.
 void flush_output();
-/// Text to stderr, made printable, at once. Nothing happens when it does not get there: a run does not end for want of a reader.
+/// Text to stderr, made printable, at once. Nothing happens when it does not get there: a run must not end because
+/// nobody reads its output.
 void print_error(std::string_view text);
+
+/// Takes back the unfinished line on stderr, of a terminal.
+void erase_error_line();
 
 /// Marks text for the eye, or leaves it as it is.
 class Style {

@@ -19,7 +19,7 @@ struct FlatEnd {
 /// The flat ends of a closed surface whose triangles face outward, the largest first: flat faces with walls at right
 /// angles all around that go back, behind which the solid is deeper than 1.2 times the root of their area. The sides of
 /// a duct are wider than that, and those of a cube as wide as it is deep. In time proportional to the triangles times
-/// the ends.
+/// the flat faces with walls behind them.
 [[nodiscard]] std::vector<FlatEnd> flat_ends(const TriangleSurface& surface);
 
 }  // namespace dmp::geometry

@@ -55,6 +55,10 @@ std::vector<Chunk> chunks_of(std::string_view png) {
     }
     if (chunks.empty() || chunks.front().type != "IHDR" || chunks.front().data.size() != 13)
         throw std::invalid_argument("an image of a film has no header");
+    constexpr std::size_t colour_type = 9;
+    constexpr char palette = 3;
+    if (chunks.front().data[colour_type] == palette)
+        throw std::invalid_argument("an image of a film has a palette, which is not taken over");
     return chunks;
 }
 

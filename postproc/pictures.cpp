@@ -130,6 +130,7 @@ void write_frames(const RunFolder& run, const PictureOptions& options, Pictures&
         painter.write(spread(run.frames(), options.sheet_frames), views_of_many(views), "cycle.png", pictures);
     if (run.frames() > 1 && options.film)
         painter.film(spread(run.frames(), options.film_frames), views_of_many(views), film_file_name, pictures);
+    if (run.frames() == 1 && options.film) warn(pictures.warning, "no film: the run has one frame");
     if (!messages.text().empty()) warn(pictures.warning, "message of VTK: " + messages.text());
 }
 

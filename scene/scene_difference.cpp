@@ -2,8 +2,10 @@
 #include "scene/scene_difference.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -91,6 +93,33 @@ std::vector<ValueDifference> differences(const std::vector<Line>& old_lines, con
     return found;
 }
 
+/// Measures may come and go, but one that is in both under the same name must be the same: its column goes on.
+std::vector<ValueDifference> differences_in_measures(const std::vector<Line>& old_lines,
+                                                     const std::vector<Line>& new_lines) {
+    const auto measures_of = [](const std::vector<Line>& lines) {
+        std::map<std::string, std::map<std::string, std::string>> measures;
+        for (const Line& line : lines) {
+            const auto end_of_name = line.key.rfind('.');
+            if (line.key.starts_with("measure.")) measures[line.key.substr(0, end_of_name)][line.key] = line.value;
+        }
+        return measures;
+    };
+    const auto before = measures_of(old_lines), now = measures_of(new_lines);
+    std::vector<ValueDifference> found;
+    for (const auto& [name, keys] : now) {
+        const auto old_keys = before.find(name);
+        if (old_keys == before.end()) continue;
+        for (const auto& [key, value] : keys) {
+            const auto old_value = old_keys->second.find(key);
+            const std::string was = old_value == old_keys->second.end() ? "" : old_value->second;
+            if (was != value) found.push_back({key, was, value});
+        }
+        for (const auto& [key, value] : old_keys->second)
+            if (!keys.contains(key)) found.push_back({key, value, ""});
+    }
+    return found;
+}
+
 }  // namespace
 
 std::string with_values_of(const std::string& written, const std::string& as_run) {
@@ -101,6 +130,8 @@ std::string with_values_of(const std::string& written, const std::string& as_run
         if (line != original) text.append(before_written).append(original, original.find(" = ") + 3);
         text += '\n';
     }
+    if (std::string rest; std::getline(written_lines, rest) || std::getline(run_lines, rest))
+        throw std::logic_error("a scene as it was run has other keys than the scene");
     return text;
 }
 
@@ -114,7 +145,9 @@ std::vector<ValueDifference> differences_in_state(const std::string& before, con
     if (std::ranges::any_of(new_lines, never))
         for (std::vector<Line>* lines : {&old_lines, &new_lines})
             std::erase_if(*lines, [](const Line& line) { return line.key == "run.until_steady"; });
-    return differences(old_lines, new_lines);
+    std::vector<ValueDifference> found = differences(old_lines, new_lines);
+    std::ranges::move(differences_in_measures(lines_of(before), lines_of(now)), std::back_inserter(found));
+    return found;
 }
 
 std::string differences_text(const std::vector<ValueDifference>& differences) {

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Value types that are lists of quantities, points or names.
 #include <algorithm>
+#include <array>
 
 #include "scene/value_types.hpp"
 

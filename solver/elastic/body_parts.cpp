@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 
@@ -141,7 +142,7 @@ class Stream {
 
     void operator()(double& value) {
         if (reading_) {
-            if (at_end()) refuse_truncated();
+            if (at_end()) refuse_damaged();
             value = numbers_[next_++];
         } else {
             numbers_.push_back(value);
@@ -157,7 +158,7 @@ class Stream {
         auto size = static_cast<int>(values.size());
         (*this)(size);
         // Each entry takes a number at least.
-        if (reading_ && (size < 0 || static_cast<std::size_t>(size) > numbers_.size() - next_)) refuse_truncated();
+        if (reading_ && (size < 0 || static_cast<std::size_t>(size) > numbers_.size() - next_)) refuse_damaged();
         values.resize(static_cast<std::size_t>(size));
         for (T& value : values) each(value);
     }
@@ -167,11 +168,12 @@ class Stream {
     void through(T& value) {
         auto number = static_cast<double>(value);
         (*this)(number);
-        if (!(number >= std::numeric_limits<T>::min() && number <= std::numeric_limits<T>::max())) refuse_truncated();
+        const double end = std::ldexp(1.0, std::numeric_limits<T>::digits);  // a maximum may round up to it
+        if (!(number >= static_cast<double>(std::numeric_limits<T>::min()) && number < end)) refuse_damaged();
         value = static_cast<T>(number);
     }
-    [[noreturn]] static void refuse_truncated() {
-        throw InputError("the checkpoint's elastic bodies are truncated", "start the run anew");
+    [[noreturn]] static void refuse_damaged() {
+        throw InputError("the checkpoint's elastic bodies are damaged", "start the run anew");
     }
 
     std::vector<double>& numbers_;

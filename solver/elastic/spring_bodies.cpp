@@ -124,7 +124,9 @@ void SpringBodies::archive_parts(Archive& file) {
     };
     bodies_.clear();
     for (const BodyParts& body : parts) {
-        if (body.nodes.empty() || !std::ranges::all_of(body.nodes, known) || !std::ranges::all_of(body.bonds, known))
+        const bool has_own = !std::ranges::all_of(body.nodes, [](const auto& node) { return node.of_wall; });
+        if (!has_own || !std::ranges::all_of(body.nodes, known) || !std::ranges::all_of(body.bonds, known) ||
+            !std::ranges::all_of(body.hinges, known) || !std::ranges::all_of(body.dihedrals, known))
             throw unlike_any_run("a body of no solid of the scene");
         bodies_.push_back(made_of(body));
     }

@@ -22,8 +22,7 @@ namespace dmp::solver {
 ///   density        lowest and highest density of the fluid over its rest density, two columns [-]
 ///   kinetic_energy of the fluid, SUM m |v|^2 / 2 [J]
 ///   probe          a fluid field at a point (Probe); vectors and tensors have a column for each component,
-///                  residence_time for each region, concentration for each species; NaN, which the tables write as
-///                  empty, where no fluid is
+///                  residence_time for each region, concentration for each species; NaN where no fluid is
 ///   line           the same at points along a line, those of each point one after the other, NAME_1 ...
 ///   mode           factors of cos and sin in such a field, two columns for each component (FourierMode)
 /// Those of a species: SpeciesMeasures.

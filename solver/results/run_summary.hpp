@@ -77,7 +77,7 @@ struct Aggregate {
     std::int64_t bonds_made = 0, bonds_broken = 0;
 };
 
-/// Of the bonds of an elastic solid, over the whole run (SpringStrain): length / rest length - 1 [-].
+/// Of the bonds of an elastic solid, in each tenth step and at the end (SpringStrain): length / rest length - 1 [-].
 struct LargestStrain {
     std::string name;
     double compressed = 0, stretched = 0;  ///< the lowest, at most 0, and the highest, at least 0

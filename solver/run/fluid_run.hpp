@@ -35,7 +35,10 @@ class FluidRun final : public Run {
     void start(FrameSink* sink) override;
     [[nodiscard]] Step next_step(const RunOptions& options) override;
     void advance(const RunOptions& options, const Step& step) override;
-    void finish(FrameSink* /*sink*/) override { fluid_.refresh_neighbours(); }
+    void finish(FrameSink* /*sink*/) override {
+        fluid_.refresh_neighbours();
+        strain_.add(fluid_.springs(), scene_);  // the summary has what it finds
+    }
     void write_frame(FrameSink* sink) override;
     void write_diverged_frame(FrameSink* sink) override;
     void archive(Archive& file) override;

@@ -2,6 +2,7 @@
 #include "solver/run/spring_strain.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/number_text.hpp"
 
@@ -60,6 +61,12 @@ std::vector<Warning> SpringStrain::warnings(const Scene& scene) const {
         if (const Part* part = judged_part(scene, strain.name); part != nullptr && size_of(strain) > most)
             all.push_back(warning_of(strain, *part));
     return all;
+}
+
+std::vector<LargestStrain> SpringStrain::largest() const {
+    std::vector<LargestStrain> strained;
+    std::ranges::copy_if(largest_, std::back_inserter(strained), [](const auto& each) { return size_of(each) > 0; });
+    return strained;
 }
 
 void SpringStrain::archive(Archive& file) {

@@ -25,8 +25,8 @@ class SpringStrain {
     /// Looks at all bonds. Returns the warnings that it is the first to raise. Every rank holds all bodies.
     std::vector<Warning> add(const SpringBodies& springs, const Scene& scene);
 
-    /// Of solids that have bonds.
-    [[nodiscard]] const std::vector<LargestStrain>& largest() const { return largest_; }
+    /// Of solids whose bonds were strained.
+    [[nodiscard]] std::vector<LargestStrain> largest() const;
     [[nodiscard]] std::vector<Warning> warnings(const Scene& scene) const;
 
     void archive(Archive& file);

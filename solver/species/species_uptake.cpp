@@ -54,7 +54,7 @@ void SpeciesUptake::archive(Archive& file, const std::string& name, const Ranks&
         const double most = all.value();
         all.add(-most);
         std::vector<double> values{most, all.value()};
-        file("species/" + name + "/taken_up/" + std::to_string(of.part), values);
+        file("taken_up/" + name + "/" + std::to_string(of.part), values);
         // Once in the sum over ranks.
         if (file.loading()) of.taken = ranks.is_first() ? ExactSum(values) : ExactSum();
     }

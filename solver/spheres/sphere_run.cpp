@@ -159,6 +159,7 @@ void SphereRun::archive(Archive& file) {
     step_.give_state();
     file("time", time_);
     file("step", step_count_);
+    file.same("drive_time", setup_.drive_time, "the time in which what drives the scene changes [s]");
     frame_times_.archive(file, "frames_due", time_);
     measure_times_.archive(file, "measures_due", time_);
     file("frames", frames_);

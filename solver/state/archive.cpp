@@ -11,7 +11,7 @@ namespace dmp::solver {
 const Hdf5Reader& Archive::reader_of(const std::string& name) const {
     if (!reader_->has(name))
         throw InputError("the checkpoint holds no '" + name + "', which the scene needs now",
-                         "Go on with the fields and measures that the run was started with, or start a new run.");
+                         "Go on with the dmp and the fields that the run was started with, or start a new run.");
     return *reader_;
 }
 

@@ -67,20 +67,18 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
     while (time() < last && !finished()) {
         Step step = next_step(options);
         const bool is_near_end = is_shaped_by_end(step, until);
-        if (!depends_on_end) {
-            // What one rank asks for, all ranks do.
-            std::array<double, 3> requests{
-                options.stop != nullptr && *options.stop ? 1.0 : 0.0,
-                options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
-                checkpoints.due() ? 1.0 : 0.0};
-            ranks().largest(requests);
-            end.out_of_time = requests[1] > 0;
-            end.interrupted = requests[0] > 0 || end.out_of_time;
-            if (checkpoints.wanted() && (end.interrupted || is_near_end || requests[2] > 0)) save();
-            if (end.interrupted) break;
-        }
+        // What one rank asks for, all ranks do.
+        std::array<double, 3> requests{options.stop != nullptr && *options.stop ? 1.0 : 0.0,
+                                       options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
+                                       checkpoints.due() ? 1.0 : 0.0};
+        ranks().largest(requests);
+        end.out_of_time = requests[1] > 0;
+        end.interrupted = requests[0] > 0 || end.out_of_time;
+        // A longer run does not pass through a state that depends on the end.
+        if (checkpoints.wanted() && !depends_on_end && (end.interrupted || is_near_end || requests[2] > 0)) save();
+        if (end.interrupted) break;
         if (is_near_end) step = towards_end(step, until);
-        depends_on_end = is_near_end;
+        depends_on_end = depends_on_end || is_near_end;
         const std::size_t rows = series().rows.size();
         advance(options, step);
         if (options.measured && series().rows.size() > rows) options.measured(series());

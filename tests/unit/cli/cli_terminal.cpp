@@ -42,6 +42,19 @@ TEST(Printable, OnlyTheMarksOfStyleStayAndOnlyWhereItMakesThem) {
     EXPECT_EQ(printable("\033[8mhidden", true), "\\x1b[8mhidden");
 }
 
+TEST(ErasedLine, IsErasedByTheTerminal) {
+    testing::internal::CaptureStderr();
+    print_error("step 1");
+    erase_error_line();
+    print_error("step 2\033[2J");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "step 1\r\033[Kstep 2\\x1b[2J");
+}
+
+TEST(WithoutMarks, TextKeepsAllElse) {
+    const std::string marked = Style(true).error("error:") + " a\033[2Jb, an m";
+    EXPECT_EQ(without_marks(marked), "error: a\033[2Jb, an m");
+}
+
 }  // namespace
 
 }  // namespace dmp::tests::cli_terminal_tests

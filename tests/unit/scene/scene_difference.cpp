@@ -62,6 +62,13 @@ TEST(SceneDifference, InStateLeavesOutWhatARunMayChangeAsItGoesOn) {
     EXPECT_EQ(differences_in_state(never, steady).size(), 1U);
     const std::string flux = "[[measure]]\nname = \"flux\"\n", gap = "[[measure]]\nname = \"gap\"\n";
     EXPECT_THAT(differences_in_state(flux + gap, gap + flux), IsEmpty());
+    const auto gap_of = [](const std::string& part) {
+        return "[[measure]]\nname = \"gap\"\npart = \"" + part + "\"\n";
+    };
+    EXPECT_THAT(differences_in_state(flux + gap_of("a"), gap_of("a")), IsEmpty());
+    const auto other_part = differences_in_state(flux + gap_of("a"), gap_of("b"));
+    ASSERT_EQ(other_part.size(), 1U) << "its column would go on as if nothing had changed";
+    EXPECT_EQ(other_part[0].key, "measure.gap.part");
     const std::string one = "[[part]]\nname = \"a\"\n", other = "[[part]]\nname = \"b\"\n";
     EXPECT_EQ(differences_in_state(one + other + flux, other + one).size(), 1U) << "the order of the parts";
 }
