@@ -87,9 +87,9 @@ class Forgotten(unittest.TestCase):
                      with_value("ShapeKind { parabola, circle }", '"parabola", "circle"'), NOT_HANDLED)
 
     def test_kernel(self):
-        self.refused("mesher/quality.cpp",
-                     with_value("wendland_c4, lucy, cubic_spline, quintic_spline }",
-                                '"cubic_spline", "quintic_spline"'), NOT_HANDLED)
+        headers = with_value("wendland_c4, lucy, cubic_spline, quintic_spline }", '"cubic_spline", "quintic_spline"')
+        for file in ("mesher/quality.cpp", "solver/sweeps/pair_sweeps.cpp"):
+            self.refused(file, headers, NOT_HANDLED)
 
     def test_wall_model(self):
         headers = with_value("WallModel { extrapolated, plain }", '"extrapolated", "plain"')
@@ -108,8 +108,8 @@ class Forgotten(unittest.TestCase):
                      NOT_HANDLED)
 
     def measure(self, subject=None):
-        headers = replaced(CHOICES, ("    aggregate\n}", "    aggregate, forgotten\n}"),
-                           ('"detached", "aggregate"', '"detached", "aggregate", "forgotten"'))
+        headers = replaced(CHOICES, ("    uptake\n}", "    uptake, forgotten\n}"),
+                           ('"uptake"}', '"uptake", "forgotten"}'))
         if subject:
             case = f"case MeasureKind::forgotten: return MeasureSubject::{subject};"
             headers |= replaced("scene/measure_subject.hpp", ("    switch (kind) {", "    switch (kind) {" + case))
