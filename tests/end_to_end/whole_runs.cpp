@@ -155,7 +155,7 @@ TEST_F(Poiseuille, WhereMemoryIsTooLittleForPicturesTheRestIsThere) {
     const auto outcome = dmp({"run", ".", "--out", "out", "--threads", "1", "--until", "0.01 s"},
                              {.environment = {"DISPLAY="}, .most_memory = 900L << 20});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output, HasSubstr("no pictures of the frames: rendering may take 1 GiB of memory"));
+    EXPECT_THAT(outcome.errors, HasSubstr("no pictures of the frames: rendering may take 1 GiB of memory"));
     EXPECT_TRUE(has("out/fluid.pvd"));
     EXPECT_FALSE(has("out/last_frame.png"));
 }

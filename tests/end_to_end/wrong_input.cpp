@@ -343,7 +343,7 @@ TEST(WrongPlace, FolderForAFirstSceneIsToldBeforeTheGeometryIsRead) {
     folder.write("part.geo", "this is no geometry");
     const auto outcome = run_dmp(folder.path(), {"new", "file/below", "--from", "part.geo"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.errors, testing::HasSubstr("/file' is a file"));
+    EXPECT_THAT(outcome.errors, testing::HasSubstr("'file' is a file"));
 }
 
 TEST(WrongPlace, OutputFolderWithFilesOfOthersIsLeftAlone) {
