@@ -85,8 +85,8 @@ TEST_F(FramesInHdf5, GoOnWithAnotherNumberOfRanks) {
         words.insert(words.end(), more.begin(), more.end());
         return run("out", words, {.ranks = ranks}).code;
     };
-    ASSERT_EQ(part({"--wall-limit", "0.15 s"}, 2), 4);
-    ASSERT_EQ(part({"--wall-limit", "0.15 s", "--resume"}, 3), 4);
+    ASSERT_EQ(part({"--wall-limit", "0.15 s"}, 2), 5);
+    ASSERT_EQ(part({"--wall-limit", "0.15 s", "--resume"}, 3), 5);
     ASSERT_EQ(part({"--resume"}, 1), 0);
     EXPECT_EQ(hash("out"), hash("vtk"));
     const auto index = nlohmann::json::parse(folder_.read("out/frames.json"))["frames"];
