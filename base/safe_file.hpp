@@ -16,8 +16,8 @@ void make_folder(const std::filesystem::path& folder);
 void check_output_folder(const std::filesystem::path& folder);
 
 /// Throws InputError where `file` cannot be written as a file: its folder cannot be made or written to, or something
-/// else than a file has its name (a device, a pipe, a folder), which renaming would replace. Makes the folder. For
-/// before a long work.
+/// else than a file has its name (a device, a pipe, a folder), which renaming would replace. Makes the folder. To be
+/// called before long work.
 void check_output_file(const std::filesystem::path& file);
 
 /// Replaces `file` by `content` in one go: whoever reads it sees the old file or the new one, never a part.

@@ -228,7 +228,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     line.clear();
 
     log.say(summary_text(scene, summary));
-    // Before the pictures: who stops a job may not wait for those.
+    // Before the pictures: a job that is being stopped may be killed while they are drawn.
     if (summary.interrupted)
         log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
                             stopped_by(summary, signals), typed.with("--resume")));

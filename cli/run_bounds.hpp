@@ -10,7 +10,8 @@
 namespace dmp::cli {
 
 /// Throws InputError where a run until this time [s] would write more than a million frames, or more than a hundred
-/// million rows of measures: a value is mistyped, and disks or years do not suffice. For before particles are made.
+/// million rows of measures: a value is mistyped, and disks or years do not suffice. To be called before particles are
+/// made.
 void check_frames(const Scene& scene, double until);
 
 /// Throws InputError where the run would take more than 1e12 steps, which are 12 days at a microsecond each: it names

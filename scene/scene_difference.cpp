@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -93,31 +94,22 @@ std::vector<ValueDifference> differences(const std::vector<Line>& old_lines, con
     return found;
 }
 
+/// The lines of the measures that are in `others` too, by key.
+std::vector<Line> lines_of_measures_in(const std::vector<Line>& others, std::vector<Line> lines) {
+    const auto measure_of = [](const Line& line) { return line.key.substr(0, line.key.rfind('.')); };
+    std::set<std::string> names;
+    for (const Line& line : others) names.insert(measure_of(line));
+    std::erase_if(lines, [&](const Line& line) {
+        return !line.key.starts_with("measure.") || !names.contains(measure_of(line));
+    });
+    std::ranges::sort(lines, {}, &Line::key);
+    return lines;
+}
+
 /// Measures may come and go, but one that is in both under the same name must be the same: its column goes on.
 std::vector<ValueDifference> differences_in_measures(const std::vector<Line>& old_lines,
                                                      const std::vector<Line>& new_lines) {
-    const auto measures_of = [](const std::vector<Line>& lines) {
-        std::map<std::string, std::map<std::string, std::string>> measures;
-        for (const Line& line : lines) {
-            const auto end_of_name = line.key.rfind('.');
-            if (line.key.starts_with("measure.")) measures[line.key.substr(0, end_of_name)][line.key] = line.value;
-        }
-        return measures;
-    };
-    const auto before = measures_of(old_lines), now = measures_of(new_lines);
-    std::vector<ValueDifference> found;
-    for (const auto& [name, keys] : now) {
-        const auto old_keys = before.find(name);
-        if (old_keys == before.end()) continue;
-        for (const auto& [key, value] : keys) {
-            const auto old_value = old_keys->second.find(key);
-            const std::string was = old_value == old_keys->second.end() ? "" : old_value->second;
-            if (was != value) found.push_back({key, was, value});
-        }
-        for (const auto& [key, value] : old_keys->second)
-            if (!keys.contains(key)) found.push_back({key, value, ""});
-    }
-    return found;
+    return differences(lines_of_measures_in(new_lines, old_lines), lines_of_measures_in(old_lines, new_lines));
 }
 
 }  // namespace

@@ -43,8 +43,9 @@ std::vector<double> FourierMode::of(const FluidValues& array, const ParticleGrou
         const double mean = total(sum) / whole;
         for (std::size_t i = 0; i < fluid.owned(); ++i) {
             const double weighted = volume[i] * (value(i) - mean);
-            with_cos.add(weighted * std::cos(phase(i)));
-            with_sin.add(weighted * std::sin(phase(i)));
+            const double angle = phase(i);
+            with_cos.add(weighted * std::cos(angle));
+            with_sin.add(weighted * std::sin(angle));
         }
         factors.push_back(2 * total(with_cos) / whole);
         factors.push_back(2 * total(with_sin) / whole);

@@ -41,7 +41,7 @@ class Checkpoints {
 };
 
 /// Finds the checkpoint from which a run in `folder` can resume, for a scene with this resolved text (what does not
-/// change the state may differ: may_change_in_a_run) that is to end at `until` [s]. Called by one process. Throws
+/// change the state may differ: differences_in_state) that is to end at `until` [s]. Called by one process. Throws
 /// InputError if there is no checkpoint, if all are unusable, if the run has got to `until` already, or if it belongs
 /// to another scene, with the lines that differ.
 FoundCheckpoint checkpoint_to_resume(const std::filesystem::path& folder, const std::string& scene, double until);

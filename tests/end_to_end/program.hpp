@@ -41,7 +41,7 @@ class CaseFolder {
 struct Surroundings {
     std::vector<std::string> environment{};  ///< "NAME=VALUE", on top of this process'
     long largest_file = 0;                   ///< limit of a file's size [bytes]; 0: none
-    long most_memory = 0;        ///< limit of its addresses [bytes]; 0: none
+    long most_memory = 0;                    ///< limit of its addresses [bytes]; 0: none
     std::string interrupt_at{};  ///< send a signal when this file is there, relative to the folder; "": never
     std::function<bool()> interrupt_when{};  ///< send it as soon as this holds, asked all the time; none: never
     int signal = SIGINT;                     ///< the one to send
