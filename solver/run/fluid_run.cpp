@@ -214,6 +214,8 @@ Plan FluidRun::plan() const {
     plan.warnings = warnings_of(scene_, fluid_.springs().bodies().size());
     plan.warnings.insert(plan.warnings.end(), foreseen_.begin(), foreseen_.end());
     if (better_implicit) plan.warnings.push_back(*better_implicit);
+    if (const auto stirred = stirred_interface(scene_, fluid_.body_force().largest(time_)))
+        plan.warnings.push_back(*stirred);
     add_fields(plan);
     return plan;
 }
@@ -347,6 +349,7 @@ RunSummary FluidRun::summary() const {
     summary.strains = strain_.largest();
     std::ranges::move(strain_.warnings(scene_), std::back_inserter(summary.warnings));
     summary.density_drift = fluid_.reference().density_drift();
+    if (const auto drift = drift_warning(summary.density_drift)) summary.warnings.push_back(*drift);
     summary.lost = static_cast<std::size_t>(
         ranks_.sum(static_cast<std::int64_t>(monitor_.lost(particles_, fluid_.neighbours().list()))));
     summary.state_hash = state_hash(particles_, ranks_);

@@ -11,6 +11,7 @@
 #include "solver/forcing/drive_time.hpp"
 #include "solver/forcing/driven.hpp"
 #include "solver/run/free_surface.hpp"
+#include "solver/run/sound_speed.hpp"
 #include "solver/run/starting_state.hpp"
 
 namespace dmp::solver {
@@ -60,6 +61,10 @@ double largest_density(const Scene& scene) {
     double largest = 0;
     for (const Part* part : scene.parts_of(PartKind::fluid)) largest = std::max(largest, part->density.value);
     return largest;
+}
+
+double density_ratio(const Scene& scene) {
+    return scene.parts_of(PartKind::fluid).empty() ? 1 : largest_density(scene) / lightest_density(scene);
 }
 
 }  // namespace
@@ -187,6 +192,7 @@ StepScales step_scales(const Scene& scene, const ParticleSet& set, const PairSet
     StepScales scales;
     scales.support = settings.support;
     scales.sound_speed = settings.sound_speed;
+    scales.density_ratio = density_ratio(scene);
     scales.viscous_limit = viscous_limit;
     scales.step_factor = scene.numerics.step_factor;
     scales.shifting = settings.corrected ? 0 : settings.shifting;  // never beyond its limit

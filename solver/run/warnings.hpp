@@ -18,4 +18,9 @@ std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies);
 /// of these, 200 times shorter than any other (docs/speed.md, "Implicit viscosity").
 std::optional<Warning> viscosity_better_implicit(const Scene& scene, const std::vector<StepLimit>& limits);
 
+/// Says that liquids of unlike density, under this largest acceleration [m/s^2], are stirred at their interface by the
+/// scheme itself, where sqrt(A g dx^3) / nu exceeds 3 with A = (rho_max - rho_min) / (rho_max + rho_min) and the least
+/// nu (docs/scheme.md, "Limits that are known").
+std::optional<Warning> stirred_interface(const Scene& scene, double acceleration);
+
 }  // namespace dmp::solver

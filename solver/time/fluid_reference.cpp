@@ -1,7 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/time/fluid_reference.hpp"
 
+#include <cmath>
 #include <utility>
+
+#include "base/number_text.hpp"
 
 namespace dmp::solver {
 
@@ -62,6 +65,18 @@ void FluidReference::archive(Archive& file) {
     file("reference/volume_ratio", volume_ratio_);
     file("reference/level", level_);
     file("reference/density_drift", drift_);
+}
+
+std::optional<Warning> drift_warning(double drift) {
+    constexpr double most = 0.05;
+    if (!(std::abs(drift) > most)) return {};
+    Warning warning;
+    warning.key = "numerics.scheme";
+    warning.problem = "\"corrected\" kept the fluid's volume by taking a drift of its mean density of " +
+                      number_text(100 * drift, 2) +
+                      " % off, in steps: errors of the density rate are large in this flow";
+    warning.what_to_do = "compare with a smaller particles.spacing";
+    return warning;
 }
 
 }  // namespace dmp::solver

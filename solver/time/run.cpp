@@ -67,9 +67,11 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
     while (time() < last && !finished()) {
         Step step = next_step(options);
         const bool is_near_end = is_shaped_by_end(step, until);
+        // However short the limit, a run that is started again and again comes to its end.
+        const bool out_of_time =
+            options.wall_limit > 0 && this->step() > first_step && seconds_since(start) > options.wall_limit;
         // What one rank asks for, all ranks do.
-        std::array<double, 3> requests{options.stop != nullptr && *options.stop ? 1.0 : 0.0,
-                                       options.wall_limit > 0 && seconds_since(start) > options.wall_limit ? 1.0 : 0.0,
+        std::array<double, 3> requests{options.stop != nullptr && *options.stop ? 1.0 : 0.0, out_of_time ? 1.0 : 0.0,
                                        checkpoints.due() ? 1.0 : 0.0};
         ranks().largest(requests);
         end.out_of_time = requests[1] > 0;

@@ -32,7 +32,7 @@ struct RunOptions {
     /// Called with all that has been measured, at the start and after each new row.
     std::function<void(const MeasureSeries&)> measured;
     const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler: finish the step, write, leave
-    double wall_limit = 0;                    ///< wall time after which to write and leave [s]; 0: none
+    double wall_limit = 0;  ///< wall time after which to write and leave, after a step at least [s]; 0: none
     CheckpointOptions checkpoints;
 };
 

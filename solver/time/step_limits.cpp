@@ -18,11 +18,26 @@ StepLimit species_step_limit(const StepScales& scales) {
             "half of the kernel's linear limit of D dt / R^2"};
 }
 
+namespace {
+
+/// The pressure of the heavier liquid also accelerates particles of the lighter: the highest frequency of a random
+/// mixture of both on a lattice is this many times that of one liquid (within 6 % for ratios up to 1000,
+/// docs/scheme.md); of two layers, less.
+double stiffening(double density_ratio) { return std::sqrt((1 + density_ratio) / 2); }
+
+StepLimit sound_step_limit(const StepScales& scales, double largest_speed) {
+    const double one_liquid = scales.step_factor * scales.support / (scales.sound_speed + largest_speed);
+    if (scales.density_ratio == 1) return {"sound", one_liquid, "step_factor R / (c0 + U)"};
+    return {"sound", one_liquid / stiffening(scales.density_ratio),
+            "step_factor R / (c0 + U) / sqrt((1 + rho_max / rho_min) / 2), between liquids"};
+}
+
+}  // namespace
+
 std::vector<StepLimit> fluid_step_limits(const StepScales& scales, double largest_speed, double acceleration) {
     std::vector<StepLimit> limits;
     if (scales.at_rest && scales.diffusivity > 0) return {species_step_limit(scales)};
-    limits.push_back({"sound", scales.step_factor * scales.support / (scales.sound_speed + largest_speed),
-                      "step_factor R / (c0 + U)"});
+    limits.push_back(sound_step_limit(scales, largest_speed));
     if (scales.kinematic_viscosity > 0 && !scales.implicit_viscosity) limits.push_back(viscous_step_limit(scales));
     if (scales.diffusivity > 0 && !scales.implicit_species) limits.push_back(species_step_limit(scales));
     if (scales.lightest_solid < 1 - 1e-9) {  // not by rounding

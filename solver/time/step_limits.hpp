@@ -13,6 +13,7 @@ namespace dmp::solver {
 struct StepScales {
     double support = 0;                                           ///< R [m]
     double sound_speed = 0;                                       ///< c0 [m/s]
+    double density_ratio = 1;                                     ///< of the heaviest liquid to the lightest [-]
     double kinematic_viscosity = 0;                               ///< largest nu of the scene [m^2/s]
     double viscous_limit = 0;                                     ///< of the kernel, nu dt / R^2 [-]
     double step_factor = 0;                                       ///< c0 dt / R asked for [-]

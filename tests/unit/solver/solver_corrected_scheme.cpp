@@ -112,6 +112,15 @@ TEST(CorrectedScheme, is_stable_with_solids_far_lighter_than_the_fluid) {
     }
 }
 
+/// The pressure of the heavier liquid accelerates particles of the lighter; steps for one liquid stirred both at 20 m/s
+/// here.
+TEST(CorrectedScheme, is_stable_between_liquids_of_unlike_density) {
+    const auto made =
+        case_of("verification/two_liquids", corrected({"particles.spacing=0.04 m", "numerics.sound_speed=400 m/s"}));
+    EXPECT_EQ(Simulation(made.scene, made.particles, 1).plan().ruling_limit, "sound");
+    EXPECT_LT(run_on(made, 2, 0.2).largest_speed, 0.1);
+}
+
 TEST(CorrectedScheme, does_not_shorten_steps_for_leaflets_thinner_than_their_two_layers_of_nodes) {
     for (const char* mass : {"0.1 kg/m", "0.42 kg/m"}) {
         const auto made =

@@ -87,5 +87,11 @@ TEST(FluidReference, is_nothing_where_no_level_is_subtracted_or_all_is_solid) {
     EXPECT_EQ(solid.density_excess(), 0);
 }
 
+TEST(FluidReference, warns_of_a_drift_beyond_five_percent) {
+    EXPECT_FALSE(drift_warning(0.049));
+    ASSERT_TRUE(drift_warning(-0.3));
+    EXPECT_NE(drift_warning(-0.3)->problem.find("a drift of its mean density of -30 %"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace dmp::tests::solver_fluid_reference_tests

@@ -51,6 +51,12 @@ TEST(StepLimits, by_their_formulas) {
     for (const StepLimit& limit : limits) EXPECT_FALSE(limit.formula.empty()) << limit.model;
 }
 
+TEST(StepLimits, between_liquids_of_unlike_density_sound_needs_shorter_steps) {
+    StepScales two = scales();
+    two.density_ratio = 7;
+    EXPECT_NEAR(limit_of("sound", fluid_step_limits(two, 0.5, 10)), 0.3 * 3e-4 / 2.5 / 2, 1e-18);
+}
+
 TEST(StepLimits, strong_density_diffusion_needs_shorter_steps) {
     StepScales strong = scales();
     strong.density_diffusion = 1;

@@ -260,5 +260,24 @@ TEST(Warnings, recommend_implicit_viscosity_where_it_saves_nine_tenths) {
     EXPECT_FALSE(viscosity_better_implicit(scene, thick));
 }
 
+TEST(Warnings, liquids_of_unlike_density_that_viscosity_hardly_damps) {
+    Scene scene = pipe();
+    scene.particles.spacing = 0.04;
+    EXPECT_FALSE(stirred_interface(scene, 9.81)) << "one liquid";
+    scene.parts.push_back(part("oil", PartKind::fluid));
+    EXPECT_FALSE(stirred_interface(scene, 9.81)) << "of one density";
+    give(scene.parts.back().density, 500.0);
+    const auto found = stirred_interface(scene, 9.81);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->key, "part.oil.density");
+    EXPECT_THAT(found->problem, HasSubstr("sqrt(A g dx^3) / nu is 1.45e+04"));  // nu = 10^-6 m^2/s
+    EXPECT_FALSE(stirred_interface(scene, 0));
+    scene.particles.spacing = 1e-4;
+    EXPECT_FALSE(stirred_interface(scene, 9.81));
+    scene.particles.spacing = 0.04;
+    scene.numerics.scheme = FluidScheme::plain;
+    EXPECT_FALSE(stirred_interface(scene, 9.81));
+}
+
 }  // namespace
 }  // namespace dmp::tests::solver_warnings_tests
