@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/length_text.hpp"
+#include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "geometry/surface_box.hpp"
@@ -18,7 +19,7 @@ namespace dmp::cli {
 namespace {
 
 /// Of the lattice around a geometry; on both its sides together [spacings].
-constexpr double most_points = 1e11, margin = 12;
+constexpr double most_points = 1e11, many_points = 3e7, margin = 12;
 /// Of a point of a lattice in 3-D before it has particles, and of a particle; in 2-D nearly all points are particles.
 constexpr double bytes_in_space = 2, bytes_of_particle = 100;
 
@@ -87,6 +88,8 @@ void check_lattice(const Geometry& geometry, const Scene& scene, const Box& box)
         extent_text(box, geometry.dimension), length_text(spacing), points, geometry.file);
     if (points > most_points) throw InputError(scene.particles.spacing.location, problem, unit_advice(geometry));
     refuse_beyond_memory(points * each, problem, unit_advice(geometry));
+    if (points > many_points)
+        print_error(Style(Stream::error).warning("note: ") + problem + "; making the particles takes minutes\n");
 
     for (const Part* wall : scene.parts_of(PartKind::rigid)) {
         const double with_layers = points_with(margin + 2.0 * *wall->layers);
