@@ -58,6 +58,7 @@ class Parser {
         app_.get_formatter()->label("OPTIONS", "OPTION...");
         app_.get_formatter()->column_width(26);
         add_run();
+        add_sweep();
         add_mesh();
         add_inspect();
         add_new();
@@ -82,8 +83,9 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
         }
-        run_.typed = mesh_.typed = new_.typed = TypedCommand({argv.begin(), argv.end()});
+        run_.typed = sweep_.typed = mesh_.typed = new_.typed = TypedCommand({argv.begin(), argv.end()});
         if (*run_app_) return run_;
+        if (*sweep_app_) return sweep_;
         if (*mesh_app_) return mesh_;
         if (*inspect_app_) return inspect_;
         if (*new_app_) return new_;
@@ -129,6 +131,28 @@ class Parser {
                                 R"(run cases/vein_valve --out soft --set part.leaflets.bending_stiffness="1e-6 N*m^2")",
                                 "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume",
                                 "run my_scene.toml --particles my_scene.h5 --frames hdf5"}));
+    }
+
+    void add_sweep() {
+        sweep_app_ = app_.add_subcommand("sweep", "Run a study: one scene with many values, and a table of results");
+        sweep_app_->add_option("STUDY", sweep_.study, "A study file, or a folder with a study.toml (docs/studies.md)")
+            ->required()
+            ->type_name("");
+        sweep_app_->add_option("--out", sweep_.out, "Folder for the runs; default: out/NAME OF THE STUDY")
+            ->type_name("DIR");
+        sweep_app_->add_option("--jobs", sweep_.jobs, "Runs at a time; default: as many as there are processors for")
+            ->type_name("N")
+            ->check(CLI::Validator(at_least_one, ""));
+        sweep_app_->add_option("--only", sweep_.only, "Only the runs that have this value; may be given several times")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        auto* resume = sweep_app_->add_flag("--resume", sweep_.resume, "Go on with the study in the folder");
+        sweep_app_->add_flag("--overwrite", sweep_.overwrite, "Remove the study that is in the folder")
+            ->excludes(resume);
+        sweep_app_->add_flag("--dry-run", sweep_.dry_run, "Only say which runs there are, and what they would take");
+        sweep_app_->footer(
+            examples(program_, {"sweep cases/vein_valve", "sweep cases/vein_valve --dry-run",
+                                "sweep my_study.toml --jobs 4 --out out/soft", "sweep my_study.toml --resume"}));
     }
 
     void add_mesh() {
@@ -288,7 +312,7 @@ class Parser {
         const bool digits =
             !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
         return digits && std::stoi(text) > 0 ? ""
-                                             : "'" + text + "' is no number of threads; give a whole one from 1 on";
+                                             : "'" + text + "' is not a number of them; give a whole one from 1 on";
     }
 
     static void add_particles(CLI::App& app, SceneChoice& scene) {
@@ -350,6 +374,7 @@ class Parser {
     static std::string plain(const CLI::ParseError& error) {
         std::string text = error.what();
         if (text.starts_with("SCENE is required")) return "a scene is missing";
+        if (text.starts_with("STUDY is required")) return "a study is missing";
         if (text.starts_with("DIR is required")) return "a folder is missing";
         if (text.starts_with("FILE is required")) return "a geometry is missing";
         if (text.starts_with("NAME is required")) return "a name for the new folder is missing";
@@ -384,6 +409,7 @@ class Parser {
     std::string program_;
     CLI::App app_;
     CLI::App* run_app_ = nullptr;
+    CLI::App* sweep_app_ = nullptr;
     CLI::App* mesh_app_ = nullptr;
     CLI::App* inspect_app_ = nullptr;
     CLI::App* new_app_ = nullptr;
@@ -393,6 +419,7 @@ class Parser {
     CLI::App* escape_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
     RunCommand run_;
+    SweepCommand sweep_;
     MeshCommand mesh_;
     InspectCommand inspect_;
     NewCommand new_;

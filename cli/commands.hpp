@@ -54,6 +54,18 @@ struct MeshCommand {
     TypedCommand typed;      ///< for lines to paste
 };
 
+/// `dmp sweep`: the runs of a study (docs/studies.md).
+struct SweepCommand {
+    std::string study;              ///< a study file, or a folder with a study.toml
+    std::string out;                ///< empty: out/NAME below the current folder
+    int jobs = 0;                   ///< runs at a time; 0: as many as there are processors for
+    std::vector<std::string> only;  ///< "key=value", as given: the runs that have this value
+    bool dry_run = false;
+    bool resume = false;     ///< go on with the study in the folder
+    bool overwrite = false;  ///< remove what an earlier study has left in the folder
+    TypedCommand typed;      ///< for lines to paste
+};
+
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.
 struct ConvertCommand {
     std::string folder;  ///< of the run; the files go there
@@ -116,11 +128,13 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, PicturesCommand,
-                             ExplainCommand, EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
+using Command =
+    std::variant<RunCommand, SweepCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, PicturesCommand,
+                 ExplainCommand, EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
+int execute(const SweepCommand& command);
 int execute(const MeshCommand& command);
 int execute(const InspectCommand& command);
 int execute(const NewCommand& command);

@@ -8,8 +8,11 @@
 #include <sstream>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
@@ -59,6 +62,25 @@ std::vector<std::string> lines_behind(const Scene& scene) {
     lines.push_back(program_text());
     return lines;
 }
+
+/// While it lives, no other process writes into this cache: two that have made the same particles would write under the
+/// same unfinished name. Without a lock (a file system that has none) they may; who reads then finds damage, and makes
+/// the particles anew.
+class WritingAlone {
+  public:
+    explicit WritingAlone(const fs::path& folder)
+        : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (folder_ >= 0) ::flock(folder_, LOCK_EX);
+    }
+    ~WritingAlone() {
+        if (folder_ >= 0) ::close(folder_);
+    }
+    WritingAlone(const WritingAlone&) = delete;
+    WritingAlone& operator=(const WritingAlone&) = delete;
+
+  private:
+    int folder_;
+};
 
 fs::path with_ending(const fs::path& name, const char* ending) { return fs::path(name).concat(ending); }
 
@@ -121,6 +143,7 @@ void MeshCache::keep(const Scene& scene, ParticlesWithOrigin& made, double secon
         const auto name = name_of(lines);
         if (!name) return;
         make_folder(*folder_);
+        const WritingAlone alone(*folder_);
         Json json{{"elastic", Json::array()},
                   {"notes", made.origin.notes},
                   {"warnings", made.origin.warnings},

@@ -1,13 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/results_folder.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
-#include "base/safe_file.hpp"
-#include "cli/stop_signals.hpp"
 #include "cli/uses.hpp"
 #include "scene/scene_difference.hpp"
 
@@ -16,43 +11,6 @@ namespace dmp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string choice(const std::string& what, const std::string& line) { return what + "\n  " + line; }
-
-std::string keep_both(const fs::path& folder, const TypedCommand& typed) {
-    return choice("To keep it and write beside it:", typed.into(next_free(folder)));
-}
-
-std::string remove_it(const TypedCommand& typed) {
-    return choice("To remove it and run in its place:", typed.with("--overwrite"));
-}
-
-InputError foreign_files(const fs::path& folder) {
-    return {SourceLocation{folder.string(), 0, 0}, "the output folder holds files that are not dmp's",
-            "Nothing was written. Choose an empty or a new folder with --out DIR."};
-}
-
-InputError held(const fs::path& folder, const LockHolder& holder, const TypedCommand& typed) {
-    std::string what_to_do = "Wait for its end, or write beside it:\n  " + typed.into(next_free(folder));
-    if (holder.process.pid == 0 || state_of(holder.process) == ProcessState::unknown)
-        what_to_do +=
-            fmt::format("\nIts last sign of life came {:.0f} s ago; after {:.0f} min without one it counts as ended.",
-                        std::max(holder.silent_s, 0.0), FolderLock::silence_limit_s / 60);
-    return {SourceLocation{folder.string(), 0, 0}, "another dmp is writing here: " + holder.text(), what_to_do};
-}
-
-/// The lock of a folder that is made where it is missing. One that was refused here may just remove it.
-FolderLock::Outcome lock_in(const fs::path& folder) {
-    constexpr int most_tries = 10;
-    for (int tries = 1;; ++tries) {
-        make_folder(folder);
-        try {
-            return FolderLock::take(folder);
-        } catch (const ResourceError&) {
-            if (tries == most_tries || fs::exists(folder)) throw;
-        }
-    }
-}
 
 /// Where a finished run ends.
 std::string end_text(const FolderContents& contents) {
@@ -67,6 +25,12 @@ InputError finished_already(const fs::path& folder, const FolderContents& conten
     return {SourceLocation{folder.string(), 0, 0},
             fmt::format("it holds a run that is {}, and is asked to end at {:.6g} s", end_text(contents), run.until),
             "A finished run goes on with a later --until or run.duration."};
+}
+
+/// Not even a lock goes into a folder of others.
+const fs::path& not_foreign(const fs::path& folder) {
+    if (contents_of(folder).kind == FolderContents::Kind::foreign) throw foreign_files(folder);
+    return folder;
 }
 
 }  // namespace
@@ -103,42 +67,19 @@ InputError refusal(const fs::path& folder, const FolderContents& contents, const
 }
 
 ResultsFolder::ResultsFolder(const fs::path& folder, const NewRun& run, const TypedCommand& typed)
-    : ResultsFolder(folder) {
+    : folder_(not_foreign(folder), typed) {
     using enum FolderContents::Kind;
-    make_and_lock(typed);
-    const FolderContents contents = contents_of(folder_);
-    if (contents.kind != nothing && !run.resume && !run.overwrite) throw refusal(folder_, contents, run, typed);
+    const FolderContents contents = contents_of(path());
+    if (contents.kind != nothing && !run.resume && !run.overwrite) throw refusal(path(), contents, run, typed);
     if (contents.kind == finished && run.resume && !is_longer(run, contents))
-        throw finished_already(folder_, contents, run);
+        throw finished_already(path(), contents, run);
 }
 
-ResultsFolder::ResultsFolder(const fs::path& folder, const TypedCommand& typed) : ResultsFolder(folder) {
+ResultsFolder::ResultsFolder(const fs::path& folder, const TypedCommand& typed) : folder_(not_foreign(folder), typed) {
     using enum FolderContents::Kind;
-    make_and_lock(typed);
-    const auto kind = contents_of(folder_).kind;
+    const auto kind = contents_of(path()).kind;
     if (kind != nothing && kind != mesh)
-        throw InputError({folder_.string()}, "it holds the results of a run", keep_both(folder_, typed));
-}
-
-ResultsFolder::~ResultsFolder() {
-    lock_.reset();
-    if (first_made_.empty()) return;
-    // Folders with anything in them cannot be removed.
-    std::error_code in_use;
-    for (fs::path made = folder_; fs::remove(made, in_use) && made != first_made_;) made = made.parent_path();
-}
-
-void ResultsFolder::make_and_lock(const TypedCommand& typed) {
-    // Not even a lock goes into a folder of others.
-    if (contents_of(folder_).kind == FolderContents::Kind::foreign) throw foreign_files(folder_);
-    for (fs::path above = folder_; !above.empty() && !fs::exists(above); above = above.parent_path())
-        first_made_ = above;
-    remove_lock_on_signals();
-    FolderLock::Outcome outcome = lock_in(folder_);
-    if (outcome.holder) throw held(folder_, *outcome.holder, typed);
-    lock_ = std::move(outcome.lock);
-    if (outcome.taken_from)
-        note_ = "An earlier dmp has ended without removing its lock (" + outcome.taken_from->text() + "); taken over.";
+        throw InputError({path().string()}, "it holds the results of a run", keep_both(path(), typed));
 }
 
 }  // namespace dmp::cli

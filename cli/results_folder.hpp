@@ -2,12 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
-#include <utility>
 
 #include "base/errors.hpp"
-#include "base/folder_lock.hpp"
+#include "cli/locked_folder.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/typed_command.hpp"
 
@@ -25,8 +23,7 @@ struct NewRun {
 [[nodiscard]] InputError refusal(const std::filesystem::path& folder, const FolderContents& contents, const NewRun& run,
                                  const TypedCommand& typed);
 
-/// The folder of a run or a mesh, locked while this object lives. Nothing in it is removed by taking it; a folder that
-/// was made for it goes again if nothing was written. A signal that ends dmp removes the lock, too.
+/// The folder of a run or a mesh, locked while this object lives. Nothing in it is removed by taking it.
 class ResultsFolder {
   public:
     /// For a run. Throws InputError if the folder cannot be made or written to, another process writes there, it holds
@@ -35,25 +32,15 @@ class ResultsFolder {
     ResultsFolder(const std::filesystem::path& folder, const NewRun& run, const TypedCommand& typed);
     /// For 'dmp mesh', which replaces an earlier mesh and no run. Throws likewise.
     ResultsFolder(const std::filesystem::path& folder, const TypedCommand& typed);
-    ~ResultsFolder();
-    ResultsFolder(const ResultsFolder&) = delete;
-    ResultsFolder& operator=(const ResultsFolder&) = delete;
 
-    [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
     /// What to tell of a process that ended without removing its lock; "" if there was none.
-    [[nodiscard]] const std::string& note() const { return note_; }
+    [[nodiscard]] const std::string& note() const { return folder_.note(); }
     /// Throws ResourceError if another process has taken the folder.
-    void check() const { lock_->check(); }
+    void check() const { folder_.check(); }
 
   private:
-    /// Nothing is made yet. The others delegate to it, so that the destructor also follows their errors.
-    explicit ResultsFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    void make_and_lock(const TypedCommand& typed);
-
-    std::filesystem::path folder_;
-    std::filesystem::path first_made_;  ///< the uppermost folder that was made for it; "" if none
-    std::unique_ptr<FolderLock> lock_;
-    std::string note_;
+    LockedFolder folder_;
 };
 
 }  // namespace dmp::cli

@@ -2,7 +2,6 @@
 #include "postproc/tables.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -11,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/safe_file.hpp"
 
@@ -26,46 +26,6 @@ void check(const MeasureSeries& measures) {
     if (measures.units.size() != measures.names.size() || measures.time.size() != measures.rows.size() ||
         !std::all_of(measures.rows.begin(), measures.rows.end(), fits))
         throw std::invalid_argument("measures: the numbers of names, units, times and values do not match");
-}
-
-void append_number(std::string& text, double value) {
-    if (std::isnan(value)) {
-        text += "nan";  // regardless of the sign bit
-        return;
-    }
-    std::array<char, 32> buffer{};
-    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
-}
-
-/// A cell according to RFC 4180: in quotes if it contains a comma, a quote or a line break.
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + '"';
-}
-
-std::vector<std::string> csv_cells(std::string_view line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-            cells.back() += line[++i];
-        else if (line[i] == '"')
-            quoted = !quoted;
-        else if (line[i] == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += line[i];
-    }
-    return cells;
-}
-
-/// "inlet_flux [m^2/s]" -> name and unit.
-std::pair<std::string, std::string> name_and_unit(const std::string& heading) {
-    const auto open = heading.rfind(" [");
-    if (open == std::string::npos || heading.back() != ']') return {heading, ""};
-    return {heading.substr(0, open), heading.substr(open + 2, heading.size() - open - 3)};
 }
 
 double number_in(const std::string& cell, const SourceLocation& location) {
@@ -100,10 +60,9 @@ Json summary_of_measure(const MeasureSeries& measures, std::size_t column) {
 std::string rows_text(const MeasureSeries& measures, std::size_t first) {
     std::string text;
     for (std::size_t i = first; i < measures.rows.size(); ++i) {
-        append_number(text, measures.time[i]);
+        text += csv_number(measures.time[i]);
         for (const double value : measures.rows[i]) {
-            text += ',';
-            append_number(text, value);
+            text += ',' + csv_number(value);
         }
         text += '\n';
     }
@@ -139,7 +98,7 @@ Json object_of(const Map& values) {
 std::string heading_of(const MeasureSeries& measures) {
     std::string text = "time [s]";
     for (std::size_t i = 0; i < measures.names.size(); ++i)
-        text += "," + csv_cell(measures.names[i] + " [" + measures.units[i] + "]");
+        text += "," + csv_cell(csv_heading(measures.names[i], measures.units[i]));
     return text + '\n';
 }
 

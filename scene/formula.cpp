@@ -384,6 +384,15 @@ class FormulaReader {
     int depth_ = 0;
 };
 
+Expression compiled(const Term& whole, const WrittenText& text, const std::string& subject) {
+    try {
+        return Expression(whole.formula, text.text, whole.in_si);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(text.location, subject + ": the formula cannot be evaluated: " + error.what(),
+                         "write a shorter formula");
+    }
+}
+
 }  // namespace
 
 Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject) {
@@ -396,12 +405,20 @@ Expression read_formula(const WrittenText& text, const Expected& expected, const
             subject + ": found \"" + text.text + "\" (" + whole.dimension.name() + "), expected " + expected.phrase(),
             "check the units of its factors: the whole formula must be " + expected.dimension().name_with_article());
     }
-    try {
-        return Expression(whole.formula, text.text, whole.in_si);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(text.location, subject + ": the formula cannot be evaluated: " + error.what(),
-                         "write a shorter formula");
-    }
+    return compiled(whole, text, subject);
+}
+
+Quantity constant_formula(const WrittenText& text, const std::string& subject) {
+    const Term whole = FormulaReader(text).read();
+    const Expression expression = compiled(whole, text, subject);
+    if (expression.depends_on_time() || expression.depends_on_position())
+        throw InputError(text.location, subject + ": \"" + text.text + "\" depends on t, x, y or z",
+                         "give a formula of numbers");
+    const double value = expression(0);
+    if (!std::isfinite(value))
+        throw InputError(text.location, subject + ": \"" + text.text + "\" is no finite number",
+                         "check for a division by zero, or a root or logarithm of a negative number");
+    return {value, whole.dimension};
 }
 
 }  // namespace dmp::scene

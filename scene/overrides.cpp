@@ -31,18 +31,6 @@ std::vector<std::string> split_at_dots(const std::string& path) {
 
 bool names_a_list(const std::string& word) { return std::ranges::find(item_lists(), word) != item_lists().end(); }
 
-void need_known_key(const std::string& key, const std::vector<std::string>& words, const SourceLocation& location) {
-    if (names_a_list(words[0]) && words.size() != 3) {
-        throw InputError(location, "'" + key + "' does not say which " + words[0] + " and which of its keys",
-                         "write " + words[0] + ".NAME.KEY=VALUE");
-    }
-    const std::string pattern = key_pattern(key);
-    const auto facts = schema().facts();
-    if (std::none_of(facts.begin(), facts.end(), [&](const KeyFacts& f) { return f.path == pattern; })) {
-        throw InputError(location, "unknown key '" + key + "'", advice_for_unknown_key(pattern));
-    }
-}
-
 TomlNode& find_item(TomlNode& document, const std::string& list, const std::string& name,
                     const SourceLocation& location) {
     std::vector<std::string> names;
@@ -54,12 +42,7 @@ TomlNode& find_item(TomlNode& document, const std::string& list, const std::stri
             names.push_back(its_name->text.text);
         }
     }
-    const auto nearest = nearest_name(name, names);
-    const std::string plural = list == "species" ? list : list + "s";
-    throw InputError(location, "the scene has no " + list + " '" + name + "'",
-                     names.empty()     ? "it has none at all"
-                     : nearest.empty() ? "its " + plural + " are " + quoted_list(names)
-                                       : "did you mean '" + nearest + "'?");
+    throw no_such_entry(list, name, names, location);
 }
 
 /// The table called `name` in `table`; creates it if necessary.
@@ -88,6 +71,30 @@ void put(TomlNode& table, TomlNode value) {
 
 }  // namespace
 
+std::vector<std::string> words_of_key(const std::string& key, const SourceLocation& location) {
+    const auto words = split_at_dots(key);
+    if (names_a_list(words[0]) && words.size() != 3) {
+        throw InputError(location, "'" + key + "' does not say which " + words[0] + " and which of its keys",
+                         "write " + words[0] + ".NAME.KEY=VALUE");
+    }
+    const std::string pattern = key_pattern(key);
+    const auto facts = schema().facts();
+    if (std::none_of(facts.begin(), facts.end(), [&](const KeyFacts& f) { return f.path == pattern; })) {
+        throw InputError(location, "unknown key '" + key + "'", advice_for_unknown_key(pattern));
+    }
+    return words;
+}
+
+InputError no_such_entry(const std::string& list, const std::string& name, const std::vector<std::string>& names,
+                         const SourceLocation& location) {
+    const auto nearest = nearest_name(name, names);
+    const std::string plural = list == "species" ? list : list + "s";
+    return {location, "the scene has no " + list + " '" + name + "'",
+            names.empty()     ? "it has none at all"
+            : nearest.empty() ? "its " + plural + " are " + quoted_list(names)
+                              : "did you mean '" + nearest + "'?"};
+}
+
 void apply_overrides(TomlNode& document, std::span<const std::string> overrides) {
     for (const auto& text : overrides) {
         const SourceLocation location{"--set " + text, 0, 0};
@@ -96,8 +103,7 @@ void apply_overrides(TomlNode& document, std::span<const std::string> overrides)
         if (equals == std::string::npos || key.empty()) {
             throw InputError(location, "expected KEY=VALUE", "write for example --set particles.spacing=\"0.1 mm\"");
         }
-        const auto words = split_at_dots(key);
-        need_known_key(key, words, location);
+        const auto words = words_of_key(key, location);
 
         TomlNode* table = &document;
         if (names_a_list(words[0])) {

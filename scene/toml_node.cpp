@@ -206,6 +206,29 @@ TomlNode parse_toml_value(std::string_view text, const SourceLocation& location)
     return std::move(*value);
 }
 
+std::string toml_text(const TomlNode& node) {
+    std::string items;
+    for (const TomlNode& child : node.children) {
+        items += items.empty() ? "" : ", ";
+        if (node.is_table()) items += toml_quoted(child.key) + " = ";
+        items += toml_text(child);
+    }
+    switch (node.kind) {
+        case TomlNode::Kind::table:
+            return "{" + items + "}";
+        case TomlNode::Kind::array:
+            return "[" + items + "]";
+        case TomlNode::Kind::text:
+            return toml_quoted(node.text.text);
+        case TomlNode::Kind::integer:
+        case TomlNode::Kind::number:
+        case TomlNode::Kind::boolean:
+        case TomlNode::Kind::date:
+            return node.written;
+    }
+    unlisted_value(node.kind);
+}
+
 std::string toml_quoted(std::string_view text) {
     std::string quoted = "\"";
     for (const char c : text) {

@@ -49,6 +49,9 @@ TomlNode parse_toml(std::string_view text, const std::string& file);
 /// `location`.
 TomlNode parse_toml_value(std::string_view text, const SourceLocation& location);
 
+/// A value as TOML, on one line.
+std::string toml_text(const TomlNode& node);
+
 /// `text` as a TOML string with quotes and escapes.
 std::string toml_quoted(std::string_view text);
 

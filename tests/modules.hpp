@@ -10,6 +10,7 @@ namespace dmp::postproc {}
 namespace dmp::scene {}
 namespace dmp::simd {}
 namespace dmp::solver {}
+namespace dmp::study {}
 
 namespace dmp::tests {
 
@@ -21,5 +22,6 @@ using namespace postproc;
 using namespace scene;
 using namespace simd;
 using namespace solver;
+using namespace study;
 
 }  // namespace dmp::tests

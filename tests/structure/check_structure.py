@@ -17,12 +17,13 @@ MODULES = {  # module: what it may include besides base and itself
     "base": [],
     "models": [],
     "scene": ["models"],
+    "study": ["models", "scene"],
     "geometry": [],
     "particles": [],
     "mesher": ["geometry", "models", "particles", "scene"],
     "solver": ["models", "particles", "scene"],
     "postproc": ["models", "particles", "scene", "solver"],
-    "cli": ["geometry", "mesher", "models", "particles", "postproc", "scene", "solver"],
+    "cli": ["geometry", "mesher", "models", "particles", "postproc", "scene", "solver", "study"],
 }
 LIBRARIES = {  # header pattern: the only folders that may include it
     r"<gmsh": ["geometry"],

@@ -33,6 +33,22 @@ InputError error_of(std::initializer_list<const char*> words) {
 
 std::string text_of(std::initializer_list<const char*> words) { return std::get<PrintCommand>(read(words)).text; }
 
+TEST(Arguments, SweepTakesAllItsOptions) {
+    const auto sweep = std::get<SweepCommand>(
+        read({"sweep", "my.toml", "--out", "there", "--jobs", "3", "--only", "a.b=1 m", "--only", "c=d", "--resume"}));
+    EXPECT_EQ(sweep.study, "my.toml");
+    EXPECT_EQ(sweep.out, "there");
+    EXPECT_EQ(sweep.jobs, 3);
+    EXPECT_THAT(sweep.only, ElementsAre("a.b=1 m", "c=d"));
+    EXPECT_TRUE(sweep.resume);
+    EXPECT_FALSE(sweep.overwrite || sweep.dry_run);
+    EXPECT_EQ(sweep.typed.with("--overwrite"),
+              "dmp sweep my.toml --out there --jobs 3 --only 'a.b=1 m' --only c=d --overwrite");
+    EXPECT_THAT(error_of({"sweep"}).problem(), HasSubstr("a study is missing"));
+    EXPECT_THAT(error_of({"sweep", "my.toml", "--jobs", "0"}).problem(), HasSubstr("'0' is not a number of them"));
+    EXPECT_THAT(error_of({"sweep", "my.toml", "--job", "2"}).what_to_do(), HasSubstr("Did you mean '--jobs'?"));
+}
+
 TEST(Arguments, RunTakesAllItsOptions) {
     const auto run =
         std::get<RunCommand>(read({"run", "cases/a", "--out", "there", "--until", "0.2 s", "--set", "a.b=1 m", "--set",
@@ -142,7 +158,7 @@ TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
     EXPECT_THAT(error.what_to_do(),
-                HasSubstr("'run', 'mesh', 'inspect', 'new', 'convert', 'pictures', 'explain', 'escape' and 'doctor'"));
+                HasSubstr("'run', 'sweep', 'mesh', 'inspect', 'new', 'convert', 'pictures', 'explain', 'escape' and 'doctor'"));
 }
 
 TEST(Arguments, UnknownOptionNamesTheNearest) {

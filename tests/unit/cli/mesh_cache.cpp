@@ -4,6 +4,8 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/modules.hpp"
 #include "tests/unit/mesher/meshed_text.hpp"
@@ -104,6 +106,33 @@ TEST_F(MeshCacheTest, a_cache_that_cannot_be_written_to_is_noted) {
     EXPECT_THAT(particles.origin.notes, Contains(HasSubstr("could not be kept for the next run")));
     EXPECT_FALSE(cache_.find(scene()));
     EXPECT_FALSE(MeshCache(std::nullopt).find(scene()));
+}
+
+TEST_F(MeshCacheTest, several_processes_may_keep_the_same_particles_at_once) {
+    const ParticlesWithOrigin particles = made();
+    const Scene kept = scene();
+    std::vector<pid_t> processes;
+    for (int process = 0; process < 4; ++process) {
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            int faults = 0;
+            for (int time = 0; time < 25; ++time) {
+                ParticlesWithOrigin mine = particles;
+                cache_.keep(kept, mine, 3);
+                faults += mine.origin.notes == particles.origin.notes ? 0 : 1;
+            }
+            _exit(faults);
+        }
+        processes.push_back(child);
+    }
+    for (const pid_t process : processes) {
+        int status = -1;
+        ASSERT_EQ(waitpid(process, &status, 0), process);
+        EXPECT_EQ(status, 0) << "one of them could not keep its particles";
+    }
+    EXPECT_THAT(files(), SizeIs(2));
+    EXPECT_TRUE(cache_.find(kept));
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/child_process.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/errors.hpp"
+#include "base/safe_file.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+constexpr const char* own_program = "/proc/self/exe";
+constexpr int not_started = 127;  ///< exit code, as shells have it
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// Without what tells a process that mpirun has started it: the new one is on its own.
+std::vector<char*> environment_of_its_own() {
+    std::vector<char*> kept;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        const std::string_view text = *variable;
+        if (!text.starts_with("OMPI_COMM_WORLD_SIZE=") && !text.starts_with("PMI_SIZE=")) kept.push_back(*variable);
+    }
+    kept.push_back(nullptr);
+    return kept;
+}
+
+/// Between fork and exec, where only functions may be called that are safe in a signal handler.
+[[noreturn]] void become(char* const* words, char* const* environment, int output, pid_t parent) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) _exit(not_started);  // it has ended before the line above
+    const int input = open("/dev/null", O_RDONLY);
+    if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0)
+        _exit(not_started);
+    execve(own_program, words, environment);
+    _exit(not_started);
+}
+
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+int descriptor_of(pid_t pid) { return static_cast<int>(syscall(SYS_pidfd_open, pid, 0)); }
+
+}  // namespace
+
+ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& output) {
+    write_file(output, "");
+    const int file = open(output.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (file < 0) throw_write_error(output, std::system_category().message(errno));
+    std::vector<char*> arguments = pointers_to(words), environment = environment_of_its_own();
+    const pid_t parent = getpid();
+    pid_ = fork();
+    if (pid_ == 0) become(arguments.data(), environment.data(), file, parent);
+    const int error = errno;
+    close(file);
+    if (pid_ < 0)
+        throw ResourceError("no process can be started: " + std::system_category().message(error),
+                            "Make room (memory, processes: 'ulimit -u'), or give fewer --jobs.");
+    descriptor_ = descriptor_of(pid_);
+}
+
+ChildProcess::~ChildProcess() {
+    if (!end_) {
+        stop();
+        while (!end()) wait_for_any({this}, 1000);
+    }
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+std::optional<ChildEnd> ChildProcess::end() {
+    if (end_) return end_;
+    int status = 0;
+    rusage used{};
+    if (wait4(pid_, &status, WNOHANG, &used) != pid_) return {};
+    ChildEnd end;
+    end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    end.exit_code = end.signal != 0 ? 128 + end.signal : WEXITSTATUS(status);
+    end.processor_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+    end.peak_memory = 1024.0 * static_cast<double>(used.ru_maxrss);
+    end_ = end;
+    return end_;
+}
+
+void ChildProcess::stop() const {
+    if (!end_) kill(pid_, SIGTERM);
+}
+
+void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms) {
+    std::vector<pollfd> descriptors;
+    for (const ChildProcess* child : children) {
+        descriptors.push_back({child->descriptor_, POLLIN, 0});
+        if (child->descriptor_ < 0) most_ms = std::min(most_ms, 20);  // it has to be asked
+    }
+    poll(descriptors.data(), descriptors.size(), most_ms);
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,116 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/machine.hpp"
+#include "cli/output_folder.hpp"
+#include "cli/prepare.hpp"
+#include "cli/stop_signals.hpp"
+#include "cli/sweep_choice.hpp"
+#include "cli/sweep_dry_run.hpp"
+#include "cli/sweep_folder.hpp"
+#include "cli/sweep_runs.hpp"
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+#include "cli/uses.hpp"
+#include "study/read_study.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Threads of each run: many runs at a time with one thread each take less time than few with more.
+int threads_of(const study::Study& study) { return std::max(1, *study.scene.run.threads); }
+
+/// Runs at a time: as many as there are processors for.
+int jobs_of(const SweepCommand& command, int threads) {
+    if (command.jobs > 0) return command.jobs;
+    const Machine machine = inspect_machine(fs::current_path());
+    double processors = machine.processors;
+    if (machine.processor_quota > 0) processors = std::min(processors, machine.processor_quota);
+    return std::max(1, static_cast<int>(std::floor(processors / threads)));
+}
+
+std::string heading_of(const study::Study& study, std::size_t chosen, std::size_t all) {
+    const std::string runs =
+        chosen == all ? count_text(all, "run") : fmt::format("{} of {}", count_text(chosen), count_text(all, "run"));
+    return Style(Stream::output).strong(study.name) + ": " + runs + " of " + study.scene.file + "\n";
+}
+
+/// Which runs failed, and why; the first ones.
+std::string failures_text(const SweepTable& table) {
+    constexpr std::size_t most = 10;
+    std::string text;
+    std::size_t failed = 0;
+    for (const auto& row : table.rows()) {
+        if (!row || !row->failed()) continue;
+        if (++failed <= most) text += fmt::format("  {}  code {}: {}\n", row->run, row->exit_code, row->error);
+    }
+    if (failed > most) text += fmt::format("  ... and {} more\n", count_text(failed - most));
+    return failed == 0 ? "" : Style(Stream::output).strong("Failed") + "\n" + text;
+}
+
+std::string files_text(const fs::path& folder) {
+    Listing list;
+    list.add((folder / sweep_results_name).string(), "a row for each run that has ended");
+    list.add((folder / sweep_timing_name).string(), "what each run took");
+    list.add((folder / "runs").string(), "a folder for each run");
+    return Style(Stream::output).strong("Results") + "\n" + list.text();
+}
+
+/// That of the first run that failed; of a run whose results could not be had, that of bad input.
+int exit_code_of_runs(const SweepTable& table) {
+    for (const auto& row : table.rows())
+        if (row && row->failed()) return row->exit_code == exit_done ? exit_bad_input : row->exit_code;
+    return exit_done;
+}
+
+}  // namespace
+
+int execute(const SweepCommand& command) {
+    refuse_several_ranks();
+    const study::Study study = study::read_study(command.study);
+    const study::Points points(study);
+    SweepSettings settings;
+    settings.program = command.typed.program();
+    settings.threads = threads_of(study);
+    settings.jobs = jobs_of(command, settings.threads);
+    settings.chosen = chosen_runs(study, points, command.only);
+    print(heading_of(study, settings.chosen.size(), points.size()));
+    if (command.dry_run) {
+        print(runs_text(study, points, settings.chosen) + "\n");
+        flush_output();
+        print(Style(Stream::output).strong("Dry run") + "\n" +
+              cost_text(study, points, settings.chosen, settings.jobs, settings.threads) + "Nothing was written.\n");
+        return exit_done;
+    }
+    const SweepFolder folder(output_folder(command.out, study.name),
+                             {study, points.size(), command.resume, command.overwrite}, command.typed);
+    print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
+                                      settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
+    flush_output();
+    const StopSignals signals;
+    SweepRuns runs(study, points, folder, settings);
+    runs.run(signals);
+    const SweepCounts& counts = runs.counts();
+    print(fmt::format("{}: {} of {} done{}\n", counts.left() == 0 ? "Done" : "Interrupted", count_text(counts.done),
+                      count_text(counts.runs, "run"),
+                      counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
+    print(failures_text(runs.table()) + files_text(folder.path()));
+    if (counts.left() > 0) {
+        print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n",
+                          signals.name(), command.typed.with("--resume")));
+        return signals.exit_code();
+    }
+    return exit_code_of_runs(runs.table());
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,94 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep_dry_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/csv.hpp"
+#include "cli/dry_run.hpp"
+#include "cli/prepare.hpp"
+#include "cli/run_bounds.hpp"
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+#include "scene/read_scene.hpp"
+#include "solver/simulation.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+constexpr std::size_t most_shown = 20;
+constexpr double trial_seconds = 1;
+
+std::vector<std::string> overrides_of(const study::Study& study, const study::Point& point) {
+    const std::vector<study::VariedKey> keys = study.keys();
+    std::vector<std::string> overrides;
+    for (std::size_t k = 0; k < keys.size(); ++k) overrides.push_back(*keys[k].key + "=" + point.values[k].toml);
+    return overrides;
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const auto& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format(" {:<{}} ", row[k], widths[k]);
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string runs_text(const study::Study& study, const study::Points& points, const std::vector<std::size_t>& chosen) {
+    std::vector<std::vector<std::string>> rows(1, {"run"});
+    for (const study::VariedKey& key : study.keys()) rows[0].push_back(csv_heading(*key.key, key.unit));
+    for (std::size_t k = 0; k < std::min(most_shown, chosen.size()); ++k) {
+        const study::Point point = points.at(chosen[k]);
+        std::vector<std::string>& row = rows.emplace_back(1, point.name);
+        for (const study::VariedValue& value : point.values) row.push_back(value.cell);
+    }
+    std::string text = aligned(rows);
+    if (chosen.size() > most_shown) text += fmt::format("  ... and {} more\n", count_text(chosen.size() - most_shown));
+    return text;
+}
+
+std::string cost_text(const study::Study& study, const study::Points& points, const std::vector<std::size_t>& chosen,
+                      int jobs, int threads) {
+    const study::Point first = points.at(chosen.front());
+    SceneChoice choice;
+    choice.path = study.scene.file;
+    choice.overrides = overrides_of(study, first);
+    Resources resources;
+    resources.threads = threads;
+    Scene scene = read_scene(choice.path, choice.overrides);
+    const double until = *scene.run.duration;
+    check_frames(scene, until);
+    const Prepared prepared = prepare(std::move(scene), choice, resources.ranks);
+    const Plan plan = Simulation(prepared.scene, prepared.particles, resources).plan();
+    check_steps(prepared.scene, plan, until);
+    const Trial trial = try_out(prepared.scene, prepared.particles, resources, until, trial_seconds);
+
+    const double steps = std::ceil(until / plan.dt);
+    const double seconds = steps * trial.seconds_per_step;
+    const auto runs = static_cast<double>(chosen.size());
+    const double frames = std::floor(until / *prepared.scene.output.every * (1 + 1e-12)) + 1;
+    Listing list;
+    list.add("a run", fmt::format("about {} of computing, as {} takes: {} of {}", duration_text(seconds), first.name,
+                                  count_text(static_cast<std::size_t>(steps), "step"), quantity_text(plan.dt, "s")));
+    list.add("all runs",
+             fmt::format("about {}, {} at a time on {} each", duration_text(seconds * std::ceil(runs / jobs)), jobs,
+                         count_text(static_cast<std::size_t>(threads), "thread")));
+    list.add("memory", fmt::format("about {}, {} a run", bytes_text(trial.peak_memory * std::min<double>(jobs, runs)),
+                                   bytes_text(trial.peak_memory)));
+    list.add("frames", fmt::format("{} a run, {} in all", count_text(static_cast<std::size_t>(frames)),
+                                   count_text(static_cast<std::size_t>(frames * runs))));
+    list.add("", "runs with other values may take longer or shorter; frames and pictures come on top");
+    return list.text();
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,22 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/uses.hpp"
+#include "study/points.hpp"
+#include "study/study.hpp"
+
+namespace dmp::cli {
+
+/// The first runs and their values as a table, with units above.
+[[nodiscard]] std::string runs_text(const study::Study& study, const study::Points& points,
+                                    const std::vector<std::size_t>& chosen);
+
+/// What the runs take, as the first one does: its particles are made and its first steps timed.
+[[nodiscard]] std::string cost_text(const study::Study& study, const study::Points& points,
+                                    const std::vector<std::size_t>& chosen, int jobs, int threads);
+
+}  // namespace dmp::cli

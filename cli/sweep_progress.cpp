@@ -1,0 +1,33 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep_progress.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/text.hpp"
+
+namespace dmp::cli {
+
+double seconds_left(const SweepCounts& counts, double wall) {
+    if (counts.ended_now == 0) return std::numeric_limits<double>::infinity();
+    return wall / static_cast<double>(counts.ended_now) * static_cast<double>(counts.left());
+}
+
+std::string progress_text(const SweepCounts& counts, double seconds_left) {
+    const std::size_t ended = counts.done + counts.failed;
+    std::string text =
+        fmt::format("{:3} %  {} of {} done, {} running", counts.runs == 0 ? 100 : 100 * ended / counts.runs,
+                    count_text(counts.done), count_text(counts.runs), count_text(counts.running));
+    if (counts.failed > 0) text += ", " + count_text(counts.failed) + " failed";
+    if (std::isfinite(seconds_left)) text += "  " + duration_text(seconds_left) + " left";
+    return text;
+}
+
+bool LineEvery::is_due(double wall) {
+    if (wall < next_) return false;
+    next_ = seconds * (std::floor(wall / seconds) + 1);
+    return true;
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,212 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/sweep_runs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/csv.hpp"
+#include "base/errors.hpp"
+#include "base/folder_lock.hpp"
+#include "base/safe_file.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/output_folder.hpp"
+#include "cli/terminal.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int look_again_ms = 200;
+/// A table of thousands of rows is not written anew for each run that takes less than this [s].
+constexpr double seconds_between_tables = 1;
+constexpr std::size_t most_failures_told = 10;
+
+/// Whether a run that ends so can be gone on with: at a signal, or at its wall-time limit.
+bool is_unfinished(int exit_code) { return exit_code == exit_out_of_time || exit_code > 128; }
+
+std::string killed_text(int signal) {
+    const char* name = strsignal(signal);
+    return fmt::format("it was ended by signal {} ({}){}", signal, name == nullptr ? "" : name,
+                       signal == SIGKILL ? ", perhaps for lack of memory" : "");
+}
+
+}  // namespace
+
+SweepRuns::SweepRuns(const study::Study& study, const study::Points& points, const SweepFolder& folder,
+                     SweepSettings settings)
+    : study_(study),
+      points_(points),
+      folder_(folder),
+      settings_(std::move(settings)),
+      scene_text_(read_file(study.scene.file)),
+      table_(study, points.size()),
+      waiting_(settings_.chosen.begin(), settings_.chosen.end()) {
+    counts_.runs = waiting_.size();
+    // Runs that were not asked for now may have ended earlier: the table has them all.
+    std::vector<bool> chosen(points.size(), false);
+    for (const std::size_t index : waiting_) chosen[index] = true;
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        if (chosen[index]) continue;
+        const study::Point point = points.at(index);
+        const fs::path run = run_folder(folder.path(), point.name);
+        if (contents_of(run).kind == FolderContents::Kind::finished) table_.set(index, finished_row(study, point, run));
+    }
+    if (const fs::path timing = folder.path() / sweep_timing_name; !fs::exists(timing))
+        write_file(timing, "run,wall_time [s],processor_time [s],peak_memory [B],exit_code\n");
+}
+
+void SweepRuns::run(const StopSignals& signals) {
+    bool stopping = false;
+    while (true) {
+        if (signals.flag() && !stopping) {
+            stopping = true;
+            for (const Running& each : running_) each.process->stop();
+            if (!running_.empty()) say("Stopping: the runs write their checkpoints.");
+        }
+        if (!stopping) start_some(signals);
+        if (running_.empty() && (stopping || (waiting_.empty() && put_off_.empty()))) break;
+        show_progress();
+        std::vector<const ChildProcess*> processes;
+        for (const Running& each : running_) processes.push_back(each.process.get());
+        wait_for_any(processes, look_again_ms);
+        folder_.check();
+        collect(stopping);
+        write_table(false);
+    }
+    line_.clear();
+    write_table(true);
+}
+
+void SweepRuns::start_some(const StopSignals& signals) {
+    waiting_.insert(waiting_.begin(), put_off_.begin(), put_off_.end());
+    put_off_.clear();
+    while (!waiting_.empty() && running_.size() < static_cast<std::size_t>(settings_.jobs) && !signals.flag()) {
+        const std::size_t index = waiting_.front();
+        waiting_.pop_front();
+        study::Point point = points_.at(index);
+        const fs::path run = run_folder(folder_.path(), point.name);
+        if (is_held(run)) {
+            put_off_.push_back(index);
+        } else if (contents_of(run).kind == FolderContents::Kind::finished) {
+            add(index, finished_row(study_, point, run));
+        } else {
+            start(index, std::move(point));
+        }
+    }
+}
+
+bool SweepRuns::is_held(const fs::path& run) const {
+    // A run of a sweep that was killed may still write its checkpoint.
+    return fs::exists(run / lock_file_name) && FolderLock::take(run).holder.has_value();
+}
+
+void SweepRuns::start(std::size_t index, study::Point point) {
+    if (read_file(study_.scene.file) != scene_text_)
+        throw InputError({study_.scene.file, 0, 0}, "the scene was changed while its study ran",
+                         "Put it back and go on with --resume, or start the changed study in another folder.");
+    const fs::path folder = run_folder(folder_.path(), point.name);
+    std::vector<std::string> words{settings_.program,
+                                   "run",
+                                   study_.scene.file,
+                                   "--out",
+                                   folder.string(),
+                                   "--threads",
+                                   std::to_string(settings_.threads)};
+    const std::vector<study::VariedKey> keys = study_.keys();
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        words.insert(words.end(), {"--set", *keys[k].key + "=" + point.values[k].toml});
+    const FolderContents contents = contents_of(folder);
+    const bool again = std::ranges::find(from_start_, index) != from_start_.end();
+    const bool resumed = contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint && !again;
+    if (resumed)
+        words.emplace_back("--resume");
+    else if (contents.kind != FolderContents::Kind::nothing)
+        words.emplace_back("--overwrite");
+    const fs::path output = run_output(folder_.path(), point.name);
+    running_.push_back(
+        {index, std::move(point), resumed, WallClock::now(), std::make_unique<ChildProcess>(std::move(words), output)});
+    ++counts_.running;
+}
+
+void SweepRuns::collect(bool stopping) {
+    for (auto each = running_.begin(); each != running_.end();) {
+        const auto end = each->process->end();
+        if (!end) {
+            ++each;
+            continue;
+        }
+        --counts_.running;
+        note_time(*each, *end);
+        take_end(*each, *end, stopping);
+        each = running_.erase(each);
+    }
+}
+
+void SweepRuns::take_end(Running& running, const ChildEnd& end, bool stopping) {
+    const fs::path folder = run_folder(folder_.path(), running.point.name);
+    const fs::path output = run_output(folder_.path(), running.point.name);
+    if (end.exit_code == exit_done) {
+        ++counts_.ended_now;
+        add(running.index, finished_row(study_, running.point, folder));
+        fs::remove(output);  // run.log has it
+        return;
+    }
+    if (stopping && is_unfinished(end.exit_code)) return;
+    if (running.resumed && end.exit_code == exit_bad_input) {
+        say("run " + running.point.name +
+            " cannot go on from its checkpoint, and starts anew: " + last_error(read_file(output)));
+        from_start_.push_back(running.index);
+        waiting_.push_front(running.index);
+        return;
+    }
+    ++counts_.ended_now;
+    add(running.index,
+        failed_row(running.point, end.exit_code, end.signal != 0 ? killed_text(end.signal) : read_file(output)));
+}
+
+void SweepRuns::add(std::size_t index, SweepRow row) {
+    if (row.failed()) {
+        ++counts_.failed;
+        if (counts_.failed <= most_failures_told) say("run " + row.run + " failed: " + row.error);
+        if (counts_.failed == most_failures_told)
+            say(fmt::format("More of them are told in {} only.", sweep_results_name));
+    } else {
+        ++counts_.done;
+    }
+    table_.set(index, std::move(row));
+    changed_ = true;
+}
+
+void SweepRuns::write_table(bool at_once) {
+    if (!changed_ || (!at_once && seconds_since(written_) < seconds_between_tables)) return;
+    write_file(folder_.path() / sweep_results_name, table_.text());
+    written_ = WallClock::now();
+    changed_ = false;
+}
+
+void SweepRuns::note_time(const Running& running, const ChildEnd& end) const {
+    append_to_file(folder_.path() / sweep_timing_name,
+                   fmt::format("{},{:.3f},{:.3f},{:.0f},{}\n", running.point.name, seconds_since(running.start),
+                               end.processor_s, end.peak_memory, end.exit_code));
+}
+
+void SweepRuns::say(const std::string& line) {
+    line_.clear();
+    print_error(line + "\n");
+}
+
+void SweepRuns::show_progress() {
+    const double wall = seconds_since(started_);
+    const std::string text = progress_text(counts_, seconds_left(counts_, wall));
+    line_.show(text);
+    if (!is_terminal(Stream::error) && lines_.is_due(wall)) print_error(text + "\n");
+}
+
+}  // namespace dmp::cli

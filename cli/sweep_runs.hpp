@@ -1,0 +1,85 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/wall_clock.hpp"
+#include "cli/child_process.hpp"
+#include "cli/progress.hpp"
+#include "cli/stop_signals.hpp"
+#include "cli/sweep_folder.hpp"
+#include "cli/sweep_progress.hpp"
+#include "cli/sweep_table.hpp"
+#include "cli/uses.hpp"
+#include "study/points.hpp"
+
+namespace dmp::cli {
+
+/// How a study's runs are started.
+struct SweepSettings {
+    std::string program;              ///< the name they are called by
+    int jobs = 1;                     ///< runs at a time
+    int threads = 1;                  ///< of each
+    std::vector<std::size_t> chosen;  ///< indices of the runs, in order
+};
+
+/// Does the runs of a study, several at a time, each in a process of its own. Those that are finished in the folder are
+/// not run again; those that were begun go on from their checkpoints, or from the start where they have none.
+class SweepRuns {
+  public:
+    SweepRuns(const study::Study& study, const study::Points& points, const SweepFolder& folder,
+              SweepSettings settings);
+
+    /// Until the last one has ended, or a signal asks to stop: then the runs get SIGTERM, and write their checkpoints.
+    /// Throws InputError where the scene's file is changed meanwhile, ResourceError where a table cannot be written;
+    /// the runs are stopped then, too.
+    void run(const StopSignals& signals);
+
+    [[nodiscard]] const SweepTable& table() const { return table_; }
+    [[nodiscard]] const SweepCounts& counts() const { return counts_; }
+
+  private:
+    struct Running {
+        std::size_t index;
+        study::Point point;
+        bool resumed;
+        WallClock::time_point start;
+        std::unique_ptr<ChildProcess> process;
+    };
+
+    /// Starts what there is room for; what another process still writes is put off.
+    void start_some(const StopSignals& signals);
+    void start(std::size_t index, study::Point point);
+    [[nodiscard]] bool is_held(const std::filesystem::path& run) const;
+    void collect(bool stopping);
+    void take_end(Running& running, const ChildEnd& end, bool stopping);
+    void add(std::size_t index, SweepRow row);
+    void write_table(bool at_once);
+    void note_time(const Running& running, const ChildEnd& end) const;
+    void say(const std::string& line);
+    void show_progress();
+
+    const study::Study& study_;
+    const study::Points& points_;
+    const SweepFolder& folder_;
+    SweepSettings settings_;
+    std::string scene_text_;
+    SweepTable table_;
+    SweepCounts counts_;
+    std::deque<std::size_t> waiting_;
+    std::vector<std::size_t> put_off_;     ///< another process has their folders
+    std::vector<std::size_t> from_start_;  ///< whose checkpoints could not be used
+    std::list<Running> running_;
+    WallClock::time_point started_ = WallClock::now(), written_ = started_;
+    bool changed_ = true;  ///< the table, since it was written
+    ProgressLine line_;
+    LineEvery lines_;
+};
+
+}  // namespace dmp::cli

@@ -1,0 +1,48 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/measure_columns.hpp"
+
+#include "base/unlisted_value.hpp"
+
+namespace dmp::study {
+
+MeasureColumns columns_of(MeasureKind kind) {
+    using enum MeasureColumns::Count;
+    switch (kind) {
+        case MeasureKind::flux:
+            return {one, "m^3/s"};
+        case MeasureKind::gap:
+            return {one, "m"};
+        case MeasureKind::largest_speed:
+            return {one, "m/s"};
+        case MeasureKind::kinetic_energy:
+            return {one, "J"};
+        case MeasureKind::density:
+            return {several, "1"};
+        case MeasureKind::velocity:
+            return {several, "m/s"};
+        case MeasureKind::spin:
+            return {several, "rad/s"};
+        case MeasureKind::wall_force:
+            return {several, "N"};
+        case MeasureKind::amount:
+        case MeasureKind::mean_concentration:
+            return {one, ""};
+        case MeasureKind::peclet:
+            return {one, "1"};
+        case MeasureKind::line:
+        case MeasureKind::mode:
+        case MeasureKind::profile:
+        case MeasureKind::aggregate:
+            return {several, ""};
+        case MeasureKind::detached:
+            return {depends, "1"};
+        case MeasureKind::probe:
+        case MeasureKind::spread:
+        case MeasureKind::wall_flux:
+        case MeasureKind::uptake:
+            return {depends, ""};
+    }
+    unlisted_value(kind);
+}
+
+}  // namespace dmp::study

@@ -1,0 +1,21 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "scene/items.hpp"
+#include "study/uses.hpp"
+
+namespace dmp::study {
+
+/// What is known of a measure's columns in measures.csv before any run.
+struct MeasureColumns {
+    /// one: with the measure's name; several: with endings, "density_low"; depends: either, or both.
+    enum class Count { one, several, depends };
+    Count count = Count::depends;
+    std::string unit;  ///< of all of them; "": depends on the scene
+};
+
+[[nodiscard]] MeasureColumns columns_of(MeasureKind kind);
+
+}  // namespace dmp::study

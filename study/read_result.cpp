@@ -1,0 +1,132 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/read_result.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/nearest_name.hpp"
+#include "study/measure_columns.hpp"
+#include "study/toml_table.hpp"
+
+namespace dmp::study {
+
+namespace {
+
+ValueType<double> time_from_zero() { return quantity("0.2 s", not_negative); }
+
+const Measure& measure_called(const Value<std::string>& name, const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Measure& measure : scene.measures) {
+        if (*measure.name == *name) return measure;
+        names.push_back(*measure.name);
+    }
+    const std::string nearest = nearest_name(*name, names);
+    throw InputError(name.location, "the scene has no measure '" + *name + "'",
+                     names.empty()     ? "it has none at all: add [[measure]] to " + scene.file
+                     : nearest.empty() ? "its measures are " + quoted_list(names)
+                                       : "did you mean '" + nearest + "'?");
+}
+
+void check_column(const Result& result, const Measure& measure) {
+    const std::string kind = to_string(*measure.kind);
+    const auto count = columns_of(*measure.kind).count;
+    if (count == MeasureColumns::Count::one && result.column.given())
+        throw InputError(result.column.location,
+                         "the measure '" + *result.measure + "' of kind '" + kind + "' has one column",
+                         "remove 'column'");
+    if (count == MeasureColumns::Count::several && !result.column.given())
+        throw InputError(result.measure.location,
+                         "the measure '" + *result.measure + "' of kind '" + kind + "' has several columns",
+                         "add column = \"...\", the end of its name in measures.csv after '" + *result.measure + "_'");
+}
+
+/// Whether a key is for the reduction; says so where it is missing or not for it.
+bool needed(const TomlTable& table, const std::string& key, const std::string& expected, Reduction reduction,
+            std::initializer_list<Reduction> with) {
+    const bool wanted = std::ranges::find(with, reduction) != with.end();
+    if (wanted) static_cast<void>(table.need(key, expected));
+    if (const TomlNode* given = table.find(key); given != nullptr && !wanted) {
+        std::vector<std::string> names;
+        for (const Reduction each : with) names.emplace_back(to_string(each));
+        throw InputError(given->key_location,
+                         "'" + key + "' does not apply to reduce = \"" + std::string(to_string(reduction)) +
+                             "\", only to " + quoted_list(names),
+                         "remove it, or correct 'reduce'");
+    }
+    return wanted;
+}
+
+Value<Quantity> read_level(const TomlNode& node) {
+    if (node.is_number()) return {Quantity{node.number, {}}, node.location};
+    if (node.is_text()) return {parse_quantity(node.text), node.location};
+    throw wrong_kind(node, "result.level", "a number, with the unit of the measure if it has one");
+}
+
+/// The window against the run, where all runs have the same duration.
+void check_window(const Result& result, const Study& study) {
+    for (const VariedKey& key : study.keys())
+        if (*key.key == "run.duration") return;
+    const double duration = *study.scene.run.duration;
+    const double until = result.until.given() ? *result.until : duration;
+    const auto seconds = [](double value) { return exact_text(value) + " s"; };
+    if (result.until.given() && until > duration * (1 + 1e-9))
+        throw InputError(result.until.location,
+                         "result.until: the runs end at " + seconds(duration) + ", before " + seconds(until),
+                         "give a time until then, or a longer run.duration in the scene");
+    if (!(*result.from < until))
+        throw InputError(
+            result.from.given() ? result.from.location : result.until.location,
+            "the result '" + *result.name + "' is taken from " + seconds(*result.from) + " until " + seconds(until),
+            "let it begin before its end");
+    if (result.period.given() && until - *result.from < *result.period * (1 - 1e-9))
+        throw InputError(result.period.location,
+                         "result.period: the window of " + seconds(until - *result.from) + " is shorter than the " +
+                             "period of " + seconds(*result.period),
+                         "give a longer window, or the right period");
+}
+
+}  // namespace
+
+Result read_result(const TomlNode& node, const Study& study) {
+    const TomlTable table(node, "result", {"name", "measure", "column", "reduce", "from", "until", "level", "period"});
+    Result result;
+    result.name = table.need("name", name());
+    for (const Result& other : study.results)
+        if (*other.name == *result.name)
+            throw InputError(result.name.location, "there are two results '" + *result.name + "'",
+                             "give each result a name of its own: it is a column of results.csv");
+    for (const std::string reserved : {"run", "exit_code", "error"})
+        if (*result.name == reserved)
+            throw InputError(result.name.location, "a result may not have the name '" + reserved + "'",
+                             "give another name: results.csv has a column of this one");
+    result.measure = table.need("measure", name());
+    const Measure& measure = measure_called(result.measure, study.scene);
+    result.column = table.read("column", text_not_empty(), result.column);
+    check_column(result, measure);
+    result.reduce = table.need("reduce", one_of<Reduction>());
+    result.from = table.read("from", time_from_zero(), result.from);
+    result.until = table.read("until", time_from_zero(), result.until);
+    if (needed(table, "level", "the value to reach, in the unit of the measure", *result.reduce,
+               {Reduction::first_crossing})) {
+        result.level = read_level(*table.find("level"));
+        if (const std::string unit = columns_of(*measure.kind).unit; !unit.empty())
+            static_cast<void>(level_in(result, unit));
+    }
+    if (needed(table, "period", "a time such as \"1 s\"", *result.reduce, {Reduction::amplitude, Reduction::phase}))
+        result.period = table.need("period", quantity("1 s", positive));
+    check_window(result, study);
+    return result;
+}
+
+double level_in(const Result& result, const std::string& unit) {
+    const Quantity& level = *result.level;
+    const Dimension wanted = parse_quantity({"1 " + unit, {}, {}}).dimension;
+    if (level.dimension != wanted && !(level.si == 0 && level.dimension.none()))
+        throw InputError(result.level.location,
+                         "result.level: found " + level.dimension.name_with_article() + ", but '" +
+                             result.column_name() + "' is " + wanted.name_with_article(),
+                         "give it in " + unit + ", or another unit of the same quantity");
+    return level.si;
+}
+
+}  // namespace dmp::study

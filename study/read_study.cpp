@@ -1,0 +1,96 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/read_study.hpp"
+
+#include <filesystem>
+
+#include "base/nearest_name.hpp"
+#include "base/safe_file.hpp"
+#include "scene/read_scene.hpp"
+#include "study/points.hpp"
+#include "study/read_result.hpp"
+#include "study/read_vary.hpp"
+#include "study/toml_table.hpp"
+
+namespace dmp::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string study_file(const std::string& path) {
+    std::error_code none;
+    if (!fs::exists(path, none))
+        throw InputError({path, 0, 0}, "there is no such file or folder",
+                         "give a study file or a folder with a study.toml");
+    if (!fs::is_directory(path, none)) return path;
+    const fs::path file = fs::path(path) / "study.toml";
+    if (!fs::exists(file, none))
+        throw InputError({path, 0, 0}, "this folder has no study.toml", "give a study file, or the folder of one");
+    return file.string();
+}
+
+/// "vein_valve_study" for vein_valve/study.toml, "soft" for soft.toml.
+std::string name_of(const std::string& file) {
+    const fs::path stem = fs::path(file).stem();
+    if (stem != "study") return stem.string();
+    const fs::path folder = fs::absolute(file).lexically_normal().parent_path().filename();
+    return folder.empty() ? "study" : folder.string() + "_study";
+}
+
+void read_combination(const TomlTable& table, Study& study) {
+    study.combine = table.read("combine", one_of<Combine>(), study.combine);
+    if (*study.combine == Combine::latin_hypercube) {
+        study.samples = table.need("samples", integer(between(1, most_runs)));
+        study.seed = table.read("seed", integer(not_negative), study.seed);
+        return;
+    }
+    for (const char* key : {"samples", "seed"})
+        if (const TomlNode* given = table.find(key))
+            throw InputError(given->key_location,
+                             "'" + std::string(key) + "' does not apply to combine = \"" +
+                                 std::string(to_string(*study.combine)) + "\"",
+                             "remove it, or write combine = \"latin_hypercube\"");
+}
+
+void check_axes(const Study& study) {
+    for (const Vary& vary : study.vary)
+        if (vary.is_axis()) return;
+    throw InputError({study.file, 0, 0}, "the study varies nothing",
+                     "add [[vary]] with a key and its values, such as values = [\"0.1 mm\", \"0.2 mm\"]");
+}
+
+}  // namespace
+
+std::string Result::column_name() const { return column->empty() ? *measure : *measure + "_" + *column; }
+
+std::vector<VariedKey> Study::keys() const {
+    std::vector<VariedKey> all;
+    for (const Vary& each : vary) all.insert(all.end(), each.keys.begin(), each.keys.end());
+    return all;
+}
+
+Study read_study(const std::string& path) {
+    Study study;
+    study.file = study_file(path);
+    study.name = name_of(study.file);
+    const TomlNode document = parse_toml(read_file(study.file), study.file);
+    const TomlTable table(document, "", {"scene", "combine", "samples", "seed", "vary", "result"});
+    SourceLocation whole{study.file, 0, 0};
+    if (table.find("scene") == nullptr)
+        throw InputError(whole, "missing key: scene", "add 'scene': the scene's file, relative to the study's folder");
+    study.scene_path = table.need("scene", text_not_empty());
+    read_combination(table, study);
+
+    const fs::path scene = fs::path(study.file).parent_path() / *study.scene_path;
+    if (std::error_code none; !fs::exists(scene, none))
+        throw InputError(study.scene_path.location, "scene: there is no '" + scene.string() + "'",
+                         "give the scene's file, or its folder, relative to the folder of the study");
+    study.scene = read_scene(scene.lexically_normal().string());
+    for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
+    check_axes(study);
+    for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));
+    static_cast<void>(Points(study));  // refuses what does not go together
+    return study;
+}
+
+}  // namespace dmp::study

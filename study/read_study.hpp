@@ -1,0 +1,14 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "study/study.hpp"
+
+namespace dmp::study {
+
+/// Reads and checks a study and its scene. `path` is a study file, or a folder with a study.toml. Throws InputError
+/// with file:line:column.
+Study read_study(const std::string& path);
+
+}  // namespace dmp::study

@@ -1,0 +1,269 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/read_vary.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/csv.hpp"
+#include "base/nearest_name.hpp"
+#include "base/safe_file.hpp"
+#include "scene/formula.hpp"
+#include "scene/value_check.hpp"
+#include "study/points.hpp"
+#include "study/toml_table.hpp"
+#include "study/varied_value.hpp"
+
+namespace dmp::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> sources{"values", "range", "formula", "table"};
+
+InputError mixed_dimensions(const SourceLocation& location, const std::string& key, const Quantity& first,
+                            const Quantity& other) {
+    return {location,
+            key + ": found " + other.dimension.name_with_article() + " after " + first.dimension.name_with_article(),
+            "give all its values in units of the same quantity"};
+}
+
+/// Whether both are numbers of one dimension; a bare 0 has any.
+bool go_together(const Quantity& a, const Quantity& b) {
+    const auto bare_zero = [](const Quantity& q) { return q.si == 0 && q.dimension.none(); };
+    return a.dimension == b.dimension || bare_zero(a) || bare_zero(b);
+}
+
+/// Checks the values of one key as they come.
+class KeyValues {
+  public:
+    KeyValues(const Study& study, VariedKey& key)
+        : check_(study.scene, key.key, key.key.location), key_(key), unique_(*study.combine == Combine::grid) {}
+
+    VariedValue add(const TomlNode& node) {
+        check_(node);
+        VariedValue value = varied_value(node, key_.unit);
+        if (value.quantity) {
+            if (first_ && !go_together(*first_, *value.quantity))
+                throw mixed_dimensions(node.location, *key_.key, *first_, *value.quantity);
+            if (!first_ || first_->dimension.none()) first_ = value.quantity;
+        }
+        return value;
+    }
+    /// Of a list for a grid, where the same value twice would make the same runs twice.
+    VariedValue add_once(const TomlNode& node) {
+        VariedValue value = add(node);
+        if (unique_ && !seen_.insert(value.cell).second)
+            throw InputError(node.location, *key_.key + ": the value " + node.shown() + " is given twice",
+                             "remove one of them: a grid would hold the same runs twice");
+        return value;
+    }
+    void check(const TomlNode& node) const { check_(node); }
+
+  private:
+    ValueCheck check_;
+    VariedKey& key_;
+    bool unique_;
+    std::optional<Quantity> first_;
+    std::set<std::string> seen_;
+};
+
+void refuse_repeated_keys(const Vary& vary, const Study& study) {
+    std::set<std::string> names;
+    for (const VariedKey& key : study.keys()) names.insert(*key.key);
+    for (const VariedKey& key : vary.keys)
+        if (!names.insert(*key.key).second)
+            throw InputError(key.key.location, "the key '" + *key.key + "' is varied twice",
+                             "give each key one [[vary]], or one column of a table");
+}
+
+void read_values(const TomlNode& list, const Study& study, Vary& vary) {
+    const std::string advice = "write a list such as values = [\"0.1 mm\", \"0.2 mm\"]";
+    if (!list.is_array()) throw wrong_kind(list, "vary.values", "a list of values", advice);
+    if (list.children.empty()) throw InputError(list.location, "vary.values: the list is empty", advice);
+    KeyValues values(study, vary.keys.front());
+    for (const TomlNode& item : list.children) vary.rows.push_back({values.add_once(item)});
+}
+
+/// An end of a range, which must be a number.
+VariedValue read_end(const TomlTable& table, const std::string& which, KeyValues& values) {
+    const TomlNode& node = table.need(which, "where the range " + std::string(which == "from" ? "begins" : "ends"));
+    VariedValue end = values.add(node);
+    if (!end.quantity) throw wrong_kind(node, table.path_of(which), "a number, with its unit if it has one");
+    return end;
+}
+
+void read_range(const TomlNode& node, const Study& study, Vary& vary) {
+    const TomlTable table(node, "vary.range", {"from", "to", "steps", "scale"});
+    VariedKey& key = vary.keys.front();
+    KeyValues values(study, key);
+    const VariedValue from = read_end(table, "from", values), to = read_end(table, "to", values);
+    const bool quoted = table.find("from")->is_text() || table.find("to")->is_text();
+    const NumberRange range{number_in_unit(from.quantity->si, key.unit), number_in_unit(to.quantity->si, key.unit),
+                            *table.read("scale", one_of<Scale>(), Value<Scale>(Scale::linear)), quoted};
+    if (range.from == range.to)
+        throw InputError(node.location, *key.key + ": the range is empty, it begins and ends at " + from.cell,
+                         "give two different ends, or write values = [...] for a single one");
+    if (range.scale == Scale::log && !(range.from * range.to > 0))
+        throw InputError(node.location, *key.key + ": a logarithmic range from " + from.cell + " to " + to.cell,
+                         "give two ends above 0, or write scale = \"linear\"");
+    const auto checked = [&](double k, double count) {
+        VariedValue value = varied_number(number_of(range, k, count), key.unit, quoted);
+        values.check(parse_toml_value(value.toml, node.location));
+        return value;
+    };
+    if (*study.combine == Combine::latin_hypercube) {
+        if (const TomlNode* steps = table.find("steps"))
+            throw InputError(steps->key_location, "steps have no meaning in a Latin hypercube",
+                             "remove them: 'samples' at the top says how many values there are");
+        static_cast<void>(checked(0.37, 2));  // a key of whole numbers refuses it here, not in the runs
+        vary.range = range;
+        return;
+    }
+    const int steps = *table.need("steps", integer(between(2, most_runs)));
+    for (int k = 0; k < steps; ++k) vary.rows.push_back({checked(k, steps)});
+}
+
+/// The lines of a text, without their ends; the last one may lack its end.
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        if (lines.back().ends_with('\r')) lines.back().pop_back();
+        begin = end + 1;
+    }
+    return lines;
+}
+
+void read_csv_table(const TomlNode& node, const Study& study, Vary& vary) {
+    const std::string name = text_not_empty().read(node, "vary.table");
+    const std::string file = (fs::path(study.file).parent_path() / name).string();
+    if (!fs::is_regular_file(file))
+        throw InputError(node.location, "vary.table: there is no file '" + file + "'",
+                         "give a CSV file relative to the folder of the study");
+    const std::vector<std::string> lines = lines_of(read_file(file));
+    SourceLocation location{file, 1, 1};
+    if (lines.empty())
+        throw InputError(location, "the table is empty", "write a heading 'KEY [UNIT],...' and a line for each run");
+    for (const std::string& heading : csv_cells(lines.front())) {
+        const auto [key, unit] = name_and_unit(heading);
+        vary.keys.push_back({Value<std::string>(key, location), unit});
+    }
+    refuse_repeated_keys(vary, study);
+    std::vector<KeyValues> columns;
+    for (VariedKey& key : vary.keys) columns.emplace_back(study, key);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].empty()) continue;
+        location.line = static_cast<int>(i) + 1;
+        const std::vector<std::string> cells = csv_cells(lines[i]);
+        if (cells.size() != vary.keys.size())
+            throw InputError(
+                location,
+                "found " + std::to_string(cells.size()) + " values, expected " + std::to_string(vary.keys.size()),
+                "give each line a value for each key of the heading");
+        std::vector<VariedValue>& row = vary.rows.emplace_back();
+        for (std::size_t column = 0; column < cells.size(); ++column) {
+            const std::string& unit = vary.keys[column].unit;
+            const std::string text = unit.empty() ? cells[column] : toml_quoted(cells[column] + " " + unit);
+            row.push_back(columns[column].add(parse_toml_value(text, location)));
+        }
+    }
+    if (vary.rows.empty())
+        throw InputError(location, "the table has a heading only", "write a line for each run below it");
+}
+
+void read_formula_of(const TomlNode& node, const Study& study, Vary& vary) {
+    if (!node.is_text()) throw wrong_kind(node, "vary.formula", "a formula in quotes");
+    if (node.text.text.size() > 10000)
+        throw InputError(node.location, "vary.formula: it has more than 10 000 characters", "write a shorter formula");
+    vary.formula = node.text;
+    // For the first run; its unit is that of all.
+    const std::vector<VariedKey> above = study.keys();
+    std::vector<VariedValue> values;
+    for (const Vary& each : study.vary) {
+        if (each.formula)
+            values.push_back(varied_quantity(formula_value(*each.formula, *each.keys[0].key, above, values)));
+        else if (each.range)
+            values.push_back(varied_number(each.range->from, each.keys[0].unit, each.range->quoted));
+        else
+            values.insert(values.end(), each.rows.front().begin(), each.rows.front().end());
+    }
+    VariedKey& key = vary.keys.front();
+    const Quantity value = formula_value(*vary.formula, *key.key, above, values);
+    key.unit = value.dimension.si_unit();
+    ValueCheck(study.scene, *key.key, key.key.location)(parse_toml_value(varied_quantity(value).toml, node.location));
+}
+
+}  // namespace
+
+Quantity formula_value(const WrittenText& formula, const std::string& subject, const std::vector<VariedKey>& keys,
+                       const std::vector<VariedValue>& values) {
+    const std::string& text = formula.text;
+    std::string filled;
+    const auto part_of_key = [&](std::size_t at) {
+        return at < text.size() && (text[at] == '.' || end_of_name(text, at) > at || std::isdigit(text[at]) != 0);
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = end_of_number(text, at);
+        if (end > at || end_of_name(text, at) == at) {  // a number, an operator, a space
+            filled += text.substr(at, std::max(end, at + 1) - at);
+            at = std::max(end, at + 1);
+            continue;
+        }
+        for (end = at; part_of_key(end);) ++end;
+        const std::string word = text.substr(at, end - at);
+        const auto key = std::ranges::find(keys, word, [](const VariedKey& each) { return *each.key; });
+        if (key != keys.end()) {
+            const VariedValue& value = values[static_cast<std::size_t>(key - keys.begin())];
+            if (!value.quantity)
+                throw InputError(formula.at(at), subject + ": '" + word + "' is " + value.toml + ", which is no number",
+                                 "a formula takes keys with numbers");
+            filled += "(" + csv_number(value.quantity->si) + " " + value.quantity->dimension.si_unit() + ")";
+        } else if (word.find('.') != std::string::npos) {
+            std::vector<std::string> names;
+            for (const VariedKey& each : keys) names.push_back(*each.key);
+            const std::string nearest = nearest_name(word, names);
+            throw InputError(formula.at(at), subject + ": '" + word + "' is not varied above",
+                             nearest.empty() ? "a formula takes keys that vary above it: " + quoted_list(names)
+                                             : "did you mean '" + nearest + "'?");
+        } else {
+            filled += word;
+        }
+        at = end;
+    }
+    // Columns are those of the text with the numbers in it.
+    return constant_formula({filled, formula.location, {}}, subject);
+}
+
+Vary read_vary(const TomlNode& node, const Study& study) {
+    const TomlTable table(node, "vary", {"key", "values", "range", "formula", "table"});
+    std::vector<std::string> given;
+    for (const std::string& source : sources)
+        if (table.find(source) != nullptr) given.push_back(source);
+    if (given.size() != 1)
+        throw InputError(table.location(),
+                         given.empty() ? "[[vary]] does not say which values its key takes"
+                                       : "[[vary]] has " + quoted_list(given) + ", expected one of them",
+                         "give exactly one of " + quoted_list(sources));
+    const std::string& source = given.front();
+    Vary vary;
+    vary.location = table.location();
+    if (source == "table") {
+        if (const TomlNode* key = table.find("key"))
+            throw InputError(key->key_location, "[[vary]] has a 'key' besides its table",
+                             "remove it: the heading of the table names the keys");
+    } else {
+        vary.keys.push_back({table.need("key", text_not_empty()), ""});
+        refuse_repeated_keys(vary, study);
+    }
+    const TomlNode& values = *table.find(source);
+    if (source == "values") read_values(values, study, vary);
+    if (source == "range") read_range(values, study, vary);
+    if (source == "formula") read_formula_of(values, study, vary);
+    if (source == "table") read_csv_table(values, study, vary);
+    return vary;
+}
+
+}  // namespace dmp::study

@@ -1,0 +1,87 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Processes of this program: here of the tests themselves.
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/safe_file.hpp"
+#include "cli/child_process.hpp"
+#include "tests/modules.hpp"
+#include "tests/unit/temporary_files.hpp"
+
+namespace dmp::tests::child_process_tests {
+namespace {
+
+using namespace cli;
+using testing::HasSubstr;
+
+ChildEnd waited_for(ChildProcess& process) {
+    while (!process.end()) wait_for_any({&process}, 1000);
+    return *process.end();
+}
+
+/// Runs until it is stopped: no test, again and again.
+const std::vector<std::string> endless{"test_cli", "--gtest_filter=NoSuchTest", "--gtest_repeat=-1"};
+
+/// Until the file has this text.
+void wait_for_text(const std::filesystem::path& file, const std::string& text) {
+    while (!std::filesystem::exists(file) || read_file(file).find(text) == std::string::npos)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+TEST(ChildProcess, SaysHowItEndedAndWhatItSaid) {
+    const TemporaryFolder folder;
+    ChildProcess fine({"test_cli", "--gtest_filter=NoSuchTest"}, folder.path() / "fine.log");
+    setenv("GTEST_TOTAL_SHARDS", "2", 1);  // without an index, which GoogleTest refuses
+    ChildProcess failing({"test_cli"}, folder.path() / "failing.log");
+    unsetenv("GTEST_TOTAL_SHARDS");
+    EXPECT_EQ(waited_for(fine).exit_code, 0);
+    EXPECT_EQ(waited_for(failing).exit_code, 1);
+    EXPECT_EQ(failing.end()->signal, 0);
+    EXPECT_GT(failing.end()->peak_memory, 1e6);
+    EXPECT_THAT(read_file(folder.path() / "failing.log"), HasSubstr("GTEST_SHARD_INDEX"));
+}
+
+TEST(ChildProcess, IsStoppedBySigterm) {
+    const TemporaryFolder folder;
+    ChildProcess process(endless, folder.path() / "log");
+    wait_for_text(folder.path() / "log", "Repeating");
+    EXPECT_FALSE(process.end());
+    process.stop();
+    EXPECT_EQ(waited_for(process).signal, SIGTERM);
+    EXPECT_EQ(process.end()->exit_code, 143);
+    { const ChildProcess another(endless, folder.path() / "another"); }  // is stopped, too: this ends
+}
+
+TEST(ChildProcess, EndsWithTheProcessThatStartedIt) {
+    const TemporaryFolder folder;
+    const std::filesystem::path log = folder.path() / "inner.log";
+    const pid_t parent = fork();
+    ASSERT_GE(parent, 0);
+    if (parent == 0) {
+        const ChildProcess process(endless, log);
+        while (true) pause();
+    }
+    wait_for_text(log, "Repeating");
+    // The inner process has this file open until it ends.
+    const auto holders = [&] {
+        std::size_t count = 0;
+        std::error_code none;
+        for (const auto& process : std::filesystem::directory_iterator("/proc"))
+            if (std::filesystem::read_symlink(process.path() / "fd/1", none) == log) ++count;
+        return count;
+    };
+    EXPECT_EQ(holders(), 1U);
+    kill(parent, SIGKILL);
+    waitpid(parent, nullptr, 0);
+    while (holders() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+}  // namespace
+}  // namespace dmp::tests::child_process_tests

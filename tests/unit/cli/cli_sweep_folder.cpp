@@ -1,0 +1,99 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "base/safe_file.hpp"
+#include "cli/sweep_folder.hpp"
+#include "tests/modules.hpp"
+#include "tests/unit/study/study_text.hpp"
+#include "tests/unit/thrown.hpp"
+
+namespace dmp::tests::sweep_folder_tests {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cli;
+using testing::HasSubstr;
+
+const TypedCommand typed({"dmp", "sweep", "study.toml"});
+
+class SweepFolders : public testing::Test {
+  protected:
+    SweepFolders() {
+        Folder::write(good_scene);
+        Folder::write(good_study, "study.toml");
+        Folder::write(study_with("3e-6", "4e-6"), "other.toml");
+    }
+    static void make(const std::string& study, bool resume = false, bool overwrite = false) {
+        const Study read = read_study(study);
+        const SweepFolder folder("out", {read, 6, resume, overwrite}, typed);
+    }
+    [[nodiscard]] static std::string refused(const std::string& study, bool resume = false) {
+        return text_thrown<InputError>([&] { make(study, resume); });
+    }
+    static void put_finished_run(const std::string& run) {
+        make_folder("out/runs/" + run);
+        write_file("out/runs/" + run + "/summary.json", R"({"interrupted": false, "simulated_s": 4})");
+        write_file("out/runs/" + run + "/mine.txt", "x");
+        write_file("out/runs/" + run + ".log", "x");
+    }
+
+    Folder folder_;
+};
+
+TEST_F(SweepFolders, HoldsCopiesOfStudyAndScene) {
+    make("study.toml");
+    EXPECT_EQ(read_file("out/study.toml"), good_study);
+    EXPECT_EQ(read_file("out/scene.toml"), good_scene);
+    EXPECT_EQ(sweep_contents_of("out").kind, SweepContents::Kind::study);
+    EXPECT_FALSE(fs::exists("out/dmp.lock"));
+}
+
+TEST_F(SweepFolders, SaysHowToGoOnWithTheStudyInIt) {
+    make("study.toml");
+    put_finished_run("0001_0123abcd");
+    EXPECT_EQ(refused("study.toml"),
+              "out: it holds this study, 1 of 6 runs done\n"
+              "  To go on with it:\n  dmp sweep study.toml --resume\n"
+              "To remove it and run in its place:\n  dmp sweep study.toml --overwrite\n"
+              "To keep it and write beside it:\n  dmp sweep study.toml --out out_2");
+    make("study.toml", true);
+}
+
+TEST_F(SweepFolders, RefusesAnotherStudyOrNoneToGoOnWith) {
+    EXPECT_THAT(refused("study.toml", true), HasSubstr("out: there is no study to go on with\n"));
+    EXPECT_FALSE(fs::exists("out"));
+    make("other.toml");
+    EXPECT_THAT(refused("study.toml"), HasSubstr("out: it holds another study, or this one with another scene or other "
+                                                 "values: 'other'"));
+    EXPECT_THAT(refused("study.toml", true), HasSubstr("it holds another study"));
+    write_file("out/sweep.toml", "damaged = ");
+    EXPECT_THAT(refused("study.toml", true), HasSubstr("it holds another study"));
+}
+
+TEST_F(SweepFolders, RefusesFilesOfOthers) {
+    make_folder("out");
+    write_file("out/thesis.txt", "x");
+    EXPECT_THAT(refused("study.toml"), HasSubstr("out: the output folder holds files that are not dmp's"));
+    EXPECT_FALSE(fs::exists("out/dmp.lock"));
+}
+
+TEST_F(SweepFolders, OverwritingRemovesItsOwnFilesOnly) {
+    make("other.toml");
+    put_finished_run("0001_0123abcd");
+    write_file("out/results.csv", "run\n");
+    write_file("out/notes.txt", "x");
+    make("study.toml", false, true);
+    EXPECT_FALSE(fs::exists("out/results.csv") || fs::exists("out/runs/0001_0123abcd.log") ||
+                 fs::exists("out/runs/0001_0123abcd/summary.json"));
+    EXPECT_TRUE(fs::exists("out/notes.txt") && fs::exists("out/runs/0001_0123abcd/mine.txt"));
+    EXPECT_EQ(read_file("out/study.toml"), good_study);
+}
+
+TEST_F(SweepFolders, ARunCannotGetOutOfTheFolder) {
+    const Study study = read_study("study.toml");
+    for (std::size_t index = 0; index < 6; ++index)
+        EXPECT_EQ(run_folder("out", Points(study).at(index).name).lexically_normal().parent_path(), "out/runs");
+}
+
+}  // namespace
+}  // namespace dmp::tests::sweep_folder_tests
