@@ -10,6 +10,7 @@
 #include "cli/stop_signals.hpp"
 #include "cli/uses.hpp"
 #include "scene/scene_difference.hpp"
+#include "solver/output/frame_index.hpp"
 
 namespace dmp::cli {
 
@@ -32,8 +33,8 @@ InputError foreign_files(const fs::path& folder) {
             "Nothing was written. Choose an empty or a new folder with --out DIR."};
 }
 
-InputError held(const fs::path& folder, const LockHolder& holder, const TypedCommand& typed) {
-    std::string what_to_do = "Wait for its end, or write beside it:\n  " + typed.into(next_free(folder));
+InputError held(const fs::path& folder, const LockHolder& holder, const std::string& instead) {
+    std::string what_to_do = "Wait for its end, or " + instead;
     if (holder.process.pid == 0 || state_of(holder.process) == ProcessState::unknown)
         what_to_do +=
             fmt::format("\nIts last sign of life came {:.0f} s ago; after {:.0f} min without one it counts as ended.",
@@ -120,6 +121,15 @@ ResultsFolder::ResultsFolder(const fs::path& folder, const TypedCommand& typed) 
         throw InputError({folder_.string()}, "it holds the results of a run", keep_both(folder_, typed));
 }
 
+ResultsFolder ResultsFolder::of_run(const fs::path& folder) {
+    return ResultsFolder(folder, "convert a copy of " + (folder / "frames").string() + " and " +
+                                     (folder / frame_index_name).string() + " in another folder.");
+}
+
+ResultsFolder::ResultsFolder(fs::path folder, const std::string& instead) : ResultsFolder(std::move(folder)) {
+    lock(instead);
+}
+
 ResultsFolder::~ResultsFolder() {
     lock_.reset();
     if (first_made_.empty()) return;
@@ -133,9 +143,13 @@ void ResultsFolder::make_and_lock(const TypedCommand& typed) {
     if (contents_of(folder_).kind == FolderContents::Kind::foreign) throw foreign_files(folder_);
     for (fs::path above = folder_; !above.empty() && !fs::exists(above); above = above.parent_path())
         first_made_ = above;
+    lock("write beside it:\n  " + typed.into(next_free(folder_)));
+}
+
+void ResultsFolder::lock(const std::string& instead) {
     remove_lock_on_signals();
     FolderLock::Outcome outcome = lock_in(folder_);
-    if (outcome.holder) throw held(folder_, *outcome.holder, typed);
+    if (outcome.holder) throw held(folder_, *outcome.holder, instead);
     lock_ = std::move(outcome.lock);
     if (outcome.taken_from)
         note_ = "An earlier dmp has ended without removing its lock (" + outcome.taken_from->text() + "); taken over.";

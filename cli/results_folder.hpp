@@ -25,8 +25,8 @@ struct NewRun {
 [[nodiscard]] InputError refusal(const std::filesystem::path& folder, const FolderContents& contents, const NewRun& run,
                                  const TypedCommand& typed);
 
-/// The folder of a run or a mesh, locked while this object lives. Nothing in it is removed by taking it; a folder that
-/// was made for it goes again if nothing was written. A signal that ends dmp removes the lock, too.
+/// The folder of a run, a mesh or a conversion, locked while this object lives. Nothing in it is removed by taking it;
+/// a folder that was made for it goes again if nothing was written. A signal that ends dmp removes the lock, too.
 class ResultsFolder {
   public:
     /// For a run. Throws InputError if the folder cannot be made or written to, another process writes there, it holds
@@ -35,6 +35,8 @@ class ResultsFolder {
     ResultsFolder(const std::filesystem::path& folder, const NewRun& run, const TypedCommand& typed);
     /// For 'dmp mesh', which replaces an earlier mesh and no run. Throws likewise.
     ResultsFolder(const std::filesystem::path& folder, const TypedCommand& typed);
+    /// For 'dmp convert', which adds to what a run left in a folder that is there. Throws likewise.
+    [[nodiscard]] static ResultsFolder of_run(const std::filesystem::path& folder);
     ~ResultsFolder();
     ResultsFolder(const ResultsFolder&) = delete;
     ResultsFolder& operator=(const ResultsFolder&) = delete;
@@ -48,7 +50,10 @@ class ResultsFolder {
   private:
     /// Nothing is made yet. The others delegate to it, so that the destructor also follows their errors.
     explicit ResultsFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    ResultsFolder(std::filesystem::path folder, const std::string& instead);
     void make_and_lock(const TypedCommand& typed);
+    /// `instead`: what else to do where another process has it.
+    void lock(const std::string& instead);
 
     std::filesystem::path folder_;
     std::filesystem::path first_made_;  ///< the uppermost folder that was made for it; "" if none
