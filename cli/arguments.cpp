@@ -83,7 +83,8 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
         }
-        run_.typed = sweep_.typed = mesh_.typed = new_.typed = TypedCommand({argv.begin(), argv.end()});
+        run_.typed = sweep_.typed = mesh_.typed = inspect_.typed = new_.typed =
+            TypedCommand({argv.begin(), argv.end()});
         if (*run_app_) return run_;
         if (*sweep_app_) return sweep_;
         if (*mesh_app_) return mesh_;
@@ -112,6 +113,13 @@ class Parser {
         add_frames(*run_app_, run_.frames);
         auto* resume =
             run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
+        auto* from = run_app_
+                         ->add_option("--from", run_.from,
+                                      "Start from the state of another run of the scene: of its last checkpoint, or "
+                                      "of that at or before a time; --set may change what drives it, viscosities, "
+                                      "stiffness and the like")
+                         ->type_name("DIR[@TIME]")
+                         ->excludes(resume);
         run_app_
             ->add_flag("--overwrite", run_.overwrite,
                        "Remove the results that are in the folder, once nothing else keeps the run from starting")
@@ -124,13 +132,16 @@ class Parser {
             ->add_option("--wall-limit", run_.wall_limit,
                          "Wall time after which to write a checkpoint and leave, e.g. \"11.5 h\"")
             ->type_name("TIME");
-        run_app_->add_flag("--dry-run", run_.dry_run,
-                           "Only say what the run would take: particles, memory, time steps, measured time");
-        run_app_->footer(
-            examples(program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
-                                R"(run cases/vein_valve --out soft --set part.leaflets.bending_stiffness="1e-6 N*m^2")",
-                                "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume",
-                                "run my_scene.toml --particles my_scene.h5 --frames hdf5"}));
+        run_app_
+            ->add_flag("--dry-run", run_.dry_run,
+                       "Only say what the run would take: particles, memory, time steps, measured time")
+            ->excludes(from);
+        run_app_->footer(examples(
+            program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
+                       R"(run cases/vein_valve --out soft --set part.leaflets.bending_stiffness="1e-6 N*m^2")",
+                       "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume",
+                       R"(run my_scene.toml --out soft --from "out/my_scene@1 s" --set contact.strength="1 uJ")",
+                       "run my_scene.toml --particles my_scene.h5 --frames hdf5"}));
     }
 
     void add_sweep() {
@@ -181,8 +192,13 @@ class Parser {
         add_unit(*inspect_app_, inspect_.unit);
         add_reading(*inspect_app_, inspect_.reading);
         inspect_app_->add_flag("--json", inspect_.json, "Say it in JSON, for programs");
+        inspect_app_
+            ->add_option("--bad-triangles", inspect_.bad_triangles,
+                         "Write the triangles at the open edges of surfaces that make no solid, for ParaView (.vtp)")
+            ->type_name("FILE");
         inspect_app_->footer(
-            examples(program_, {"inspect stent.step", "inspect artery.stl --unit mm", "inspect valve.geo --json"}));
+            examples(program_, {"inspect stent.step", "inspect artery.stl --unit mm", "inspect valve.geo --json",
+                                "inspect artery.stl --bad-triangles open.vtp"}));
     }
 
     void add_new() {

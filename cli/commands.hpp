@@ -39,6 +39,7 @@ struct RunCommand {
     std::optional<FrameFormat> frames;  ///< none: vtk, or hdf5 where dmp was built without VTK
     bool dry_run = false;
     bool resume = false;           ///< go on with the run in the folder
+    std::string from;              ///< start from the state of the run in DIR or DIR@TIME; empty: from the beginning
     bool overwrite = false;        ///< remove what an earlier run has left in the folder
     std::string checkpoint_every;  ///< wall time with its unit; empty: ten minutes
     std::string wall_limit;        ///< wall time with its unit; empty: none
@@ -101,8 +102,10 @@ struct EscapeCommand {
 /// `dmp inspect`: what a geometry holds (docs/cad.md).
 struct InspectCommand {
     std::string file;
-    std::string unit;   ///< length of one unit of the geometry, "mm" or "1 mm"; empty: what the file says
-    bool json = false;  ///< for programs
+    std::string unit;           ///< length of one unit of the geometry, "mm" or "1 mm"; empty: what the file says
+    bool json = false;          ///< for programs
+    TypedCommand typed;         ///< for lines to paste
+    std::string bad_triangles;  ///< VTP file for the triangles at the open edges of what is no solid; empty: none
     GeometryReading reading;
 };
 

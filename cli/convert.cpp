@@ -10,6 +10,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/prepare.hpp"
 #include "cli/progress.hpp"
+#include "cli/results_folder.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
@@ -78,6 +79,9 @@ StoredFrame read(const std::vector<fs::path>& files, long converted) {
 int execute(const ConvertCommand& command) {
     refuse_several_ranks();
     const fs::path folder = command.folder;
+    static_cast<void>(find_frames(folder));  // no folder but a run's gets a lock
+    const ResultsFolder results = ResultsFolder::of_run(folder);
+    if (!results.note().empty()) print(results.note() + "\n");
     const auto [frames, missing] = find_frames(folder);
     if (!missing.empty())
         print(Style(Stream::output).warning("warning: ") + "frames that are not there are left out: " + missing + "\n");
@@ -88,6 +92,7 @@ int execute(const ConvertCommand& command) {
     VtkSink sink(folder, stored.label);
     ProgressLine line;
     for (auto next = frames.begin();;) {
+        results.check();
         sink.write(stored.frame);
         line.show(fmt::format("converted {} of {}", sink.frames(), count_text(frames.size(), "frame")));
         if (++next == frames.end()) break;

@@ -19,6 +19,8 @@
 #include "geometry/geometry_file.hpp"
 #include "geometry/solids_that_meet.hpp"
 #include "geometry/surface_box.hpp"
+#include "geometry/surface_edges.hpp"
+#include "geometry/surface_pieces.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::cli {
@@ -169,6 +171,18 @@ std::string geometry_json(const Geometry& geometry, bool unit_known) {
         warnings.push_back(meeting.text(1, unit_known ? "m" : "units"));
     json["warnings"] = warnings;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+TriangleSurface bad_triangles(const Geometry& geometry) {
+    TriangleSurface all;
+    for (const SurfaceSet& set : geometry.surfaces) {
+        if (set.why_open.empty()) continue;
+        const TriangleSurface bad = part_of(set.surface, triangles_at_faults(set.surface));
+        const auto first = static_cast<int>(all.corners.size());
+        all.corners.insert(all.corners.end(), bad.corners.begin(), bad.corners.end());
+        for (const auto& [a, b, c] : bad.triangles) all.triangles.push_back({first + a, first + b, first + c});
+    }
+    return all;
 }
 
 GeometryOptions geometry_options(const std::string& file, const std::string& unit) {

@@ -18,6 +18,9 @@ namespace dmp::cli {
 /// "watertight", "box", "why_open") and "warnings".
 [[nodiscard]] std::string geometry_json(const Geometry& geometry, bool unit_known);
 
+/// The triangles at the open edges (and at others that no closed surface has) of all that should have been solids.
+[[nodiscard]] TriangleSurface bad_triangles(const Geometry& geometry);
+
 /// The options for a geometry named on the command line, its unit as "mm", "1 mm" or "". Throws InputError.
 [[nodiscard]] GeometryOptions geometry_options(const std::string& file, const std::string& unit);
 

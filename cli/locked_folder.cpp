@@ -16,6 +16,10 @@ namespace fs = std::filesystem;
 
 std::string choice(const std::string& what, const std::string& line) { return what + "\n  " + line; }
 
+std::string beside(const fs::path& folder, const TypedCommand& typed) {
+    return choice("write beside it:", typed.into(next_free(folder)));
+}
+
 std::string keep_both(const fs::path& folder, const TypedCommand& typed) {
     return choice("To keep it and write beside it:", typed.into(next_free(folder)));
 }
@@ -31,8 +35,8 @@ InputError foreign_files(const fs::path& folder) {
 
 namespace {
 
-InputError held(const fs::path& folder, const LockHolder& holder, const TypedCommand& typed) {
-    std::string what_to_do = "Wait for its end, or write beside it:\n  " + typed.into(next_free(folder));
+InputError held(const fs::path& folder, const LockHolder& holder, const std::string& instead) {
+    std::string what_to_do = "Wait for its end, or " + instead;
     if (holder.process.pid == 0 || state_of(holder.process) == ProcessState::unknown)
         what_to_do +=
             fmt::format("\nIts last sign of life came {:.0f} s ago; after {:.0f} min without one it counts as ended.",
@@ -55,14 +59,14 @@ FolderLock::Outcome lock_in(const fs::path& folder) {
 
 }  // namespace
 
-LockedFolder::LockedFolder(fs::path folder, const TypedCommand& typed) : folder_(std::move(folder)) {
+LockedFolder::LockedFolder(fs::path folder, const std::string& instead) : folder_(std::move(folder)) {
     for (fs::path above = folder_; !above.empty() && !fs::exists(above); above = above.parent_path())
         first_made_ = above;
     remove_lock_on_signals();
     FolderLock::Outcome outcome = lock_in(folder_);
     if (outcome.holder) {
         remove_if_empty();
-        throw held(folder_, *outcome.holder, typed);
+        throw held(folder_, *outcome.holder, instead);
     }
     lock_ = std::move(outcome.lock);
     if (outcome.taken_from)

@@ -16,8 +16,8 @@ namespace dmp::cli {
 class LockedFolder {
   public:
     /// Makes it where it is missing. Throws InputError if it cannot be made or written to, or another process writes
-    /// there; `typed` is the command that asked for it, for lines to paste.
-    LockedFolder(std::filesystem::path folder, const TypedCommand& typed);
+    /// there; `instead`: what else can be done then than to wait.
+    LockedFolder(std::filesystem::path folder, const std::string& instead);
     ~LockedFolder();
     LockedFolder(const LockedFolder&) = delete;
     LockedFolder& operator=(const LockedFolder&) = delete;
@@ -42,6 +42,7 @@ class LockedFolder {
 
 // What to do about a folder that holds something: what, and a line to paste.
 [[nodiscard]] std::string choice(const std::string& what, const std::string& line);
+[[nodiscard]] std::string beside(const std::filesystem::path& folder, const TypedCommand& typed);
 [[nodiscard]] std::string keep_both(const std::filesystem::path& folder, const TypedCommand& typed);
 [[nodiscard]] std::string remove_it(const TypedCommand& typed);
 

@@ -5,6 +5,7 @@
 
 #include "cli/uses.hpp"
 #include "scene/scene_difference.hpp"
+#include "solver/output/frame_index.hpp"
 
 namespace dmp::cli {
 
@@ -67,7 +68,7 @@ InputError refusal(const fs::path& folder, const FolderContents& contents, const
 }
 
 ResultsFolder::ResultsFolder(const fs::path& folder, const NewRun& run, const TypedCommand& typed)
-    : folder_(not_foreign(folder), typed) {
+    : folder_(not_foreign(folder), beside(folder, typed)) {
     using enum FolderContents::Kind;
     const FolderContents contents = contents_of(path());
     if (contents.kind != nothing && !run.resume && !run.overwrite) throw refusal(path(), contents, run, typed);
@@ -75,11 +76,17 @@ ResultsFolder::ResultsFolder(const fs::path& folder, const NewRun& run, const Ty
         throw finished_already(path(), contents, run);
 }
 
-ResultsFolder::ResultsFolder(const fs::path& folder, const TypedCommand& typed) : folder_(not_foreign(folder), typed) {
+ResultsFolder::ResultsFolder(const fs::path& folder, const TypedCommand& typed)
+    : folder_(not_foreign(folder), beside(folder, typed)) {
     using enum FolderContents::Kind;
     const auto kind = contents_of(path()).kind;
     if (kind != nothing && kind != mesh)
         throw InputError({path().string()}, "it holds the results of a run", keep_both(path(), typed));
+}
+
+ResultsFolder ResultsFolder::of_run(const fs::path& folder) {
+    return ResultsFolder(folder, "convert a copy of " + (folder / "frames").string() + " and " +
+                                     (folder / frame_index_name).string() + " in another folder.");
 }
 
 }  // namespace dmp::cli

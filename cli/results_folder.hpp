@@ -23,7 +23,7 @@ struct NewRun {
 [[nodiscard]] InputError refusal(const std::filesystem::path& folder, const FolderContents& contents, const NewRun& run,
                                  const TypedCommand& typed);
 
-/// The folder of a run or a mesh, locked while this object lives. Nothing in it is removed by taking it.
+/// The folder of a run, a mesh or a conversion, locked while this object lives. Nothing in it is removed by taking it.
 class ResultsFolder {
   public:
     /// For a run. Throws InputError if the folder cannot be made or written to, another process writes there, it holds
@@ -32,6 +32,8 @@ class ResultsFolder {
     ResultsFolder(const std::filesystem::path& folder, const NewRun& run, const TypedCommand& typed);
     /// For 'dmp mesh', which replaces an earlier mesh and no run. Throws likewise.
     ResultsFolder(const std::filesystem::path& folder, const TypedCommand& typed);
+    /// For 'dmp convert', which adds to what a run left in a folder that is there. Throws likewise.
+    [[nodiscard]] static ResultsFolder of_run(const std::filesystem::path& folder);
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
     /// What to tell of a process that ended without removing its lock; "" if there was none.
@@ -40,6 +42,8 @@ class ResultsFolder {
     void check() const { folder_.check(); }
 
   private:
+    ResultsFolder(const std::filesystem::path& folder, const std::string& instead) : folder_(folder, instead) {}
+
     LockedFolder folder_;
 };
 

@@ -24,12 +24,15 @@
 #include "cli/run_bounds.hpp"
 #include "cli/run_log.hpp"
 #include "cli/scene_as_run.hpp"
+#include "cli/start_from.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
+#include "cli/version.hpp"
 #include "cli/workstation.hpp"
+#include "particles/fingerprint.hpp"
 #include "postproc/tables.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/output/hdf5_sink.hpp"
@@ -102,49 +105,64 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
 
 /// Everything the run leaves besides the frames, whose files are given; returns the names of all.
 std::vector<std::string> write_results(const fs::path& folder, const Scene& scene, const RunSummary& summary,
-                                       std::vector<std::string> files, FrameFormat format, ProgressLine& line,
-                                       RunLog& log) {
+                                       std::vector<std::string> files, const std::optional<StartedFrom>& started_from,
+                                       FrameFormat format, ProgressLine& line, RunLog& log) {
     files.emplace_back(resolved_scene_name);
     if (!summary.measures.names.empty()) files.emplace_back(measures_file_name);
     files.emplace_back(summary_file_name);
     files.emplace_back(run_log_name);
     // Before the pictures, so that whoever stops those has the numbers.
-    write_summary(folder, summary, {label_of(scene), files});
+    write_summary(folder, summary, {label_of(scene), files, started_from});
 
     const Pictures pictures = draw(format, scene, folder, line);
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
-    write_summary(folder, summary, {label_of(scene), files});
+    write_summary(folder, summary, {label_of(scene), files, started_from});
     if (!pictures.warning.empty()) log.warn(": " + pictures.warning);
     return files;
 }
 
-/// Where the run goes on, if it is to.
-std::optional<FoundCheckpoint> found_checkpoint(const RunCommand& command, const fs::path& folder,
-                                                const std::string& scene, double until) {
-    if (!command.resume) return std::nullopt;
-    return checkpoint_to_resume(folder, scene, until);
-}
-
 /// What the first rank knows of the folder it writes into.
 struct Destination {
-    Destination(const RunCommand& command, const std::string& scene, fs::path folder, double until, int ranks)
-        : results(std::move(folder), {scene, until, command.resume, command.overwrite}, command.typed.on_ranks(ranks)),
-          checkpoint(found_checkpoint(command, results.path(), scene, until)) {}
+    Destination(const RunCommand& command, const Scene& scene, fs::path folder, double end, int ranks)
+        : results(std::move(folder), {resolved_scene(scene), end, command.resume, command.overwrite},
+                  command.typed.on_ranks(ranks)),
+          until(end) {
+        if (command.resume) to_resume = checkpoint_to_resume(results.path(), resolved_scene(scene), until);
+        if (!command.from.empty())
+            to_start = starting_state(read_state_choice(command.from), scene, results.path(), until);
+    }
+
+    /// Null: the run starts from the beginning.
+    [[nodiscard]] const FoundCheckpoint* checkpoint() const {
+        if (to_start) return &to_start->checkpoint;
+        return to_resume ? &*to_resume : nullptr;
+    }
+    /// Where the run has its first state from, now or before it was resumed.
+    [[nodiscard]] std::optional<StartedFrom> started_from() const {
+        if (!to_start) return to_resume ? to_resume->label.started_from : std::nullopt;
+        const FoundCheckpoint& from = to_start->checkpoint;
+        return StartedFrom{from.file.string(), from.step, from.time};
+    }
 
     ResultsFolder results;
-    std::optional<FoundCheckpoint> checkpoint;  ///< none: the run starts from the beginning
+    double until;  ///< [s]
+    std::optional<FoundCheckpoint> to_resume;
+    std::optional<StartingState> to_start;
 };
 
 /// Removes what an earlier run has left, unless the run goes on: nothing refuses it any more. Returns what to say.
 std::string open_folder(const Destination& destination) {
     const fs::path& folder = destination.results.path();
     std::string said = destination.results.note().empty() ? "" : destination.results.note() + "\n";
-    if (const auto& found = destination.checkpoint) {
+    if (const FoundCheckpoint* found = destination.checkpoint()) {
         for (const std::string& message : found->messages)
             said += Style(Stream::output).warning("warning: ") + message + "\n";
+        if (const std::string note = version_note(*found); !note.empty()) said += note + "\n";
+    }
+    if (destination.to_start) said += text_of(*destination.to_start, destination.until);
+    if (const auto& found = destination.to_resume)
         return said +
                fmt::format("Going on in {} from step {}, t = {:.6g} s\n\n", folder.string(), found->step, found->time);
-    }
     CheckpointFolder(folder).make();  // may refuse
     if (const std::string removed = remove_results(folder); !removed.empty()) said += removed + "\n";
     return said + "Writing to " + folder.string() + "\n\n";
@@ -163,6 +181,11 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     const Scene& scene = prepared.scene;
     const std::string head = heading(prepared);
     const ParticleSet particles = command.dry_run ? prepared.particles : ParticleSet{};
+    if (destination != nullptr) {
+        if (const FoundCheckpoint* found = destination->checkpoint()) check_particles(*found, prepared.particles);
+        options.checkpoints.label = {resolved_scene(scene), build_facts().version, fingerprint(prepared.particles),
+                                     destination->started_from()};
+    }
     Simulation simulation(scene, prepared.particles, resources);
     prepared.particles = {};
     Plan plan = simulation.plan();
@@ -182,7 +205,6 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     }
 
     const fs::path& folder = destination->results.path();
-    options.checkpoints.scene = resolved_scene(scene);
     options.checkpoints.folder = folder;
     const FrameFormat format = frame_format(command);
     const auto sink = frame_series(format, folder, scene, resources.ranks);
@@ -192,16 +214,20 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     log.add(chosen);
     for (const std::string& warning : warnings) log.warn(": " + warning);
     log.say(opened);
-    const auto& found = destination->checkpoint;
-    std::string checkpoint = found ? found->file.string() : "";
+    const FoundCheckpoint* found = destination->checkpoint();
+    const bool goes_on = destination->to_resume.has_value();
+    std::string checkpoint = found != nullptr ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
-    if (found) {
+    if (goes_on) {
         sink->go_on(simulation.resume(checkpoint));
         // It tells of an end that is none any more.
         remove_file(folder / summary_file_name);
+    } else if (found != nullptr) {
+        simulation.start_from(checkpoint);
     }
 
-    write_scene_of_run(folder, scene, plan, resources, options.until);
+    const std::optional<StartedFrom> started_from = destination->started_from();
+    write_scene_of_run(folder, scene, plan, resources, options.until, started_from);
     ProgressLine line;
     const StopSignals signals;
     options.sink = sink.get();
@@ -218,7 +244,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     MeasuresFile measures(folder);
     options.measured = [&](const MeasureSeries& series) {
         if (series.names.empty()) return;
-        if (found && !measures.is_begun())
+        if (goes_on && !measures.is_begun())
             if (const std::string kept = keep_other_measures(folder, series); !kept.empty())
                 log.say("What was measured before has other columns: it is kept in " + (folder / kept).string() + "\n");
         measures.write(series);
@@ -232,7 +258,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     if (summary.interrupted)
         log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
                             stopped_by(summary, signals), typed.with("--resume")));
-    const auto files = write_results(folder, scene, summary, sink->files(), format, line, log);
+    const auto files = write_results(folder, scene, summary, sink->files(), started_from, format, line, log);
     log.say("\n" + results_text(folder, files));
     for (const Warning& warning : summary.warnings) log.warn(": " + warning.text());
     if (summary.out_of_time) return exit_out_of_time;
@@ -253,7 +279,9 @@ int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resou
     resources.ranks.broadcast(checkpoint);
     const auto sink = frame_series(frame_format(command), options.checkpoints.folder, prepared.scene, resources.ranks);
     options.sink = sink.get();
-    if (!checkpoint.empty()) {
+    if (!command.from.empty()) {
+        simulation.start_from(checkpoint);
+    } else if (!checkpoint.empty()) {
         const long frames = simulation.resume(checkpoint);
         if (sink) sink->go_on(frames);
     }
@@ -286,8 +314,8 @@ int execute(const RunCommand& command) {
         // Before particles are made, which may take long.
         std::optional<Destination> destination;
         if (resources.ranks.is_first() && !command.dry_run)
-            destination.emplace(command, resolved_scene(scene), output_folder(command.out, scene_name(scene)),
-                                options.until, resources.ranks.size());
+            destination.emplace(command, scene, output_folder(command.out, scene_name(scene)), options.until,
+                                resources.ranks.size());
         Prepared prepared = prepare(std::move(scene), command.scene, resources.ranks);
         return resources.ranks.is_first() ? run_as_first(command, std::move(prepared), resources, options,
                                                          destination ? &*destination : nullptr)

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/errors.hpp"
+#include "base/number_text.hpp"
 #include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
+#include "cli/terminal.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/scene_difference.hpp"
 #include "solver/run/setup.hpp"
@@ -61,30 +65,38 @@ std::string without_unit(std::string text) {
     return text;
 }
 
-void write(const fs::path& folder, const Scene& written, Scene as_run) {
+/// A line that is no value of the scene.
+std::string remark_on(const StartedFrom& start) {
+    std::string file = printable(start.checkpoint, false);
+    std::ranges::replace(file, '\n', ' ');
+    return fmt::format("## Started from the state of {}, step {}, {} s: dmp run --from\n", file, start.step,
+                       number_text(start.time, 17));
+}
+
+void write(const fs::path& folder, const Scene& written, Scene as_run, const std::string& remark) {
     refer_from(folder, as_run.directory, as_run.geometry.file);
     for (Part& part : as_run.parts) {
         refer_from(folder, as_run.directory, part.positions);
         refer_from(folder, as_run.directory, part.file);
     }
-    const std::string text = with_values_of(resolved_scene(written), resolved_scene(as_run));
+    const std::string text = remark + with_values_of(resolved_scene(written), resolved_scene(as_run));
     comment_out_what_may_not_be_given(folder / resolved_scene_name,
                                       written.geometry.unit.given() ? text : without_unit(text), as_run);
 }
 
 }  // namespace
 
-void write_scene(const fs::path& folder, const Scene& scene) { write(folder, scene, scene); }
+void write_scene(const fs::path& folder, const Scene& scene) { write(folder, scene, scene, ""); }
 
 void write_scene_of_run(const fs::path& folder, const Scene& scene, const Plan& plan, const Resources& resources,
-                        double until) {
+                        double until, const std::optional<StartedFrom>& started_from) {
     Scene as_run = scene;
     as_run.run.duration.value = until;
     if (*as_run.output.measure_every == 0) as_run.output.measure_every.value = as_run.output.every / 4;
     if (plan.sound.value > 0) as_run.numerics.sound_speed.value = plan.sound.value;
     if (plan.sound.value > 0 && *as_run.contact.strength == 0)
         as_run.contact.strength.value = pair_settings(as_run, resources).repulsion_strength;
-    write(folder, scene, std::move(as_run));
+    write(folder, scene, std::move(as_run), started_from ? remark_on(*started_from) : "");
 }
 
 }  // namespace dmp::cli

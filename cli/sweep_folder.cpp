@@ -123,7 +123,7 @@ fs::path run_folder(const fs::path& folder, const std::string& run) { return fol
 fs::path run_output(const fs::path& folder, const std::string& run) { return folder / runs_name / (run + ".log"); }
 
 SweepFolder::SweepFolder(const fs::path& folder, const NewSweep& sweep, const TypedCommand& typed)
-    : folder_(not_foreign(folder), typed) {
+    : folder_(not_foreign(folder), beside(folder, typed)) {
     const SweepContents contents = sweep_contents_of(path());
     need_fitting_contents(path(), contents, sweep, typed);
     if (!folder_.note().empty()) note_ = folder_.note() + "\n";

@@ -27,13 +27,13 @@ TypedCommand TypedCommand::on_ranks(int ranks) const {
     return TypedCommand(std::move(words));
 }
 
-std::vector<std::string> TypedCommand::without(const std::vector<std::string>& flags, bool out) const {
+std::vector<std::string> TypedCommand::without(const std::vector<std::string>& flags, const std::string& option) const {
     std::vector<std::string> kept;
     for (std::size_t k = 0; k < words_.size(); ++k) {
         const std::string& word = words_[k];
         if (std::ranges::find(flags, word) != flags.end()) continue;
-        if (out && word.starts_with("--out=")) continue;
-        if (out && word == "--out") {
+        if (!option.empty() && word.starts_with(option + "=")) continue;
+        if (!option.empty() && word == option) {
             ++k;
             continue;
         }
@@ -43,13 +43,13 @@ std::vector<std::string> TypedCommand::without(const std::vector<std::string>& f
 }
 
 std::string TypedCommand::with(const std::string& option) const {
-    std::vector<std::string> words = without(exclusive, false);
+    std::vector<std::string> words = without(exclusive, option == "--resume" ? "--from" : "");
     words.push_back(option);
     return line_of(words);
 }
 
 std::string TypedCommand::into(const std::filesystem::path& folder) const {
-    std::vector<std::string> words = without(exclusive, true);
+    std::vector<std::string> words = without(exclusive, "--out");
     words.insert(words.end(), {"--out", folder.string()});
     return line_of(words);
 }

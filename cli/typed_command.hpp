@@ -24,13 +24,16 @@ class TypedCommand {
     /// With this many ranks; 1: without mpirun.
     [[nodiscard]] TypedCommand on_ranks(int ranks) const;
 
-    /// The line with this option and without those that exclude it: --resume, --overwrite, --dry-run.
+    /// The line with this option and without those that exclude it: --resume, --overwrite, --dry-run; a run that is
+    /// resumed has its start behind it, so --resume takes --from away, too.
     [[nodiscard]] std::string with(const std::string& option) const;
     /// The line with the results in another folder.
     [[nodiscard]] std::string into(const std::filesystem::path& folder) const;
 
   private:
-    [[nodiscard]] std::vector<std::string> without(const std::vector<std::string>& flags, bool out) const;
+    /// Without these flags, and without an option that has a value ("": none).
+    [[nodiscard]] std::vector<std::string> without(const std::vector<std::string>& flags,
+                                                   const std::string& option) const;
 
     std::vector<std::string> words_;
 };

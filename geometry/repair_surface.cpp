@@ -230,12 +230,12 @@ class Ladder {
     }
 
     [[noreturn]] void refuse_open(const std::vector<int>& sheets) const {
-        std::vector<int> bad = sheets;
+        std::vector<int> bad = triangles_at_faults(surface_);
+        bad.insert(bad.end(), sheets.begin(), sheets.end());
         std::string first;
         const std::vector<SurfaceEdge> edges = edges_of(surface_);
         for_each_edge(edges, [&](std::span<const SurfaceEdge> sides) {
             if (sides.size() == 2 && sides[0].forward != sides[1].forward) return;
-            for (const SurfaceEdge& side : sides) bad.push_back(side.triangle);
             if (first.empty())
                 first = position_text(surface_.corners[static_cast<std::size_t>(sides[0].low)]) + " to " +
                         position_text(surface_.corners[static_cast<std::size_t>(sides[0].high)]);

@@ -41,4 +41,16 @@ EdgeCounts count_edges(const TriangleSurface& surface) {
     return counts;
 }
 
+std::vector<int> triangles_at_faults(const TriangleSurface& surface) {
+    std::vector<int> found;
+    const std::vector<SurfaceEdge> edges = edges_of(surface);
+    for_each_edge(edges, [&](std::span<const SurfaceEdge> sides) {
+        if (sides.size() == 2 && sides[0].forward != sides[1].forward) return;
+        for (const SurfaceEdge& side : sides) found.push_back(side.triangle);
+    });
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 }  // namespace dmp::geometry

@@ -41,4 +41,7 @@ struct EdgeCounts {
 };
 EdgeCounts count_edges(const TriangleSurface& surface);
 
+/// The triangles at the edges that count_edges counts, ascending.
+std::vector<int> triangles_at_faults(const TriangleSurface& surface);
+
 }  // namespace dmp::geometry

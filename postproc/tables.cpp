@@ -200,6 +200,8 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"state_hash", summary.state_hash},
               {"seconds_by_stage", object_of(summary.seconds_by_stage)},
               {"files", extra.files}};
+    if (const auto& start = extra.started_from)
+        json["started_from"] = {{"checkpoint", start->checkpoint}, {"step", start->step}, {"time_s", start->time}};
     if (summary.velocity_change) json["velocity_change_per_spacing"] = *summary.velocity_change;
     for (const LargestStrain& strain : summary.strains)
         json["strain_of_bonds"][strain.name] = {{"lowest", strain.compressed}, {"highest", strain.stretched}};

@@ -11,6 +11,7 @@
 #include "solver/results/frame.hpp"
 #include "solver/results/run_label.hpp"
 #include "solver/simulation.hpp"
+#include "solver/state/checkpoint_folder.hpp"
 
 namespace dmp::postproc {
 
@@ -47,6 +48,7 @@ MeasureSeries read_measures_csv(const std::filesystem::path& folder);
 struct SummaryExtra {
     RunLabel label;
     std::vector<std::string> files;  ///< files written by the run, relative to the folder
+    std::optional<StartedFrom> started_from{};
 };
 
 /// folder/summary.json, the results of a run for scripts (keys: docs of `RunSummary`). NaN and infinities become

@@ -38,6 +38,7 @@ std::vector<Line> lines_of(const std::string& scene) {
     std::istringstream text(scene);
     std::string table;
     for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("##")) continue;  // a remark
         if (line.starts_with("# ")) line.erase(0, 2);
         if (line.starts_with("[")) {
             table = table_in(line);

@@ -15,7 +15,7 @@ struct ValueDifference {
 /// The resolved scene `as_run`, with a comment where the one that was written has another value:
 ///   duration = "0.5 s"  # in the scene: "4 s"
 /// Both have the same keys. differences() goes by the values in the comments, and knows lines that are comments: # KEY
-/// = VALUE.
+/// = VALUE. Lines that begin with ## are remarks.
 [[nodiscard]] std::string with_values_of(const std::string& written, const std::string& as_run);
 
 /// What differs between two resolved scenes (resolved_scene), in the order of the present one; values that are no

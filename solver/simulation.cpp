@@ -23,4 +23,6 @@ long Simulation::resume(const std::filesystem::path& checkpoint) {
     return run_->resume(Hdf5Reader(checkpoint));
 }
 
+void Simulation::start_from(const std::filesystem::path& checkpoint) { run_->start_from(Hdf5Reader(checkpoint)); }
+
 }  // namespace dmp::solver

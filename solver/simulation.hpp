@@ -28,6 +28,11 @@ class Simulation {
     /// it does not fit. Returns the number of frames that were written by then.
     long resume(const std::filesystem::path& checkpoint);
 
+    /// Takes over the state of a checkpoint of another run of the same particles, with its time; values that
+    /// scene::fixed_in_start leaves free may be others. Counts, sums, frames and measures begin anew. On any number of
+    /// ranks and threads. Throws InputError when the state does not fit.
+    void start_from(const std::filesystem::path& checkpoint);
+
     /// Runs to the end. Throws DivergenceError (after writing a last frame to the sink) and ResourceError.
     RunSummary run(const RunOptions& options) { return run_->run(options); }
 

@@ -70,6 +70,15 @@ void FluidRun::start(FrameSink* sink) {
     if (step_ == 0) fluid_.update_contact_rate();
     extremes_ = fluid_.extremes();
     if (step_ == 0) write_what_is_due(sink);
+    if (starts_from_state() && frames_ == 0) start_from_state(sink);
+}
+
+void FluidRun::start_from_state(FrameSink* sink) {
+    fluid_.update_contact_rate();  // its strength may have changed
+    at_start_ = conserved();
+    velocity_change_.start(time_);
+    take_measures();
+    write_frame(sink);
 }
 
 Conserved FluidRun::conserved() const {
@@ -123,18 +132,10 @@ double FluidRun::next_change(double target) const {
 void FluidRun::archive(Archive& file) {
     file("time", time_);
     file("step", step_);
-    file.same("sound_speed", settings_.sound_speed, "the speed of sound [m/s]");
-    file.same("drive_time", scales_.drive_time, "the time in which what drives the scene changes [s]");
+    file.same("sound_speed", settings_.sound_speed, "the speed of sound [m/s]", "numerics.sound_speed", "m/s");
     frame_times_.archive(file, "frames_due", time_);
     measure_times_.archive(file, "measures_due", time_);
-    file("frames_", frames_);
-    file("last_frame_", last_frame_);
-    reached_.archive(file);
-    velocity_change_.archive(file);
-    strain_.archive(file);
-    file("mass_at_start", at_start_.mass);
-    file("momentum_at_start", at_start_.momentum);
-    measures_.archive(file);
+    if (!file.starts_run()) archive_accounts(file);
     events_.archive(file);
     const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(particles_.owned())); };
     const std::int64_t before = all();
@@ -143,7 +144,24 @@ void FluidRun::archive(Archive& file) {
         check_loaded(particles_.groups(), before, particles_.space().parts.size());
         if (all() != before) throw unlike_any_run("more or fewer particles than the run has");
     }
+    if (file.starts_run()) {
+        fill_by_part(scene_, particles_);
+        fluid_.forget_wall_motion();
+    }
     fluid_.archive(file);
+}
+
+/// What the run has counted and summed up, and what it chose by all of the time that it takes.
+void FluidRun::archive_accounts(Archive& file) {
+    file.same("drive_time", scales_.drive_time, "the time in which what drives the scene changes [s]");
+    file("frames_", frames_);
+    file("last_frame_", last_frame_);
+    reached_.archive(file);
+    velocity_change_.archive(file);
+    strain_.archive(file);
+    file("mass_at_start", at_start_.mass);
+    file("momentum_at_start", at_start_.momentum);
+    measures_.archive(file);
     mean_displacement_.archive(file);
 }
 
@@ -165,12 +183,14 @@ void FluidRun::write_diverged_frame(FrameSink* sink) {
     last_frame_ = time_;
 }
 
+void FluidRun::take_measures() {
+    fluid_.update_pressure();
+    if (measures_.need_neighbours()) fluid_.refresh_neighbours();
+    measures_.take(time_, particles_, fluid_);
+}
+
 void FluidRun::write_what_is_due(FrameSink* sink) {
-    if (measure_times_.due(time_)) {
-        fluid_.update_pressure();
-        if (measures_.need_neighbours()) fluid_.refresh_neighbours();
-        measures_.take(time_, particles_, fluid_);
-    }
+    if (measure_times_.due(time_)) take_measures();
     if (frame_times_.due(time_)) write_frame(sink);
 }
 

@@ -52,6 +52,10 @@ class FluidRun final : public Run {
     [[nodiscard]] std::vector<StepLimit> limits_now(double largest_speed) const;
     /// The time at which what drives the scene changes, if that is before the target, else the target.
     [[nodiscard]] double next_change(double target) const;
+    void archive_accounts(Archive& file);
+    /// Accounts, the first row and the first frame of a run that starts from the state of another one.
+    void start_from_state(FrameSink* sink);
+    void take_measures();
     void write_what_is_due(FrameSink* sink);
     void stop_if_diverged(FrameSink* sink);
     void add_fields(Plan& plan) const;

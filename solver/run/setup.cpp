@@ -152,16 +152,28 @@ std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set) {
     return densities;
 }
 
-void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
-    const std::vector<double> densities = rest_densities(scene, set);
-    const std::vector<double> fluids = fluid_numbers(scene, set);
+void fill_by_part(const Scene& scene, ParticleStore& particles) {
     std::vector<double> viscosities, slips, slides;
-    for (const auto& part : set.parts) {
+    for (const auto& part : particles.space().parts) {
         const bool is_wall = part.kind == PartKind::rigid;
         slips.push_back(is_wall && scene.part_of_particles(part.name).slip ? 1 : 0);
         slides.push_back(is_wall && scene.part_of_particles(part.name).slides() ? 1 : slips.back());
         viscosities.push_back(part.kind == PartKind::fluid ? scene.part_of_particles(part.name).viscosity.value : 0);
     }
+    for (ParticleGroup& group : particles.groups()) {
+        const auto fill = [&](Field field, const std::vector<double>& by_part) {
+            for (std::size_t i = 0; group.has(field) && i < group.owned(); ++i)
+                group.data(field)[i] = by_part[group.tags()[i].part];
+        };
+        fill(Field::viscosity, viscosities);
+        fill(Field::wall_slip, slips);
+        fill(Field::wall_sliding, slides);
+    }
+}
+
+void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles) {
+    const std::vector<double> densities = rest_densities(scene, set);
+    const std::vector<double> fluids = fluid_numbers(scene, set);
     const double range = scene.contact.range * scene.particles.spacing;
     for (ParticleGroup& group : particles.groups()) {
         const auto fill = [&](Field field, int axis, const auto& value_of) {
@@ -173,18 +185,16 @@ void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& parti
         fill(Field::density, 0, [&](std::size_t part, std::size_t) { return densities[part]; });
         fill(Field::fluid_number, 0, [&](std::size_t part, std::size_t) { return fluids[part]; });
         fill(Field::mean_correction, 0, [](std::size_t, std::size_t) { return 1.0; });
-        fill(Field::viscosity, 0, [&](std::size_t part, std::size_t) { return viscosities[part]; });
         fill(Field::contact_range, 0, [&](std::size_t, std::size_t) { return range; });
         fill(Field::wall_contact_range, 0, [&](std::size_t, std::size_t id) { return set.seated[id] ? 0 : range; });
         fill(Field::wall_distance, 0, [&](std::size_t, std::size_t id) { return set.wall_distance[id]; });
-        fill(Field::wall_slip, 0, [&](std::size_t part, std::size_t) { return slips[part]; });
-        fill(Field::wall_sliding, 0, [&](std::size_t part, std::size_t) { return slides[part]; });
         for (int axis = 0; axis < set.dimension; ++axis) {
             for (const Field normal : {Field::wall_normal, Field::initial_normal})
                 fill(normal, axis, [&](std::size_t, std::size_t id) { return set.wall_normal[id][axis]; });
             fill(Field::initial_position, axis, [&](std::size_t, std::size_t id) { return set.position[id][axis]; });
         }
     }
+    fill_by_part(scene, particles);
     fill_starting_density(scene, set, equations_of_state(scene, set), particles);
 }
 

@@ -26,6 +26,9 @@ std::vector<LiquidState> equations_of_state(const Scene& scene, const ParticleSp
 /// By part number: of the liquid that a particle is, or stands in for [kg/m^3].
 std::vector<double> rest_densities(const Scene& scene, const ParticleSet& set);
 
+/// Writes what a particle has of its part's values alone: viscosity, and whether a wall slips or slides.
+void fill_by_part(const Scene& scene, ParticleStore& particles);
+
 /// Writes the fluid's density and viscosity, wall surfaces and contact ranges into the fields that the store has.
 void fill_store(const Scene& scene, const ParticleSet& set, ParticleStore& particles);
 

@@ -30,6 +30,9 @@ class VelocityChange {
     /// which keeps no gradient, nothing.
     void add(const ParticleStore& particles, const Ranks& ranks, double t);
 
+    /// Sums begin at time t.
+    void start(double t) { added_until_ = t; }
+
     /// S; nothing where no fluid moved.
     [[nodiscard]] std::optional<double> value(double spacing) const;
     /// Above 0.4, where flows of the verification suite are off by 4 % and more.

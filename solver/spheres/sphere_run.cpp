@@ -159,9 +159,22 @@ void SphereRun::archive(Archive& file) {
     step_.give_state();
     file("time", time_);
     file("step", step_count_);
-    file.same("drive_time", setup_.drive_time, "the time in which what drives the scene changes [s]");
     frame_times_.archive(file, "frames_due", time_);
     measure_times_.archive(file, "measures_due", time_);
+    if (!file.starts_run()) archive_accounts(file);
+    const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(group_.owned())); };
+    const std::int64_t before = all();
+    file("spheres", group_);
+    if (file.loading()) {
+        check_loaded({&group_, 1}, before, space_.parts.size());
+        if (all() != before) throw unlike_any_run("more or fewer spheres than the run has");
+    }
+    step_.archive(file);
+}
+
+/// What the run has counted and summed up, and what it chose by all of the time that it takes.
+void SphereRun::archive_accounts(Archive& file) {
+    file.same("drive_time", setup_.drive_time, "the time in which what drives the scene changes [s]");
     file("frames", frames_);
     file("last_frame", last_frame_);
     file("mass_at_start", at_start_.mass);
@@ -172,14 +185,6 @@ void SphereRun::archive(Archive& file) {
     file("fastest", fastest_);
     measures_.archive(file);
     steady_state_.archive(file);
-    const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(group_.owned())); };
-    const std::int64_t before = all();
-    file("spheres", group_);
-    if (file.loading()) {
-        check_loaded({&group_, 1}, before, space_.parts.size());
-        if (all() != before) throw unlike_any_run("more or fewer spheres than the run has");
-    }
-    step_.archive(file);
 }
 
 void SphereRun::write_frame(FrameSink* sink) {
@@ -235,11 +240,14 @@ RunProgress SphereRun::progress(double until) const {
 void SphereRun::start(FrameSink* sink) {
     if (!begun_) step_.start(step_count_ == 0, time_);
     begun_ = true;
-    if (step_count_ > 0) return;
+    const bool from_state = starts_from_state() && frames_ == 0;
+    if (step_count_ > 0 && !from_state) return;
     at_start_ = conserved();
     energy_at_start_ = energy();
     stop_if_diverged(sink);
-    write_what_is_due(sink);
+    if (!from_state) return write_what_is_due(sink);
+    measures_.take(time_, step_);
+    write_frame(sink);
 }
 
 void SphereRun::finish(FrameSink* sink) {

@@ -47,6 +47,7 @@ class SphereRun final : public Run {
     [[nodiscard]] std::vector<Warning> warnings(const SphereEnergy& end) const;
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] SphereEnergy energy() const;
+    void archive_accounts(Archive& file);
     void write_what_is_due(FrameSink* sink);
     void stop_if_diverged(FrameSink* sink);
 

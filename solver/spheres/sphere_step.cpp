@@ -349,11 +349,13 @@ void SphereStep::archive(Archive& file) {
     file("spheres/largest_force", force);
     largest_force_ = force;
     file("spheres/wall_force", wall_force_);
-    file("spheres/impulse_of_body_forces", impulses_.of_body_forces);
-    file("spheres/impulse_of_fixed", impulses_.of_fixed);
+    if (!file.starts_run()) {
+        file("spheres/impulse_of_body_forces", impulses_.of_body_forces);
+        file("spheres/impulse_of_fixed", impulses_.of_fixed);
+    }
     neighbours_.archive(file, group_);
     walls_.archive(file, ranks_);
-    driving_.archive(file);
+    if (!file.starts_run()) driving_.archive(file);
 }
 
 }  // namespace dmp::solver

@@ -48,13 +48,22 @@ void Archive::operator()(const std::string& name, std::string& text) {
     }
 }
 
-void Archive::same(const std::string& name, double value, const std::string& what) {
+void Archive::same(const std::string& name, double value, const std::string& what, const std::string& key,
+                   const std::string& unit) {
     double before = value;
     (*this)(name, before);
-    if (before != value)
-        throw InputError(what + " was chosen for the run's first duration as " + number_text(before, 12) + ", and is " +
-                             number_text(value, 12) + " for this one",
-                         "Leave run.duration as it was and give the later end with --until; or start a new run.");
+    if (before == value) return;
+    if (starts_run())
+        throw InputError(what + " is " + number_text(before, 17) + " in the state that the run is to start from, and " +
+                             number_text(value, 17) +
+                             " would be chosen for it; under another one the state would mean "
+                             "something else",
+                         key.empty()
+                             ? "Leave the values as they are that it is chosen by."
+                             : "Keep it with --set " + key + "='\"" + number_text(before, 17) + " " + unit + "\"'.");
+    throw InputError(what + " was chosen for the run's first duration as " + number_text(before, 12) + ", and is " +
+                         number_text(value, 12) + " for this one",
+                     "Leave run.duration as it was and give the later end with --until; or start a new run.");
 }
 
 void Archive::operator()(const std::string& name, std::vector<double>& values) { array(name, values); }

@@ -13,6 +13,9 @@
 
 namespace dmp::solver {
 
+/// Why a state is loaded: for its own run to go on, or for a new run with other values to start with.
+enum class LoadedFor { going_on, new_run };
+
 /// Saves a state to a checkpoint or loads it from one. A class with state lists each value once, for both directions:
 ///     void archive(Archive& file) { file("step", step_); file("time", time_); }
 /// Values are the same on all ranks, and all ranks must call with the same names; particles are distributed. When
@@ -21,9 +24,13 @@ class Archive {
   public:
     /// `file` may be null on all ranks except rank 0.
     Archive(const Ranks& ranks, Hdf5Writer* file) : ranks_(ranks), writer_(file) {}
-    Archive(const Ranks& ranks, const Hdf5Reader& file) : ranks_(ranks), reader_(&file) {}
+    Archive(const Ranks& ranks, const Hdf5Reader& file, LoadedFor purpose = LoadedFor::going_on)
+        : ranks_(ranks), reader_(&file), purpose_(purpose) {}
 
     [[nodiscard]] bool loading() const { return reader_ != nullptr; }
+    /// Whether it loads the state with which a new run starts. What a run counts and sums up from its start on, and
+    /// what the state's own scene was judged by, stay as they are then.
+    [[nodiscard]] bool starts_run() const { return loading() && purpose_ == LoadedFor::new_run; }
 
     void operator()(const std::string& name, double& value);
     void operator()(const std::string& name, std::int64_t& value);
@@ -37,8 +44,10 @@ class Archive {
     void operator()(const std::string& name, ParticleGroup& group);
 
     /// A value that is not part of the state, but without which the state would go on in another way. When loading,
-    /// throws InputError, which calls it `what`, if it is another than that of the file.
-    void same(const std::string& name, double value, const std::string& what);
+    /// throws InputError, which calls it `what`, if it is another than that of the file. `key` of the scene gives
+    /// it, in `unit`; "": none does.
+    void same(const std::string& name, double value, const std::string& what, const std::string& key = "",
+              const std::string& unit = "");
 
   private:
     /// The file to load from. Throws InputError if it has no such dataset: the run began without it.
@@ -55,6 +64,7 @@ class Archive {
     const Ranks& ranks_;
     Hdf5Writer* writer_ = nullptr;
     const Hdf5Reader* reader_ = nullptr;
+    LoadedFor purpose_ = LoadedFor::going_on;
 };
 
 }  // namespace dmp::solver

@@ -43,6 +43,19 @@ std::string CheckpointFolder::problem_with(long step, const fs::path& file) {
     return "";
 }
 
+std::vector<FoundCheckpoint> CheckpointFolder::all_good() {
+    good_.clear();
+    std::vector<FoundCheckpoint> good;
+    std::vector<std::string> left_out;
+    for (const auto& [step, file] : newest_first(folder_)) {
+        if (const std::string problem = problem_with(step, file); !problem.empty())
+            left_out.push_back(file.string() + " is " + problem + "; it is left out");
+        else
+            good.push_back({file, step, 0, left_out, {}});
+    }
+    return good;
+}
+
 std::optional<FoundCheckpoint> CheckpointFolder::newest_good() {
     good_.clear();
     struct Bad {
@@ -56,7 +69,7 @@ std::optional<FoundCheckpoint> CheckpointFolder::newest_good() {
             bad.push_back({file, problem});
             continue;
         }
-        FoundCheckpoint found{file, step, 0, {}};
+        FoundCheckpoint found{file, step, 0, {}, {}};
         for (std::size_t n = 0; n < bad.size(); ++n)
             found.messages.push_back(bad[n].file.string() + " is " + bad[n].problem + "; using " +
                                      (n + 1 == bad.size() ? "the one before it" : "an earlier one") + ", step " +

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -9,12 +10,28 @@
 
 namespace dmp::solver {
 
+/// Where a run took the state from that it started with.
+struct StartedFrom {
+    std::string checkpoint;  ///< the file, as it was called
+    std::int64_t step = 0;
+    double time = 0;  ///< [s]
+};
+
+/// What a checkpoint says of its run besides the state; "": nothing.
+struct CheckpointLabel {
+    std::string scene;        ///< resolved, for comparison
+    std::string dmp_version;  ///< of the dmp that wrote it
+    std::string particles;    ///< their fingerprint (particles/fingerprint.hpp)
+    std::optional<StartedFrom> started_from;
+};
+
 /// A checkpoint from which a run can resume.
 struct FoundCheckpoint {
     std::filesystem::path file;
     long step = 0;
     double time = 0;                    ///< [s]; checkpoint_to_resume finds it
     std::vector<std::string> messages;  ///< one for each newer checkpoint that is unusable, newest first
+    CheckpointLabel label{};            ///< checkpoint_to_resume finds it
 };
 
 /// The checkpoints of one run: OUT/checkpoints/step_000001234.h5. Other files in the folder are left alone.
@@ -27,6 +44,9 @@ class CheckpointFolder {
     void make() const;
 
     [[nodiscard]] std::filesystem::path path_for(long step) const;
+
+    /// All checkpoints that pass check_seal, newest first; each with a message for every newer one that does not.
+    [[nodiscard]] std::vector<FoundCheckpoint> all_good();
 
     /// The newest checkpoint that passes check_seal; nothing if there are no checkpoints.
     /// Throws InputError if there are some and all are bad.

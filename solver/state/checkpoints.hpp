@@ -15,7 +15,7 @@ namespace dmp::solver {
 struct CheckpointOptions {
     std::filesystem::path folder;  ///< of the run; checkpoints are in a subfolder. Empty: none are written
     double every = 600;            ///< wall time between checkpoints [s]; 0: only when the run is stopped
-    std::string scene;             ///< resolved text of the scene, stored in each for comparison
+    CheckpointLabel label;         ///< stored in each
 };
 
 /// Writes the checkpoints of a run and keeps the last two. Rank 0 writes the files.
@@ -39,6 +39,11 @@ class Checkpoints {
     CheckpointFolder folder_;
     Clock::time_point last_ = Clock::now();
 };
+
+/// The checkpoint of the run in `folder` with whose state another run that ends at `until` [s] can start: that of the
+/// time `at` [s], or the last one before it; the last of all where no time is asked for. Called by one process. Throws
+/// InputError if there is none, with the times that there are, or if it is not before `until`.
+FoundCheckpoint checkpoint_to_start_from(const std::filesystem::path& folder, std::optional<double> at, double until);
 
 /// Finds the checkpoint from which a run in `folder` can resume, for a scene with this resolved text (what does not
 /// change the state may differ: differences_in_state) that is to end at `until` [s]. Called by one process. Throws

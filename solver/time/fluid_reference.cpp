@@ -64,7 +64,7 @@ void FluidReference::archive(Archive& file) {
     file("reference/rest_volume", rest_volume_);
     file("reference/volume_ratio", volume_ratio_);
     file("reference/level", level_);
-    file("reference/density_drift", drift_);
+    if (!file.starts_run()) file("reference/density_drift", drift_);
 }
 
 std::optional<Warning> drift_warning(double drift) {

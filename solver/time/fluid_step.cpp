@@ -400,23 +400,35 @@ FluidExtremes FluidStep::drift_to_end(double dt) {
 
 void FluidStep::archive(Archive& file) {
     file("fluid/largest_speed", largest_speed_);
-    if (settings_.repulsion_strength > 0) file("fluid/contact_rate", contact_rate_);
+    if (settings_.repulsion_strength > 0 && !file.starts_run()) file("fluid/contact_rate", contact_rate_);
     if (settings_.corrected) {
         reference_.archive(file);
         file("fluid/bodies_shown", bodies_shown_);
     }
-    file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
-    file("fluid/impulse_of_fixed", impulses_.of_fixed);
-    file("fluid/impulse_of_drag", impulses_.of_drag);
+    if (!file.starts_run()) archive_accounts(file);
     springs_.archive(file);
     if (file.loading())
         for (const ParticleTag& tag : particles_.of(PartKind::elastic).tags())
             if (!springs_.holds(tag.id)) throw unlike_any_run("an elastic particle that is a node of no body");
-    if (viscosity_) viscosity_->archive(file);
     walls_.archive(file);
     if (species_) species_->archive(file);
-    driving_.archive(file);
     if (file.loading()) neighbours_.forget();
+}
+
+/// And what follows from the driving of the last step, which a new run may not have.
+void FluidStep::archive_accounts(Archive& file) {
+    file("fluid/impulse_of_body_forces", impulses_.of_body_forces);
+    file("fluid/impulse_of_fixed", impulses_.of_fixed);
+    file("fluid/impulse_of_drag", impulses_.of_drag);
+    if (viscosity_) viscosity_->archive(file);
+    driving_.archive(file);
+}
+
+void FluidStep::forget_wall_motion() {
+    ParticleGroup& walls = particles_.of(PartKind::rigid);
+    for (const Field field : {Field::velocity, Field::wall_motion, Field::surface_gradient, Field::wall_acceleration})
+        for (int axis = 0; walls.has(field) && axis < walls.axes(field); ++axis)
+            std::fill_n(walls.data(field, axis), walls.owned(), 0.0);
 }
 
 FluidExtremes FluidStep::extremes() const {

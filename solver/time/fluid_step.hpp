@@ -68,6 +68,9 @@ class FluidStep {
     /// By how much the nodes of spring bodies are ahead of the liquid [s].
     [[nodiscard]] double bodies_ahead() const { return bodies_ahead_; }
 
+    /// Sets the walls' velocities to 0, until the next step takes them from the scene.
+    void forget_wall_motion();
+
     /// All that the next steps depend on besides the particles.
     void archive(Archive& file);
 
@@ -89,6 +92,7 @@ class FluidStep {
     [[nodiscard]] const FluidReference& reference() const { return reference_; }
 
   private:
+    void archive_accounts(Archive& file);
     void renew_list();
     void prune_list();
     void sweep(const char* stage, const FieldList& fields, const std::function<void(ClusterChoice)>& over);

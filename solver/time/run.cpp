@@ -31,6 +31,12 @@ long Run::resume(const Hdf5Reader& checkpoint) {
     return frames();
 }
 
+void Run::start_from(const Hdf5Reader& checkpoint) {
+    Archive file(ranks(), checkpoint, LoadedFor::new_run);
+    archive(file);
+    starts_from_state_ = true;
+}
+
 RunSummary Run::run(const RunOptions& options) {
     const double until = options.until > 0 ? options.until : duration();
     Checkpoints checkpoints(ranks(), options.checkpoints);

@@ -48,6 +48,8 @@ class Run {
 
     /// Restores the state of a checkpoint. Returns the number of frames written up to then.
     long resume(const Hdf5Reader& checkpoint);
+    /// Takes over the state of a checkpoint of another run, with its time, as the state to start from.
+    void start_from(const Hdf5Reader& checkpoint);
 
     /// Steps to the end of the run: saves checkpoints, reports progress, and stops early when asked to. All ranks
     /// together. Throws DivergenceError (after a last frame) and ResourceError.
@@ -70,7 +72,7 @@ class Run {
     [[nodiscard]] virtual std::int64_t step() const = 0;
     [[nodiscard]] virtual long frames() const = 0;
 
-    /// Neighbour lists and forces of the present state; at step 0 also the first frame and measures.
+    /// Neighbour lists and forces of the present state; at the start of a run also the first frame and measures.
     virtual void start(FrameSink* sink) = 0;
     /// The step to take towards the next time at which output is due or something changes, whenever the run ends.
     [[nodiscard]] virtual Step next_step(const RunOptions& options) = 0;
@@ -83,6 +85,8 @@ class Run {
     /// The same of a state that may hold anything: no neighbours are searched.
     virtual void write_diverged_frame(FrameSink* sink) = 0;
     virtual void archive(Archive& file) = 0;
+    /// Whether this object's first state is that of another run.
+    [[nodiscard]] bool starts_from_state() const { return starts_from_state_; }
     [[nodiscard]] virtual RunProgress progress(double until) const = 0;
     [[nodiscard]] virtual const MeasureSeries& series() const = 0;
     /// Without limits, wall time and shares, which run() adds.
@@ -103,6 +107,8 @@ class Run {
     [[nodiscard]] End step_until(Checkpoints& checkpoints, const RunOptions& options, double until);
     [[nodiscard]] bool is_shaped_by_end(const Step& step, double until) const;
     [[nodiscard]] Step towards_end(const Step& step, double until) const;
+
+    bool starts_from_state_ = false;
 };
 
 }  // namespace dmp::solver

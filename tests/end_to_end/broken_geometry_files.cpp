@@ -282,6 +282,26 @@ TEST(BrokenGeometryFiles, LeaveTheTrianglesThatAreToBlame) {
                                                    "0.5) mm"));
 }
 
+TEST(BrokenGeometryFiles, AreInspectedWithTheirTrianglesAtOpenEdgesInAFileThatIsNamed) {
+    const CaseFolder folder;
+    folder.write("body.stl", stl_text(without_a_side(), "body"));
+    const auto inspect = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"inspect", "body.stl", "--unit", "mm"});
+        return run_dmp(folder.path(), more);
+    };
+    const Outcome unasked = inspect({});
+    EXPECT_EQ(unasked.code, 0);
+    EXPECT_THAT(unasked.output, testing::HasSubstr("The triangles at open edges, for ParaView: "));
+    EXPECT_THAT(unasked.output, testing::HasSubstr(" inspect body.stl --unit mm --bad-triangles open_edges.vtp\n"));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing but body.stl";
+    const Outcome asked = inspect({"--bad-triangles", "open.vtp"});
+    EXPECT_EQ(asked.code, 0) << asked.errors;
+    EXPECT_THAT(asked.output, testing::HasSubstr("4 triangles at open edges: open.vtp, lengths in m\n"));
+    EXPECT_THAT(folder.read("open.vtp"), testing::HasSubstr("NumberOfPolys=\"4\""));
+    EXPECT_EQ(inspect({"--json"}).output, inspect({"--json", "--bad-triangles", "open.vtp"}).output);
+    EXPECT_EQ(inspect({"--bad-triangles", "/dev/null"}).code, 2);
+}
+
 TEST(BrokenGeometryFiles, AreRepairedAsFarAsTheSceneSays) {
     const CaseFolder folder;
     folder.write("body.stl", stl_text(without_a_side(), "body"));

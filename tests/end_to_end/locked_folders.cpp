@@ -110,6 +110,23 @@ TEST_F(LockedFolder, IsFreeAfterASignalBeforeTheRunHasStarted) {
     }
 }
 
+TEST_F(LockedFolder, IsNotConvertedWhileARunWritesThere) {
+    ASSERT_EQ(run("out", {"--until", "0.02 s", "--frames", "hdf5"}).code, 0);
+    const auto convert = [&] { return run_dmp(folder_.path(), {"convert", "out"}); };
+    folder_.write("out/dmp.lock", "host = node17\nmachine = m\npid = 12\nstarted = 3\nsince = some time\ntoken = ab\n");
+    const auto refused = convert();
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors,
+                AllOf(HasSubstr("out: another dmp is writing here: process 12 on node17, since some time"),
+                      HasSubstr("Wait for its end, or convert a copy of out/frames and out/frames.json in another "
+                                "folder.")));
+    EXPECT_THAT(files("out"), Not(Contains("fluid.pvd")));
+    fs::remove(folder_.path() / "out/dmp.lock");
+    EXPECT_EQ(convert().code, 0);
+    EXPECT_THAT(files("out"), Contains("fluid.pvd"));
+    expect_no_lock("out");
+}
+
 TEST_F(LockedFolder, OfAKilledRunIsTakenOver) {
     for (const int ranks : {0, 2}) {
         const std::string out = "killed_" + std::to_string(ranks);

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/seal.hpp"
+#include "solver/state/checkpoint_file.hpp"
 #include "tests/end_to_end/small_valve.hpp"
 
 namespace dmp::tests::resume_tests {
@@ -75,6 +77,53 @@ TEST_F(Resume, EverySignalThatEndsARunLeavesACheckpointAndWhichItWas) {
         ASSERT_EQ(run(name, {"--resume"}).code, 0);
         EXPECT_EQ(hash(name), hash("whole")) << name;
     }
+}
+
+/// What counts is the particles that it gives: a remark in its file changes none.
+TEST_F(Resume, WithAnotherGeometryIsRefused) {
+    ASSERT_EQ(run("whole").code, 0);
+    ASSERT_EQ(stopped_run("parts").code, 143);
+    const std::string drawn = folder_.read("vein_valve.geo");
+    folder_.replace("vein_valve.geo", "tip_gap        = {0.002, ", "tip_gap        = {0.0021,");
+    const auto refused = run("parts", {"--resume"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors,
+                AllOf(HasSubstr("parts/checkpoints/step_"),
+                      HasSubstr("the particles of this run are others than those that this state belongs to: a file "
+                                "of the geometry was changed"),
+                      HasSubstr("Put the geometry back as it was")));
+    EXPECT_EQ(run("other", {"--from", "parts"}).code, 2);
+    folder_.write("vein_valve.geo", drawn + "\n// a remark\n");
+    ASSERT_EQ(run("parts", {"--resume"}).code, 0);
+    EXPECT_EQ(hash("parts"), hash("whole"));
+}
+
+TEST_F(Resume, WithOtherParticlesOfAFileIsRefused) {
+    ASSERT_EQ(mesh("mesh", {"--particles", "made.h5"}).code, 0);
+    ASSERT_EQ(stopped_run("parts", {"--particles", "made.h5"}).code, 143);
+    folder_.replace("vein_valve.geo", "tip_gap        = {0.002, ", "tip_gap        = {0.0021,");
+    ASSERT_EQ(mesh("mesh", {"--particles", "other.h5"}).code, 0);
+    EXPECT_EQ(run("parts", {"--resume", "--particles", "other.h5"}).code, 2);
+    EXPECT_EQ(run("parts", {"--resume", "--particles", "made.h5"}).code, 0);
+}
+
+TEST_F(Resume, SaysWhereTheCheckpointIsOfAnotherVersion) {
+    ASSERT_EQ(stopped_run("parts").code, 143);
+    const std::filesystem::path file = folder_.path() / "parts/checkpoints" / files("parts/checkpoints").front();
+    const std::string now = DMP_PROJECT_VERSION, other = "0.0.7";
+    ASSERT_EQ(solver::CheckpointReader(file).contents().text("dmp_version"), now);
+    ASSERT_EQ(now.size(), other.size());
+    const std::string name = "parts/checkpoints/" + file.filename().string();
+    std::string bytes = folder_.read(name);
+    for (auto at = bytes.find(now); at != std::string::npos; at = bytes.find(now, at)) bytes.replace(at, 5, other);
+    folder_.write(name, bytes);
+    seal(file, solver::checkpoint_kind, file);
+    const auto resumed = run("parts", {"--resume"});
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    const std::string note =
+        "The checkpoint is of dmp " + other + ", and this is dmp " + now + ": what follows may differ";
+    EXPECT_THAT(resumed.output, HasSubstr(note));
+    EXPECT_THAT(folder_.read("parts/run.log"), HasSubstr(note));
 }
 
 TEST_F(Resume, TheLogHasBothPartsOfARun) {

@@ -28,6 +28,13 @@ TEST(TypedCommand, LosesWhatTheOptionExcludes) {
     EXPECT_EQ(typed.with("--resume"), "dmp run x --out there --threads 2 --resume");
 }
 
+TEST(TypedCommand, IsNotStartedAgainWhereItIsResumed) {
+    const TypedCommand typed({"dmp", "run", "x", "--from", "out/y@1 s", "--out", "there"});
+    EXPECT_EQ(typed.with("--resume"), "dmp run x --out there --resume");
+    EXPECT_EQ(typed.with("--overwrite"), "dmp run x --from 'out/y@1 s' --out there --overwrite");
+    EXPECT_EQ(TypedCommand({"dmp", "run", "--from=out/y", "x"}).with("--resume"), "dmp run x --resume");
+}
+
 TEST(TypedCommand, GetsAnotherFolder) {
     EXPECT_EQ(TypedCommand({"dmp", "run", "x", "--out", "a b", "--overwrite"}).into("a b_2"),
               "dmp run x --out 'a b_2'");

@@ -42,7 +42,7 @@ std::string resumed(const SphereScene& made, const Ranks& before, const Ranks& a
     options.stop = &sink.stop;
     options.checkpoints.folder = folder;
     options.checkpoints.every = 0;
-    options.checkpoints.scene = "scene";
+    options.checkpoints.label.scene = "scene";
     SphereRun first(made.scene, made.set, on(before));
     EXPECT_TRUE(first.run(options).interrupted);
     std::vector<std::string> file;
@@ -106,7 +106,9 @@ void expect_checkpoints_of_any_number_of_ranks(const SphereScene& made) {
     StopAtSecondFrame sink;
     options.sink = &sink;
     options.stop = &sink.stop;
-    options.checkpoints = {shared_folder + "/alone", 0, "scene"};
+    options.checkpoints.folder = shared_folder + "/alone";
+    options.checkpoints.every = 0;
+    options.checkpoints.label.scene = "scene";
     std::string name;
     if (ranks.is_first()) {
         SphereRun first(made.scene, made.set, on(Ranks::alone()));

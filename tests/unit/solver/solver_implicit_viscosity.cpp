@@ -180,7 +180,9 @@ void expect_that_it_goes_on_as_if_it_had_not_stopped(SceneAndParticles made) {
     RunOptions options;
     options.sink = &sink;
     options.stop = &sink.stop;
-    options.checkpoints = {folder.path(), 0, "a scene"};
+    options.checkpoints.folder = folder.path();
+    options.checkpoints.every = 0;
+    options.checkpoints.label.scene = "a scene";
     EXPECT_TRUE(Simulation(made.scene, made.particles, 1).run(options).interrupted);
     Simulation resumed(made.scene, made.particles, 2);
     resumed.resume(checkpoint_to_resume(folder.path(), "a scene", made.scene.run.duration).file);
