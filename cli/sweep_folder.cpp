@@ -128,12 +128,13 @@ SweepFolder::SweepFolder(const fs::path& folder, const NewSweep& sweep, const Ty
     need_fitting_contents(path(), contents, sweep, typed);
     if (!folder_.note().empty()) note_ = folder_.note() + "\n";
     if (sweep.overwrite && contents.kind == SweepContents::Kind::study) note_ += remove_study(path());
-    make_folder(path() / runs_name);
+    // First, as it is what makes this the folder of a study.
     write_file(path() / sweep_file_name,
                "# Written by 'dmp sweep': of which study the runs in this folder are.\nstudy = " +
                    toml_quoted(sweep.study.name) + "\nidentity = " + toml_quoted(study::identity_of(sweep.study)) +
                    "\nruns = " + std::to_string(sweep.runs) + "\nversion = " + toml_quoted(build_facts().version) +
                    "\n");
+    make_folder(path() / runs_name);
     write_file(path() / study_copy_name, read_file(sweep.study.file));
     write_file(path() / scene_copy_name, read_file(sweep.study.scene.file));
 }

@@ -117,7 +117,7 @@ TEST_F(MeshCacheTest, several_processes_may_keep_the_same_particles_at_once) {
         ASSERT_GE(child, 0);
         if (child == 0) {
             int faults = 0;
-            for (int time = 0; time < 25; ++time) {
+            for (int time = 0; time < 10; ++time) {
                 ParticlesWithOrigin mine = particles;
                 cache_.keep(kept, mine, 3);
                 faults += mine.origin.notes == particles.origin.notes ? 0 : 1;
