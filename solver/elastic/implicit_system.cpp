@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
 
@@ -97,7 +98,10 @@ void SpringNetwork<D>::ImplicitSystem::archive(Archive& file, const std::string&
     Vectors position = position_;
     file(name + "/factors_dt", dt);
     file(name + "/factors_position", position);
-    if (file.loading() && dt > 0) factorise(body, position, dt);
+    if (!file.loading()) return;
+    if (!std::isfinite(dt) || (dt > 0 && position.size() != unknown_.size()))
+        throw unlike_any_run("factors of an elastic body that fit none");
+    if (dt > 0) factorise(body, position, dt);
 }
 
 template <int D>

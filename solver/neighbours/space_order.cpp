@@ -23,28 +23,30 @@ class Cells {
   public:
     /// Starts half a spacing below the lowest particle, so that each cell contains two rows of a lattice.
     Cells(const ParticleGroup& group, double spacing, int threads) : inverse_size_(0.5 / spacing) {
+        std::array<double, 3> cells{1, 1, 1};
         for (int axis = 0; axis < group.dimension(); ++axis) {
             const double* x = group.data(Field::position, axis);
             const auto [low, high] = low_and_high(static_cast<std::ptrdiff_t>(group.owned()), threads,
                                                   [x](std::ptrdiff_t i) { return x[i]; });
             low_[axis] = low - spacing / 2;
-            count_[axis] = static_cast<std::int64_t>((high - low_[axis]) * inverse_size_) + 1;
+            cells[axis] = std::floor((high - low_[axis]) * inverse_size_) + 1;
         }
+        const double whole_columns = std::ceil(cells[0] / cells_a_column) * cells_a_column;
+        sparse_ = !(whole_columns * cells[1] * cells[2] <= 8.0 * static_cast<double>(group.owned()) + 4096);
+        for (int axis = 0; axis < 3; ++axis)
+            count_[axis] = static_cast<std::int64_t>(sparse_ ? std::min(cells[axis], most_of_sparse) : cells[axis]);
         columns_ = (count_[0] + cells_a_column - 1) / cells_a_column;
     }
 
     /// True if there are too many cells for a counting sort: some particle is far from all others.
-    [[nodiscard]] bool sparse(std::size_t particles) const {
-        return static_cast<double>(columns_) * cells_a_column * static_cast<double>(count_[1]) *
-                   static_cast<double>(count_[2]) >
-               8.0 * static_cast<double>(particles) + 4096;
-    }
+    [[nodiscard]] bool sparse() const { return sparse_; }
     [[nodiscard]] std::int64_t size() const { return columns_ * cells_a_column * count_[1] * count_[2]; }
 
     [[nodiscard]] std::int64_t of(const std::array<const double*, 3>& x, std::size_t i, int dimension) const {
         std::array<std::int64_t, 3> cell{};
         for (int axis = 0; axis < dimension; ++axis)
-            cell[axis] = static_cast<std::int64_t>((x[axis][i] - low_[axis]) * inverse_size_);
+            cell[axis] = static_cast<std::int64_t>(
+                std::min((x[axis][i] - low_[axis]) * inverse_size_, static_cast<double>(count_[axis] - 1)));
         const std::int64_t column = cell[0] / cells_a_column;
         return strip(column, cell[1], cell[2]) * cells_a_column + cell[0] % cells_a_column;
     }
@@ -56,7 +58,11 @@ class Cells {
         return (column * count_[2] + z) * count_[1] + y;
     }
 
+    /// By axis, of cells that are numbered where there are too many: more would not fit into a number.
+    static constexpr double most_of_sparse = 1 << 20;
+
     double inverse_size_;
+    bool sparse_ = false;
     std::array<double, 3> low_{};
     std::array<std::int64_t, 3> count_{1, 1, 1};
     std::int64_t columns_ = 1;
@@ -67,7 +73,7 @@ class Cells {
 Uninitialized<std::int32_t> order_by_cell(const ParticleGroup& group, const Cells& cells,
                                           const Uninitialized<std::int64_t>& cell, int threads) {
     Uninitialized<std::int32_t> order(group.owned());
-    if (group.kind() == PartKind::elastic || cells.sparse(group.owned())) {
+    if (group.kind() == PartKind::elastic || cells.sparse()) {
         std::iota(order.begin(), order.end(), 0);
         const auto tags = group.tags();
         std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/state/loaded_groups.hpp"
+
 namespace dmp::solver {
 
 MeanDisplacement::MeanDisplacement(const Scene& scene, const SpringBodies& springs) : from_(scene.output.average_from) {
@@ -30,8 +32,11 @@ Vec MeanDisplacement::of(const SpringBodies& springs, std::size_t body, std::siz
 void MeanDisplacement::archive(Archive& file) {
     if (moment_.empty()) return;
     file("mean_displacement/duration", duration_);
-    for (std::size_t body = 0; body < moment_.size(); ++body)
+    for (std::size_t body = 0; body < moment_.size(); ++body) {
+        const std::size_t nodes = moment_[body].size();
         file("mean_displacement/body_" + std::to_string(body), moment_[body]);
+        if (moment_[body].size() != nodes) throw unlike_any_run("mean displacements of more or fewer nodes");
+    }
 }
 
 }  // namespace dmp::solver

@@ -137,6 +137,7 @@ void FluidRun::archive(Archive& file) {
     measure_times_.archive(file, "measures_due", time_);
     if (!file.starts_run()) archive_accounts(file);
     events_.archive(file);
+    if (file.loading() && events_.next() * (1 + 1e-9) < time_) throw unlike_any_run("an event that is long due");
     const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(particles_.owned())); };
     const std::int64_t before = all();
     for (ParticleGroup& group : particles_.groups()) file(std::string(to_string(group.kind())), group);

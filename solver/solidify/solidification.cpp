@@ -244,8 +244,9 @@ void Solidification::archive(Archive& file) {
     if (!file.loading()) return;
     if (ids.size() != events.size()) throw unlike_any_run("seeds without the event that made them");
     since_.clear();
+    constexpr std::int64_t most = 1LL << 53;
     for (std::size_t k = 0; k < ids.size(); ++k)
-        since_[static_cast<std::int64_t>(ids[k])] = static_cast<std::int64_t>(events[k]);
+        since_[loaded_whole(ids[k], 0, most, "a seed")] = loaded_whole(events[k], 0, most, "an event");
 }
 
 }  // namespace dmp::solver

@@ -8,6 +8,7 @@
 
 #include "particles/periodic_images.hpp"
 #include "solver/implicit/species_system.hpp"
+#include "solver/state/loaded_groups.hpp"
 #include "solver/store/sums_over.hpp"
 #include "solver/sweeps/reproducible_sum.hpp"
 #include "solver/uses.hpp"
@@ -399,6 +400,8 @@ void SpeciesTransport::archive(Archive& file) {
                   "the largest amount of a species that a particle is expected to hold");
     file("species/at_start", at_start_);
     file("species/excess", excess_);
+    if (at_start_.size() != species_.size() || excess_.size() != species_.size())
+        throw unlike_any_run("amounts of more or fewer species than the scene has");
     for (std::size_t s = 0; s < uptake_.size(); ++s) uptake_[s].archive(file, *given_[s].name, ranks_);
     file("species/solves", solves_.solves);
     file("species/iterations", solves_.iterations);

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "solver/state/loaded_groups.hpp"
+
 namespace dmp::solver {
 
 void ContactMemory::exchange(const Ranks& ranks, const std::vector<std::vector<RememberedContact>>& to_each) {
@@ -23,7 +25,7 @@ void ContactMemory::sort() {
 }
 
 void ContactMemory::archive(Archive& file, const std::string& name, const Ranks& ranks,
-                            std::vector<RememberedContact>& own) {
+                            std::vector<RememberedContact>& own) const {
     constexpr std::size_t width = 2 + most_history;
     std::vector<double> flat;
     if (!file.loading()) {
@@ -37,10 +39,12 @@ void ContactMemory::archive(Archive& file, const std::string& name, const Ranks&
     }
     file(name, flat);
     if (!file.loading()) return;
+    if (flat.size() % width != 0) throw unlike_any_run("a part of a contact");
+    check_finite(flat, "a contact");
     own.assign(flat.size() / width, {});
     for (std::size_t k = 0; k < own.size(); ++k) {
-        own[k].low = static_cast<std::int64_t>(flat[k * width]);
-        own[k].high = static_cast<std::int64_t>(flat[k * width + 1]);
+        own[k].low = loaded_whole(flat[k * width], 0, ids(), "a sphere in contact");
+        own[k].high = loaded_whole(flat[k * width + 1], 0, ids(), "a sphere in contact");
         std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(k * width + 2), most_history, own[k].history.begin());
     }
 }

@@ -41,9 +41,12 @@ class ContactMemory {
         return nullptr;
     }
 
-    /// All contacts, each once: saving, `own` are this rank's; loading, every rank gets all.
-    static void archive(Archive& file, const std::string& name, const Ranks& ranks,
-                        std::vector<RememberedContact>& own);
+    /// Ids are below it.
+    [[nodiscard]] std::int64_t ids() const { return static_cast<std::int64_t>(first_.size()) - 1; }
+
+    /// All contacts, each once: saving, `own` are this rank's; loading, every rank gets all. Throws InputError for ids
+    /// of no spheres.
+    void archive(Archive& file, const std::string& name, const Ranks& ranks, std::vector<RememberedContact>& own) const;
 
   private:
     struct ByLow {

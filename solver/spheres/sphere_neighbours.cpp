@@ -208,7 +208,7 @@ std::vector<RememberedContact> SphereNeighbours::own_contacts(const ParticleGrou
 void SphereNeighbours::archive(Archive& file, const ParticleGroup& group) {
     std::vector<RememberedContact> contacts;
     if (!file.loading()) contacts = own_contacts(group);
-    ContactMemory::archive(file, "spheres/contacts", *ranks_, contacts);
+    memory_.archive(file, "spheres/contacts", *ranks_, contacts);
     if (!file.loading()) return;
     memory_.clear();
     for (const RememberedContact& contact : contacts) memory_.add(contact);

@@ -51,6 +51,8 @@ class SphereNeighbours {
     /// Contacts of this rank's own spheres with history, each once over all ranks.
     [[nodiscard]] std::vector<RememberedContact> own_contacts(const ParticleGroup& group) const;
     void archive(Archive& file, const ParticleGroup& group);
+    /// Of spheres; they are below it.
+    [[nodiscard]] std::int64_t ids() const { return memory_.ids(); }
 
   private:
     void renew(ParticleGroup& group, SphereRows& rows, SphereWalls& walls);

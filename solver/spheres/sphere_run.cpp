@@ -164,12 +164,24 @@ void SphereRun::archive(Archive& file) {
     if (!file.starts_run()) archive_accounts(file);
     const auto all = [&] { return ranks_.sum(static_cast<std::int64_t>(group_.owned())); };
     const std::int64_t before = all();
+    const std::array<double, 2> radii = radii_of_all_ranks();
     file("spheres", group_);
     if (file.loading()) {
         check_loaded({&group_, 1}, before, space_.parts.size());
+        if (radii_of_all_ranks() != radii) throw unlike_any_run("spheres of other sizes than the run has");
         if (all() != before) throw unlike_any_run("more or fewer spheres than the run has");
     }
     step_.archive(file);
+}
+
+/// The smallest and the largest one.
+std::array<double, 2> SphereRun::radii_of_all_ranks() const {
+    const double* radius = group_.data(Field::radius);
+    std::array<double, 2> found{-HUGE_VAL, 0};
+    for (std::size_t i = 0; i < group_.owned(); ++i)
+        found = {std::max(found[0], -radius[i]), std::max(found[1], radius[i])};
+    ranks_.largest(found);
+    return {-found[0], found[1]};
 }
 
 /// What the run has counted and summed up, and what it chose by all of the time that it takes.

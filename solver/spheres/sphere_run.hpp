@@ -48,6 +48,7 @@ class SphereRun final : public Run {
     [[nodiscard]] Conserved conserved() const;
     [[nodiscard]] SphereEnergy energy() const;
     void archive_accounts(Archive& file);
+    [[nodiscard]] std::array<double, 2> radii_of_all_ranks() const;
     void write_what_is_due(FrameSink* sink);
     void stop_if_diverged(FrameSink* sink);
 

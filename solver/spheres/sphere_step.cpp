@@ -354,7 +354,7 @@ void SphereStep::archive(Archive& file) {
         file("spheres/impulse_of_fixed", impulses_.of_fixed);
     }
     neighbours_.archive(file, group_);
-    walls_.archive(file, ranks_);
+    walls_.archive(file, ranks_, neighbours_.ids());
     if (!file.starts_run()) driving_.archive(file);
 }
 

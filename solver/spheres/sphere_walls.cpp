@@ -9,6 +9,7 @@
 
 #include "base/closest_point.hpp"
 #include "solver/spheres/triangle_grid.hpp"
+#include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
 
@@ -272,12 +273,13 @@ void SphereWalls::exchange(const Ranks& ranks, std::span<const int> rank_of) {
     listed_.clear();
 }
 
-void SphereWalls::archive(Archive& file, const Ranks& ranks) {
+void SphereWalls::archive(Archive& file, const Ranks& ranks, std::int64_t ids) {
     for (std::size_t part = 0; part < motion_.size(); ++part) {
         if (!motion_[part].moves) continue;
         std::array<double, 3> displacement{};
         std::copy_n(motion_[part].displacement.data(), 3, displacement.begin());
         file("spheres/wall_displacement_" + std::to_string(part), displacement);
+        check_finite(displacement, "a displacement of a wall");
         motion_[part].displacement = Vec(displacement[0], displacement[1], displacement[2]);
     }
     if (empty()) return;
@@ -296,13 +298,17 @@ void SphereWalls::archive(Archive& file, const Ranks& ranks) {
     }
     file("spheres/wall_contacts", flat);
     if (!file.loading()) return;
+    if (flat.size() % width != 0) throw unlike_any_run("a part of a contact with a wall");
+    check_finite(flat, "a contact with a wall");
+    const auto surfaces = static_cast<std::int64_t>(planes_.size() + triangles_.size()),
+               parts = static_cast<std::int64_t>(motion_.size());
     contacts_.assign(flat.size() / width, {});
     listed_.clear();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
         const double* values = flat.data() + k * width;
-        contacts_[k].id = static_cast<std::int64_t>(values[0]);
-        contacts_[k].surface = static_cast<std::int32_t>(values[1]);
-        contacts_[k].part = static_cast<std::int32_t>(values[2]);
+        contacts_[k].id = loaded_whole(values[0], 0, ids, "a sphere at a wall");
+        contacts_[k].surface = static_cast<std::int32_t>(loaded_whole(values[1], 0, surfaces, "a surface of a wall"));
+        contacts_[k].part = static_cast<std::int32_t>(loaded_whole(values[2], 0, parts, "a part that is a wall"));
         std::copy_n(values + 3, 3, contacts_[k].normal.begin());
         std::copy_n(values + 6, most_history, contacts_[k].history.begin());
     }

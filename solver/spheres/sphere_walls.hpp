@@ -84,8 +84,9 @@ class SphereWalls {
 
     /// Contacts go where their spheres go: `rank_of` by row. All ranks take part.
     void exchange(const Ranks& ranks, std::span<const int> rank_of);
-    /// Loading, every rank gets all contacts; list() keeps its own.
-    void archive(Archive& file, const Ranks& ranks);
+    /// Loading, every rank gets all contacts; list() keeps its own. Ids of spheres are below `ids`; throws InputError
+    /// for contacts of no sphere or no wall.
+    void archive(Archive& file, const Ranks& ranks, std::int64_t ids);
 
   private:
     struct Motion {

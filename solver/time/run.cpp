@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/wall_clock.hpp"
+#include "solver/state/loaded_groups.hpp"
 
 namespace dmp::solver {
 
@@ -25,15 +26,19 @@ std::string first_that_is_not_empty(const Ranks& ranks, const std::string& text)
 
 }  // namespace
 
-long Run::resume(const Hdf5Reader& checkpoint) {
-    Archive file(ranks(), checkpoint);
+void Run::load(const Hdf5Reader& checkpoint, LoadedFor purpose) {
+    Archive file(ranks(), checkpoint, purpose);
     archive(file);
+    if (step() < 0 || frames() < 0) throw unlike_any_run("fewer than no steps or frames");
+}
+
+long Run::resume(const Hdf5Reader& checkpoint) {
+    load(checkpoint, LoadedFor::going_on);
     return frames();
 }
 
 void Run::start_from(const Hdf5Reader& checkpoint) {
-    Archive file(ranks(), checkpoint, LoadedFor::new_run);
-    archive(file);
+    load(checkpoint, LoadedFor::new_run);
     starts_from_state_ = true;
 }
 

@@ -100,6 +100,8 @@ class Run {
     [[noreturn]] void diverged(FrameSink* sink, const std::string& problem, const std::string& what_to_do);
 
   private:
+    void load(const Hdf5Reader& checkpoint, LoadedFor purpose);
+
     struct End {
         bool interrupted = false, out_of_time = false;
         double wall = 0;  ///< [s]
