@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "cli/shared_options.hpp"
 #include "cli/version.hpp"
 
 namespace dmp::cli {
@@ -214,11 +215,6 @@ class Parser {
         new_app_->footer(examples(program_, {"new my_pipe --from pipe.step", "new my_pipe --from pipe.stl --unit mm"}));
     }
 
-    static void add_unit(CLI::App& app, std::string& unit) {
-        app.add_option("--unit", unit, "Length of one unit of the geometry, e.g. mm, where the file does not say it")
-            ->type_name("LENGTH");
-    }
-
     void add_convert() {
         convert_app_ = app_.add_subcommand("convert", "Make ParaView's files of the HDF5 frames that a run left");
         convert_app_
@@ -296,83 +292,6 @@ class Parser {
         if (command.angles.empty())
             command.angles = {"5 deg", "10 deg", "20 deg", "30 deg", "45 deg", "60 deg", "75 deg", "90 deg"};
         return command;
-    }
-
-    static void add_scene(CLI::App& app, SceneChoice& scene) {
-        app.add_option("SCENE", scene.path, "A scene file, or a folder with a scene.toml")->required()->type_name("");
-        add_set(app, scene.overrides);
-    }
-
-    static void add_reading(CLI::App& app, GeometryReading& reading) {
-        app.add_flag("--trust-geometry", reading.trusted,
-                     "Let the geometry's gmsh script do all it says as you: run programs, read and write files");
-        app.add_option("--geometry-time", reading.time,
-                       "The most time that reading the geometry may take; default: \"10 min\"")
-            ->type_name("TIME");
-    }
-
-    static void add_set(CLI::App& app, std::vector<std::string>& overrides) {
-        app.add_option("--set", overrides, "Change a value of the scene; may be given several times")
-            ->type_name("KEY=VALUE")
-            ->allow_extra_args(false);
-    }
-
-    static void add_threads(CLI::App& app, int& threads) {
-        app.add_option("--threads", threads, "Threads to run on; default: run.threads of the scene, else all there are")
-            ->type_name("N")
-            ->check(CLI::Validator(at_least_one, ""));
-    }
-
-    /// What is wrong with a number of threads; empty: nothing.
-    static std::string at_least_one(const std::string& text) {
-        const bool digits =
-            !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits && std::stoi(text) > 0 ? ""
-                                             : "'" + text + "' is not a number of them; give a whole one from 1 on";
-    }
-
-    static void add_particles(CLI::App& app, SceneChoice& scene) {
-        app.add_option("--particles", scene.particles,
-                       "File of 'mesh --particles' to take them from, instead of making them of the geometry")
-            ->type_name("FILE");
-    }
-
-    static void add_frames(CLI::App& app, std::optional<FrameFormat>& format) {
-        const std::string otherwise = build_facts().libraries.empty() ? "hdf5" : "vtk";
-        app.add_option_function<std::string>(
-               "--frames",
-               [&format](const std::string& text) { format = text == "vtk" ? FrameFormat::vtk : FrameFormat::hdf5; },
-               "Write frames for ParaView, vtk, or for 'convert', hdf5; default: " + otherwise)
-            ->type_name("FORMAT")
-            ->check(CLI::Validator(a_frame_format, ""));
-    }
-
-    /// What is wrong with the name of a format; empty: nothing.
-    static std::string a_frame_format(const std::string& text) {
-        if (text != "vtk" && text != "hdf5") return "'" + text + "' is no format of frames; there are 'vtk' and 'hdf5'";
-        return text == "vtk" && build_facts().libraries.empty()
-                   ? "this dmp was built for clusters, without VTK; leave it out for frames in HDF5"
-                   : "";
-    }
-
-    static void add_vector_unit(CLI::App& app, VectorUnit& unit) {
-        const auto choose = [&unit](const std::string& text) { unit = *vector_unit_called(text); };
-        app.add_option_function<std::string>(
-               "--vector-unit", choose, "Vector instructions to use, avx2 or avx512; default: the widest there are")
-            ->type_name("UNIT")
-            ->check(CLI::Validator(a_vector_unit, ""));
-    }
-
-    static std::optional<VectorUnit> vector_unit_called(const std::string& text) {
-        for (const VectorUnit unit : {VectorUnit::avx2, VectorUnit::avx512}) {
-            if (to_string(unit) == text) return unit;
-        }
-        return std::nullopt;
-    }
-
-    /// What is wrong with the name of a vector unit; empty: nothing.
-    static std::string a_vector_unit(const std::string& text) {
-        return vector_unit_called(text) ? "" : "'" + text + "' is no vector unit; there are 'avx2' and 'avx512'";
     }
 
     /// The command given, or dmp itself.

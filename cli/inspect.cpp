@@ -44,7 +44,11 @@ int execute(const InspectCommand& command) {
     const bool unit_known = options.unit.has_value() || !needs_a_unit(options.file);
     print(command.json ? geometry_json(geometry, unit_known) : geometry_text(geometry, unit_known));
     const std::string bad = with_bad_triangles(command, geometry, unit_known);
-    if (!command.json) print(bad);
+    // Beside JSON, what a person is told goes to stderr.
+    if (!command.json)
+        print(bad);
+    else if (!command.bad_triangles.empty())
+        print_error(bad);
     return exit_done;
 }
 

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/errors.hpp"
+#include "scene/formula.hpp"
 #include "scene/read_scene.hpp"
 
 namespace dmp::scene {
@@ -23,7 +25,7 @@ constexpr const char* other_motion = "the state holds how far the parts that mov
 bool is_in(Names names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
 /// Of [flow], [contact] and [numerics].
-constexpr std::array<std::string_view, 16> free_keys{"flow.acceleration",
+constexpr std::array<std::string_view, 15> free_keys{"flow.acceleration",
                                                      "flow.pressure_gradient",
                                                      "flow.largest_speed",
                                                      "flow.largest_pressure",
@@ -37,8 +39,7 @@ constexpr std::array<std::string_view, 16> free_keys{"flow.acceleration",
                                                      "numerics.spring_step_factor",
                                                      "numerics.species_tolerance",
                                                      "numerics.steps_per_contact",
-                                                     "numerics.contact_step",
-                                                     "output.average_from"};
+                                                     "numerics.contact_step"};
 /// Tables that hold nothing of the particles and nothing of the state.
 constexpr std::array<std::string_view, 5> free_tables{"run", "output", "measure", "force", "moving_shape"};
 constexpr std::array<std::string_view, 4> tables_of_particles{"geometry", "select", "particles", "box"};
@@ -48,8 +49,28 @@ constexpr std::array<std::string_view, 7> spring_keys{"bending_stiffness", "axia
                                                       "mass_damping"};
 constexpr std::array<std::string_view, 2> motion_keys{"velocity", "spin"};
 
-/// "0", "[0, 0]", "": a formula that moves nothing.
-bool is_at_rest(const std::string& value) { return value.find_first_of("123456789txyz") == std::string::npos; }
+/// A number or a formula, as it stands in a scene without its quotes.
+bool is_zero(const std::string& formula) {
+    try {
+        return constant_formula({formula, {}, {}}, "a part's motion").si == 0;
+    } catch (const InputError&) {
+        return false;  // it depends on time or place
+    }
+}
+
+/// "0", "[0, 0]", "\"0 m/s\"", "": formulas that move nothing.
+bool is_at_rest(const std::string& value) {
+    std::string formula;
+    for (const char each : value) {
+        if (std::string_view("[]\",").find(each) == std::string_view::npos) {
+            formula += each;
+        } else {
+            if (formula.find_first_not_of(' ') != std::string::npos && !is_zero(formula)) return false;
+            formula.clear();
+        }
+    }
+    return formula.find_first_not_of(' ') == std::string::npos || is_zero(formula);
+}
 
 /// Why a value of a part must be the same; "": it need not.
 std::string why_fixed_in_part(const Scene& scene, const std::string& part, const std::string& key,

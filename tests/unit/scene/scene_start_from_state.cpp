@@ -59,6 +59,10 @@ TEST(StartFromState, MayNotSetStillPartsInMotion) {
     Scene faster = moving;
     faster.parts[2].velocity.value[0] = Expression("0.002", "2 mm/s");
     EXPECT_THAT(fixed_in_start(resolved_scene(moving), faster), IsEmpty());
+    faster.parts[2].velocity.value[0] = Expression("3.14159", "pi m/s", "pi m/s");
+    EXPECT_THAT(fixed_in_start(resolved_scene(moving), faster), IsEmpty());
+    faster.parts[2].velocity.value[0] = Expression("0", "0 m/s", "0 m/s");
+    EXPECT_THAT(fixed_in_start(resolved_scene(still), faster), IsEmpty());
 }
 
 TEST(StartFromState, SaysWhy) {
