@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep_progress.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -9,9 +11,12 @@
 
 namespace dmp::cli {
 
-double seconds_left(const SweepCounts& counts, double wall) {
-    if (counts.ended_now == 0) return std::numeric_limits<double>::infinity();
-    return wall / static_cast<double>(counts.ended_now) * static_cast<double>(counts.left());
+double seconds_left(double mean, const std::vector<double>& running, std::size_t waiting, int jobs) {
+    if (!(mean > 0)) return std::numeric_limits<double>::infinity();
+    double work = mean * static_cast<double>(waiting);
+    for (const double done : running) work += std::max(mean - done, 0.0);
+    const std::size_t at_a_time = std::min(static_cast<std::size_t>(jobs), waiting + running.size());
+    return work / static_cast<double>(std::max<std::size_t>(at_a_time, 1));
 }
 
 std::string progress_text(const SweepCounts& counts, double seconds_left) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string>
+#include <vector>
 
 namespace dmp::cli {
 
@@ -13,13 +13,14 @@ struct SweepCounts {
     std::size_t done = 0;  ///< that have reached their end, earlier or now
     std::size_t failed = 0;
     std::size_t running = 0;
-    std::size_t ended_now = 0;  ///< that were started by this process and have ended, also those that failed
 
     [[nodiscard]] std::size_t left() const { return runs - done - failed; }
 };
 
-/// Wall time until the last run has ended, as the runs so far took `wall` seconds [s]; infinite before the first end.
-[[nodiscard]] double seconds_left(const SweepCounts& counts, double wall);
+/// Wall time until the last run has ended [s], where those that ended took `mean` seconds each, the ones that run have
+/// done so for the times in `running` [s], and `waiting` more will be started, `jobs` at a time. Infinite where mean is
+/// 0: none has ended yet.
+[[nodiscard]] double seconds_left(double mean, const std::vector<double>& running, std::size_t waiting, int jobs);
 
 /// " 34 %  31 of 100 done, 2 running, 3 failed  2 h 3 min left"
 [[nodiscard]] std::string progress_text(const SweepCounts& counts, double seconds_left);

@@ -144,6 +144,8 @@ void SweepRuns::collect(bool stopping) {
         }
         --counts_.running;
         note_time(*each, *end);
+        ended_s_ += seconds_since(each->start);
+        ++ended_;
         take_end(*each, *end, stopping);
         each = running_.erase(each);
     }
@@ -153,7 +155,6 @@ void SweepRuns::take_end(Running& running, const ChildEnd& end, bool stopping) {
     const fs::path folder = run_folder(folder_.path(), running.point.name);
     const fs::path output = run_output(folder_.path(), running.point.name);
     if (end.exit_code == exit_done) {
-        ++counts_.ended_now;
         add(running.index, finished_row(study_, running.point, folder));
         fs::remove(output);  // run.log has it
         return;
@@ -166,7 +167,6 @@ void SweepRuns::take_end(Running& running, const ChildEnd& end, bool stopping) {
         waiting_.push_front(running.index);
         return;
     }
-    ++counts_.ended_now;
     add(running.index,
         failed_row(running.point, end.exit_code, end.signal != 0 ? killed_text(end.signal) : read_file(output)));
 }
@@ -204,7 +204,11 @@ void SweepRuns::say(const std::string& line) {
 
 void SweepRuns::show_progress() {
     const double wall = seconds_since(started_);
-    const std::string text = progress_text(counts_, seconds_left(counts_, wall));
+    std::vector<double> running;
+    for (const Running& each : running_) running.push_back(seconds_since(each.start));
+    const double mean = ended_ == 0 ? 0 : ended_s_ / static_cast<double>(ended_);
+    const std::string text =
+        progress_text(counts_, seconds_left(mean, running, waiting_.size() + put_off_.size(), settings_.jobs));
     line_.show(text);
     if (!is_terminal(Stream::error) && lines_.is_due(wall)) print_error(text + "\n");
 }

@@ -77,7 +77,9 @@ class SweepRuns {
     std::vector<std::size_t> from_start_;  ///< whose checkpoints could not be used
     std::list<Running> running_;
     WallClock::time_point started_ = WallClock::now(), written_ = started_;
-    bool changed_ = true;  ///< the table, since it was written
+    std::size_t ended_ = 0;  ///< processes that have ended
+    double ended_s_ = 0;     ///< the wall time that they took together [s]
+    bool changed_ = true;    ///< the table, since it was written
     ProgressLine line_;
     LineEvery lines_;
 };

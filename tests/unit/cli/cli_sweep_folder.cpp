@@ -3,6 +3,7 @@
 
 #include "base/safe_file.hpp"
 #include "cli/sweep_folder.hpp"
+#include "study/points.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"
 #include "tests/unit/thrown.hpp"
