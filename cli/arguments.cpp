@@ -327,8 +327,7 @@ class Parser {
     static std::string at_least_one(const std::string& text) {
         const bool digits =
             !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits && std::stoi(text) > 0 ? ""
-                                             : "'" + text + "' is not a number of them; give a whole one from 1 on";
+        return digits && std::stoi(text) > 0 ? "" : "'" + text + "' is not a whole number from 1 on";
     }
 
     static void add_particles(CLI::App& app, SceneChoice& scene) {
