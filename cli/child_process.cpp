@@ -43,14 +43,45 @@ std::vector<char*> environment_of_its_own() {
     return kept;
 }
 
-/// Between fork and exec, where only functions may be called that are safe in a signal handler.
-[[noreturn]] void become(char* const* words, char* const* environment, int output, pid_t parent) {
+/// All signals wait while it lives.
+class BlockedSignals {
+  public:
+    BlockedSignals() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    BlockedSignals(const BlockedSignals&) = delete;
+    BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+    [[nodiscard]] const sigset_t& before() const { return before_; }
+
+  private:
+    sigset_t before_{};
+};
+
+/// The handlers of the process that was copied remove its lock: none of them may run here.
+void drop_handlers() {
+    for (const int number : {SIGINT, SIGTERM, SIGUSR1, SIGHUP, SIGPIPE}) {
+        struct sigaction action {};
+        if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+        action = {};
+        action.sa_handler = SIG_DFL;
+        sigaction(number, &action, nullptr);
+    }
+}
+
+/// Between fork and exec, where only functions may be called that are safe in a signal handler. Signals are blocked.
+[[noreturn]] void become(char* const* words, char* const* environment, int output, pid_t parent, const sigset_t& mask) {
+    drop_handlers();
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(not_started);  // it has ended before the line above
     const int input = open("/dev/null", O_RDONLY);
     if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0)
         _exit(not_started);
+    pthread_sigmask(SIG_SETMASK, &mask, nullptr);  // a signal that came meanwhile ends it here
     execve(own_program, words, environment);
     _exit(not_started);
 }
@@ -69,9 +100,15 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
     if (file < 0) throw_write_error(output, std::system_category().message(errno));
     std::vector<char*> arguments = pointers_to(words), environment = environment_of_its_own();
     const pid_t parent = getpid();
-    pid_ = fork();
-    if (pid_ == 0) become(arguments.data(), environment.data(), file, parent);
-    const int error = errno;
+    // Where it is ignored, which is inherited, the system keeps no child's end to ask for.
+    std::signal(SIGCHLD, SIG_DFL);
+    int error = 0;
+    {
+        const BlockedSignals blocked;
+        pid_ = fork();
+        error = errno;
+        if (pid_ == 0) become(arguments.data(), environment.data(), file, parent, blocked.before());
+    }
     close(file);
     if (pid_ < 0)
         throw ResourceError("no process can be started: " + std::system_category().message(error),
@@ -91,8 +128,14 @@ std::optional<ChildEnd> ChildProcess::end() {
     if (end_) return end_;
     int status = 0;
     rusage used{};
-    if (wait4(pid_, &status, WNOHANG, &used) != pid_) return {};
+    const pid_t ended = wait4(pid_, &status, WNOHANG, &used);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) return {};
     ChildEnd end;
+    if (ended < 0) {  // somebody else has asked for its end: how it ended is not known
+        end.exit_code = not_started;
+        end_ = end;
+        return end_;
+    }
     end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     end.exit_code = end.signal != 0 ? 128 + end.signal : WEXITSTATUS(status);
     end.processor_s = seconds(used.ru_utime) + seconds(used.ru_stime);
@@ -101,8 +144,10 @@ std::optional<ChildEnd> ChildProcess::end() {
     return end_;
 }
 
-void ChildProcess::stop() const {
-    if (!end_) kill(pid_, SIGTERM);
+void ChildProcess::stop() {
+    if (end_ || stop_sent_) return;
+    stop_sent_ = true;
+    kill(pid_, SIGTERM);
 }
 
 void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms) {

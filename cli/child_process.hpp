@@ -12,7 +12,7 @@ namespace dmp::cli {
 
 /// How a process ended.
 struct ChildEnd {
-    int exit_code = 0;       ///< 128 and the signal's number where a signal ended it
+    int exit_code = 0;       ///< 128 and the signal's number where a signal ended it; 127: not started, or not known
     int signal = 0;          ///< 0: it ended by itself
     double processor_s = 0;  ///< of all its threads [s]
     double peak_memory = 0;  ///< [bytes]
@@ -32,14 +32,15 @@ class ChildProcess {
 
     /// None while it runs.
     [[nodiscard]] std::optional<ChildEnd> end();
-    /// Sends SIGTERM.
-    void stop() const;
+    /// Sends SIGTERM; once only, as a second one would end a run before it has written its checkpoint.
+    void stop();
 
   private:
     friend void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms);
 
     pid_t pid_ = -1;
     int descriptor_ = -1;  ///< of the process, which can be read when it has ended; -1: the system has none
+    bool stop_sent_ = false;
     std::optional<ChildEnd> end_;
 };
 

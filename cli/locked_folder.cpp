@@ -63,7 +63,13 @@ LockedFolder::LockedFolder(fs::path folder, const std::string& instead) : folder
     for (fs::path above = folder_; !above.empty() && !fs::exists(above); above = above.parent_path())
         first_made_ = above;
     remove_lock_on_signals();
-    FolderLock::Outcome outcome = lock_in(folder_);
+    FolderLock::Outcome outcome;
+    try {
+        outcome = lock_in(folder_);
+    } catch (...) {
+        remove_if_empty();
+        throw;
+    }
     if (outcome.holder) {
         remove_if_empty();
         throw held(folder_, *outcome.holder, instead);

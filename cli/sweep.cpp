@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -45,14 +46,23 @@ std::string heading_of(const study::Study& study, std::size_t chosen, std::size_
     return Style(Stream::output).strong(study.name) + ": " + runs + " of " + study.scene.file + "\n";
 }
 
+/// The rows of the chosen runs that have ended, in order.
+std::vector<SweepRow> ended_rows(const SweepTable& table, const std::vector<std::size_t>& chosen) {
+    const auto rows = table.rows();
+    std::vector<SweepRow> ended;
+    for (const std::size_t index : chosen)
+        if (rows[index]) ended.push_back(*rows[index]);
+    return ended;
+}
+
 /// Which runs failed, and why; the first ones.
-std::string failures_text(const SweepTable& table) {
+std::string failures_text(const std::vector<SweepRow>& ended) {
     constexpr std::size_t most = 10;
     std::string text;
     std::size_t failed = 0;
-    for (const auto& row : table.rows()) {
-        if (!row || !row->failed()) continue;
-        if (++failed <= most) text += fmt::format("  {}  code {}: {}\n", row->run, row->exit_code, row->error);
+    for (const SweepRow& row : ended) {
+        if (!row.failed()) continue;
+        if (++failed <= most) text += fmt::format("  {}  code {}: {}\n", row.run, row.exit_code, row.error);
     }
     if (failed > most) text += fmt::format("  ... and {} more\n", count_text(failed - most));
     return failed == 0 ? "" : Style(Stream::output).strong("Failed") + "\n" + text;
@@ -67,9 +77,9 @@ std::string files_text(const fs::path& folder) {
 }
 
 /// That of the first run that failed; of a run whose results could not be had, that of bad input.
-int exit_code_of_runs(const SweepTable& table) {
-    for (const auto& row : table.rows())
-        if (row && row->failed()) return row->exit_code == exit_done ? exit_bad_input : row->exit_code;
+int exit_code_of_runs(const std::vector<SweepRow>& ended) {
+    for (const SweepRow& row : ended)
+        if (row.failed()) return row.exit_code == exit_done ? exit_bad_input : row.exit_code;
     return exit_done;
 }
 
@@ -104,13 +114,14 @@ int execute(const SweepCommand& command) {
     print(fmt::format("{}: {} of {} done{}\n", counts.left() == 0 ? "Done" : "Interrupted", count_text(counts.done),
                       count_text(counts.runs, "run"),
                       counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
-    print(failures_text(runs.table()) + files_text(folder.path()));
+    const std::vector<SweepRow> ended = ended_rows(runs.table(), settings.chosen);
+    print(failures_text(ended) + files_text(folder.path()));
     if (counts.left() > 0) {
         print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n",
                           signals.name(), command.typed.with("--resume")));
         return signals.exit_code();
     }
-    return exit_code_of_runs(runs.table());
+    return exit_code_of_runs(ended);
 }
 
 }  // namespace dmp::cli

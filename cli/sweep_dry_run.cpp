@@ -22,13 +22,6 @@ namespace {
 constexpr std::size_t most_shown = 20;
 constexpr double trial_seconds = 1;
 
-std::vector<std::string> overrides_of(const study::Study& study, const study::Point& point) {
-    const std::vector<study::VariedKey> keys = study.keys();
-    std::vector<std::string> overrides;
-    for (std::size_t k = 0; k < keys.size(); ++k) overrides.push_back(*keys[k].key + "=" + point.values[k].toml);
-    return overrides;
-}
-
 std::string aligned(const std::vector<std::vector<std::string>>& rows) {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const auto& row : rows)
@@ -62,7 +55,7 @@ std::string cost_text(const study::Study& study, const study::Points& points, co
     const study::Point first = points.at(chosen.front());
     SceneChoice choice;
     choice.path = study.scene.file;
-    choice.overrides = overrides_of(study, first);
+    choice.overrides = study::overrides(study.keys(), first);
     Resources resources;
     resources.threads = threads;
     Scene scene = read_scene(choice.path, choice.overrides);

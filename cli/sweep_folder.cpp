@@ -2,17 +2,20 @@
 #include "cli/sweep_folder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "base/folder_lock.hpp"
+#include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/sweep_table.hpp"
 #include "cli/text.hpp"
 #include "cli/version.hpp"
 #include "scene/toml_node.hpp"
+#include "study/input_files.hpp"
 #include "study/points.hpp"
 
 namespace dmp::cli {
@@ -37,6 +40,61 @@ std::string progress_of(const fs::path& folder, std::size_t runs) {
     return fmt::format("{} of {} done", count_text(finished), count_text(runs, "run"));
 }
 
+/// The files of the scene whose contents are others than those that the study in the folder began with.
+std::vector<std::string> changed_files(const SweepContents& contents, const study::Study& study) {
+    std::vector<std::string> changed;
+    for (const study::InputFile& file : study::input_files(study)) {
+        const auto before = contents.input_files.find(file.name);
+        // One that could not be read has made no runs.
+        if (before != contents.input_files.end() && !before->second.empty() && before->second != file.hash)
+            changed.push_back(file.name);
+    }
+    return changed;
+}
+
+/// The name of a run's folder: NNNN_hhhhhhhh.
+bool is_run_name(const std::string& name) {
+    const auto only = [](std::string_view text, std::string_view characters) {
+        return text.find_first_not_of(characters) == std::string_view::npos;
+    };
+    const auto mark = name.find('_');
+    return mark != std::string::npos && mark >= 4 && name.size() == mark + 9 &&
+           only(std::string_view(name).substr(0, mark), "0123456789") &&
+           only(std::string_view(name).substr(mark + 1), "0123456789abcdef");
+}
+
+/// Names of what a study has left in its folder of runs: their folders, and their output (".log"). Links, and what has
+/// another name, are not its own.
+struct StudyRuns {
+    std::vector<fs::path> folders, outputs;
+};
+StudyRuns runs_in(const fs::path& runs) {
+    StudyRuns found;
+    if (fs::symlink_status(runs).type() != fs::file_type::directory) return found;
+    for (const auto& entry : fs::directory_iterator(runs)) {
+        const fs::path& path = entry.path();
+        const fs::file_type type = entry.symlink_status().type();
+        if (type == fs::file_type::directory && is_run_name(path.filename().string())) found.folders.push_back(path);
+        if (type == fs::file_type::regular && path.extension() == ".log" && is_run_name(path.stem().string()))
+            found.outputs.push_back(path);
+    }
+    return found;
+}
+
+/// Throws where the runs of a study cannot be removed: they are elsewhere, or another process writes there.
+void need_removable(const fs::path& folder) {
+    const fs::path runs = folder / runs_name;
+    if (fs::is_symlink(fs::symlink_status(runs)))
+        throw InputError({runs.string(), 0, 0}, "it is a link: the runs of the earlier study are elsewhere",
+                         "Nothing was removed. Remove the link yourself, or write into another folder with --out DIR.");
+    for (const fs::path& run : runs_in(runs).folders) {
+        if (!fs::exists(run / lock_file_name)) continue;
+        if (const auto holder = FolderLock::take(run).holder)
+            throw InputError({run.string(), 0, 0}, "another dmp is writing here: " + holder->text(),
+                             "Nothing was removed. Wait for its end, or write into another folder with --out DIR.");
+    }
+}
+
 /// Throws where the folder holds what the command line does not say what to do with.
 void need_fitting_contents(const fs::path& folder, const SweepContents& contents, const NewSweep& sweep,
                            const TypedCommand& typed) {
@@ -52,12 +110,21 @@ void need_fitting_contents(const fs::path& folder, const SweepContents& contents
         case SweepContents::Kind::study:
             break;
     }
-    if (sweep.overwrite) return;
+    if (sweep.overwrite) return need_removable(folder);
     const std::string others = remove_it(typed) + "\n" + keep_both(folder, typed);
-    if (contents.identity != study::identity_of(sweep.study))
-        throw InputError(
-            where, "it holds another study, or this one with another scene or other values: '" + contents.name + "'",
-            others);
+    if (contents.identity != study::identity_of(sweep.study)) {
+        const std::string version = build_facts().version;
+        throw InputError(where,
+                         "it holds another study, or this one with another scene or other values: '" + contents.name +
+                             "'" +
+                             (contents.version.empty() || contents.version == version
+                                  ? ""
+                                  : "\nIt was written by dmp " + contents.version + ", and this is dmp " + version),
+                         others);
+    }
+    if (const std::vector<std::string> changed = changed_files(contents, sweep.study); !changed.empty())
+        throw InputError(where, "its runs were made with other contents of " + quoted_list(changed),
+                         "To go on with it, put back what was in there. " + others);
     if (!sweep.resume)
         throw InputError(where, "it holds this study, " + progress_of(folder, sweep.runs),
                          choice("To go on with it:", typed.with("--resume")) + "\n" + others);
@@ -65,26 +132,30 @@ void need_fitting_contents(const fs::path& folder, const SweepContents& contents
 
 /// Removes what runs of a study have left. Others' files stay, and the folders that they are in.
 std::string remove_study(const fs::path& folder) {
-    std::size_t runs = 0;
     std::error_code none;
-    if (fs::is_directory(folder / runs_name)) {
-        for (const auto& entry : fs::directory_iterator(folder / runs_name)) {
-            if (entry.is_directory()) {
-                remove_results(entry.path());
-                for (const fs::path& emptied : {entry.path() / "frames", entry.path() / "checkpoints", entry.path()})
-                    fs::remove(emptied, none);
-                ++runs;
-            } else if (entry.path().extension() == ".log") {
-                fs::remove(entry.path());
-            }
-        }
-        fs::remove(folder / runs_name, none);
+    const StudyRuns runs = runs_in(folder / runs_name);
+    for (const fs::path& run : runs.folders) {
+        remove_results(run);
+        for (const fs::path& emptied : {run / "frames", run / "checkpoints", run}) fs::remove(emptied, none);
     }
+    for (const fs::path& output : runs.outputs) fs::remove(output);
+    fs::remove(folder / runs_name, none);
     // What says that this is a study last: a removal that is stopped can be gone on with.
     for (const char* name : {sweep_results_name, sweep_timing_name, study_copy_name, scene_copy_name, sweep_file_name})
         fs::remove(folder / name);
     return fmt::format("Removed {} of an earlier study from {}; nothing else in it was touched.\n",
-                       count_text(runs, "run"), folder.string());
+                       count_text(runs.folders.size(), "run"), folder.string());
+}
+
+/// sweep.toml.
+std::string sweep_text(const NewSweep& sweep) {
+    std::string text = "# Written by 'dmp sweep': of which study the runs in this folder are.\nstudy = " +
+                       toml_quoted(sweep.study.name) + "\nidentity = " + toml_quoted(study::identity_of(sweep.study)) +
+                       "\nruns = " + std::to_string(sweep.runs) + "\nversion = " + toml_quoted(build_facts().version) +
+                       "\n";
+    for (const study::InputFile& file : study::input_files(sweep.study))
+        text += "\n[[input]]\nfile = " + toml_quoted(file.name) + "\nhash = " + toml_quoted(file.hash) + "\n";
+    return text;
 }
 
 fs::path not_foreign(const fs::path& folder) {
@@ -104,6 +175,10 @@ SweepContents sweep_contents_of(const fs::path& folder) {
             const TomlNode document = parse_toml(read_file(file), file.string());
             contents.name = text_at(document, "study");
             contents.identity = text_at(document, "identity");
+            contents.version = text_at(document, "version");
+            if (const TomlNode* inputs = document.child("input"))
+                for (const TomlNode& input : inputs->children)
+                    contents.input_files[text_at(input, "file")] = text_at(input, "hash");
         } catch (const InputError&) {  // of a study that nobody can tell
             contents.identity.clear();
         }
@@ -129,11 +204,7 @@ SweepFolder::SweepFolder(const fs::path& folder, const NewSweep& sweep, const Ty
     if (!folder_.note().empty()) note_ = folder_.note() + "\n";
     if (sweep.overwrite && contents.kind == SweepContents::Kind::study) note_ += remove_study(path());
     // First, as it is what makes this the folder of a study.
-    write_file(path() / sweep_file_name,
-               "# Written by 'dmp sweep': of which study the runs in this folder are.\nstudy = " +
-                   toml_quoted(sweep.study.name) + "\nidentity = " + toml_quoted(study::identity_of(sweep.study)) +
-                   "\nruns = " + std::to_string(sweep.runs) + "\nversion = " + toml_quoted(build_facts().version) +
-                   "\n");
+    write_file(path() / sweep_file_name, sweep_text(sweep));
     make_folder(path() / runs_name);
     write_file(path() / study_copy_name, read_file(sweep.study.file));
     write_file(path() / scene_copy_name, read_file(sweep.study.scene.file));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "cli/locked_folder.hpp"
@@ -25,8 +26,10 @@ struct SweepContents {
         study     ///< runs of a study
     };
     Kind kind = Kind::nothing;
-    std::string name;      ///< of the study
-    std::string identity;  ///< study::identity_of it; "" where it cannot be read
+    std::string name;                                ///< of the study
+    std::string identity;                            ///< study::identity_of it; "" where it cannot be read
+    std::string version;                             ///< of the dmp that wrote it
+    std::map<std::string, std::string> input_files;  ///< hashes of the contents of the scene's files, by name
 };
 
 /// Looks only.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +17,8 @@
 #include "cli/exit_codes.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/terminal.hpp"
+#include "scene/read_scene.hpp"
+#include "solver/state/checkpoints.hpp"
 
 namespace dmp::cli {
 
@@ -37,6 +40,19 @@ std::string killed_text(int signal) {
                        signal == SIGKILL ? ", perhaps for lack of memory" : "");
 }
 
+/// Why a run that was begun cannot go on from any of its checkpoints; "": it can. What else stands against it, such as
+/// another geometry, is the run's error.
+std::string refused_checkpoint(const std::string& scene_file, const std::vector<std::string>& overrides,
+                               const fs::path& run) {
+    const Scene scene = read_scene(scene_file, overrides);
+    try {
+        static_cast<void>(checkpoint_to_resume(run, resolved_scene(scene), *scene.run.duration));
+    } catch (const InputError& error) {
+        return one_line(error);
+    }
+    return "";
+}
+
 }  // namespace
 
 SweepRuns::SweepRuns(const study::Study& study, const study::Points& points, const SweepFolder& folder,
@@ -49,17 +65,36 @@ SweepRuns::SweepRuns(const study::Study& study, const study::Points& points, con
       table_(study, points.size()),
       waiting_(settings_.chosen.begin(), settings_.chosen.end()) {
     counts_.runs = waiting_.size();
-    // Runs that were not asked for now may have ended earlier: the table has them all.
-    std::vector<bool> chosen(points.size(), false);
-    for (const std::size_t index : waiting_) chosen[index] = true;
-    for (std::size_t index = 0; index < points.size(); ++index) {
-        if (chosen[index]) continue;
-        const study::Point point = points.at(index);
-        const fs::path run = run_folder(folder.path(), point.name);
-        if (contents_of(run).kind == FolderContents::Kind::finished) table_.set(index, finished_row(study, point, run));
-    }
+    take_earlier_ends();
     if (const fs::path timing = folder.path() / sweep_timing_name; !fs::exists(timing))
         write_file(timing, "run,wall_time [s],processor_time [s],peak_memory [B],exit_code\n");
+}
+
+SweepRuns::~SweepRuns() {
+    for (const Running& each : running_) each.process->stop();  // all at once: each is then waited for
+}
+
+void SweepRuns::take_earlier_ends() {
+    const std::map<std::string, EarlierFailure> failures = earlier_failures(folder_.path() / sweep_results_name);
+    std::vector<bool> chosen(points_.size(), false);
+    for (const std::size_t index : waiting_) chosen[index] = true;
+    waiting_.clear();
+    for (std::size_t index = 0; index < points_.size(); ++index) {
+        const study::Point point = points_.at(index);
+        const fs::path run = run_folder(folder_.path(), point.name);
+        const bool finished = contents_of(run).kind == FolderContents::Kind::finished;
+        if (!chosen[index]) {
+            // The table has also the runs that were not asked for now.
+            if (finished)
+                table_.set(index, finished_row(study_, point, run));
+            else if (const auto failure = failures.find(point.name); failure != failures.end())
+                table_.set(index, failed_row(point, failure->second.exit_code, failure->second.error));
+        } else if (finished && !is_held(index, run)) {
+            add(index, finished_row(study_, point, run));
+        } else {
+            waiting_.push_back(index);
+        }
+    }
 }
 
 void SweepRuns::run(const StopSignals& signals) {
@@ -82,6 +117,16 @@ void SweepRuns::run(const StopSignals& signals) {
     }
     line_.clear();
     write_table(true);
+    count_other_units();
+}
+
+void SweepRuns::count_other_units() {
+    const auto rows = table_.rows();
+    for (const std::size_t index : settings_.chosen) {
+        if (!rows[index] || rows[index]->failed() == table_.row(index)->failed()) continue;
+        ++counts_.failed;
+        --counts_.done;
+    }
 }
 
 void SweepRuns::start_some(const StopSignals& signals) {
@@ -92,7 +137,7 @@ void SweepRuns::start_some(const StopSignals& signals) {
         waiting_.pop_front();
         study::Point point = points_.at(index);
         const fs::path run = run_folder(folder_.path(), point.name);
-        if (is_held(run)) {
+        if (is_held(index, run)) {
             put_off_.push_back(index);
         } else if (contents_of(run).kind == FolderContents::Kind::finished) {
             add(index, finished_row(study_, point, run));
@@ -102,9 +147,15 @@ void SweepRuns::start_some(const StopSignals& signals) {
     }
 }
 
-bool SweepRuns::is_held(const fs::path& run) const {
+bool SweepRuns::is_held(std::size_t index, const fs::path& run) {
     // A run of a sweep that was killed may still write its checkpoint.
-    return fs::exists(run / lock_file_name) && FolderLock::take(run).holder.has_value();
+    if (!fs::exists(run / lock_file_name)) return false;
+    const auto holder = FolderLock::take(run).holder;
+    if (!holder) return false;
+    if (told_held_.insert(index).second)
+        say("run " + run.filename().string() +
+            " waits for the end of another dmp that writes there: " + holder->text());
+    return true;
 }
 
 void SweepRuns::start(std::size_t index, study::Point point) {
@@ -119,19 +170,23 @@ void SweepRuns::start(std::size_t index, study::Point point) {
                                    folder.string(),
                                    "--threads",
                                    std::to_string(settings_.threads)};
-    const std::vector<study::VariedKey> keys = study_.keys();
-    for (std::size_t k = 0; k < keys.size(); ++k)
-        words.insert(words.end(), {"--set", *keys[k].key + "=" + point.values[k].toml});
+    const std::vector<std::string> overrides = study::overrides(study_.keys(), point);
+    for (const std::string& each : overrides) words.insert(words.end(), {"--set", each});
     const FolderContents contents = contents_of(folder);
-    const bool again = std::ranges::find(from_start_, index) != from_start_.end();
-    const bool resumed = contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint && !again;
+    bool resumed = contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint;
+    if (resumed) {
+        const std::string refused = refused_checkpoint(study_.scene.file, overrides, folder);
+        if (!refused.empty())
+            say("run " + point.name + " cannot go on from its checkpoint, and starts anew: " + refused);
+        resumed = refused.empty();
+    }
     if (resumed)
         words.emplace_back("--resume");
     else if (contents.kind != FolderContents::Kind::nothing)
         words.emplace_back("--overwrite");
     const fs::path output = run_output(folder_.path(), point.name);
     running_.push_back(
-        {index, std::move(point), resumed, WallClock::now(), std::make_unique<ChildProcess>(std::move(words), output)});
+        {index, std::move(point), WallClock::now(), std::make_unique<ChildProcess>(std::move(words), output)});
     ++counts_.running;
 }
 
@@ -160,13 +215,6 @@ void SweepRuns::take_end(Running& running, const ChildEnd& end, bool stopping) {
         return;
     }
     if (stopping && is_unfinished(end.exit_code)) return;
-    if (running.resumed && end.exit_code == exit_bad_input) {
-        say("run " + running.point.name +
-            " cannot go on from its checkpoint, and starts anew: " + last_error(read_file(output)));
-        from_start_.push_back(running.index);
-        waiting_.push_front(running.index);
-        return;
-    }
     add(running.index,
         failed_row(running.point, end.exit_code, end.signal != 0 ? killed_text(end.signal) : read_file(output)));
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <list>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ class SweepRuns {
   public:
     SweepRuns(const study::Study& study, const study::Points& points, const SweepFolder& folder,
               SweepSettings settings);
+    /// Stops what still runs, and waits for its end.
+    ~SweepRuns();
+    SweepRuns(const SweepRuns&) = delete;
+    SweepRuns& operator=(const SweepRuns&) = delete;
 
     /// Until the last one has ended, or a signal asks to stop: then the runs get SIGTERM, and write their checkpoints.
     /// Throws InputError where the scene's file is changed meanwhile, ResourceError where a table cannot be written;
@@ -48,7 +53,6 @@ class SweepRuns {
     struct Running {
         std::size_t index;
         study::Point point;
-        bool resumed;
         WallClock::time_point start;
         std::unique_ptr<ChildProcess> process;
     };
@@ -56,7 +60,12 @@ class SweepRuns {
     /// Starts what there is room for; what another process still writes is put off.
     void start_some(const StopSignals& signals);
     void start(std::size_t index, study::Point point);
-    [[nodiscard]] bool is_held(const std::filesystem::path& run) const;
+    /// Whether another process writes into this run's folder; says so once.
+    [[nodiscard]] bool is_held(std::size_t index, const std::filesystem::path& run);
+    /// Runs that have ended before this process has begun: they are in the table from its first line on.
+    void take_earlier_ends();
+    /// A result in another unit is seen when all rows are there.
+    void count_other_units();
     void collect(bool stopping);
     void take_end(Running& running, const ChildEnd& end, bool stopping);
     void add(std::size_t index, SweepRow row);
@@ -73,8 +82,8 @@ class SweepRuns {
     SweepTable table_;
     SweepCounts counts_;
     std::deque<std::size_t> waiting_;
-    std::vector<std::size_t> put_off_;     ///< another process has their folders
-    std::vector<std::size_t> from_start_;  ///< whose checkpoints could not be used
+    std::vector<std::size_t> put_off_;  ///< another process has their folders
+    std::set<std::size_t> told_held_;   ///< of which it was said that they wait for another process
     std::list<Running> running_;
     WallClock::time_point started_ = WallClock::now(), written_ = started_;
     std::size_t ended_ = 0;  ///< processes that have ended

@@ -2,12 +2,17 @@
 #include "cli/sweep_table.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "base/safe_file.hpp"
+#include "base/text_lines.hpp"
 #include "cli/terminal.hpp"
+#include "cli/text.hpp"
 #include "postproc/tables.hpp"
 #include "study/read_result.hpp"
 #include "study/reduce.hpp"
@@ -25,14 +30,25 @@ SweepRow row_of(const study::Point& point) {
     return row;
 }
 
+/// Whether a column is one of a measure's: not of another, "flux_in" beside "flux", whose name is longer.
+bool is_of(const std::string& measure, const std::string& column, const Scene& scene) {
+    const auto begins = [&](const std::string& name) { return column == name || column.starts_with(name + "_"); };
+    return begins(measure) && std::ranges::none_of(scene.measures, [&](const Measure& other) {
+               return other.name->size() > measure.size() && begins(*other.name);
+           });
+}
+
 /// The column of a result in measures.csv. Throws InputError where there is none.
-std::size_t column_of(const study::Result& result, const MeasureSeries& measures) {
-    const auto found = std::ranges::find(measures.names, result.column_name());
+std::size_t column_of(const study::Result& result, const Scene& scene, const MeasureSeries& measures) {
+    const auto found = std::ranges::find_if(measures.names, [&](const std::string& name) {
+        return name == result.column_name() && is_of(*result.measure, name, scene);
+    });
     if (found != measures.names.end()) return static_cast<std::size_t>(found - measures.names.begin());
     const std::string start = *result.measure + "_";
     std::vector<std::string> columns;
     for (const std::string& name : measures.names)
-        if (name.starts_with(start)) columns.push_back(name.substr(start.size()));
+        if (name.starts_with(start) && is_of(*result.measure, name, scene))
+            columns.push_back(name.substr(start.size()));
     const SourceLocation& where = result.column.given() ? result.column.location : result.measure.location;
     if (columns.empty())
         throw InputError(where, "measures.csv has no column '" + result.column_name() + "'",
@@ -43,8 +59,27 @@ std::size_t column_of(const study::Result& result, const MeasureSeries& measures
         "write column = \"" + columns.front() + "\" or another of them");
 }
 
-SweepRow::Result result_of(const study::Result& result, const MeasureSeries& measures) {
-    const std::size_t column = column_of(result, measures);
+/// A window that a run has not reached the end of would give another result than that of the others.
+void need_whole_window(const study::Result& result, double end) {
+    const double slack = 1e-9 * std::abs(end);
+    const auto seconds = [](double time) { return quantity_text(time, "s"); };
+    const auto too_short = [&](const SourceLocation& where, const std::string& what) {
+        return InputError(where, "result '" + *result.name + "': the run ended at " + seconds(end) + ", " + what,
+                          "give a time that all runs reach, or a longer run.duration");
+    };
+    if (result.until.given() && *result.until > end + slack)
+        throw too_short(result.until.location, "before " + seconds(*result.until));
+    if (result.from.given() && *result.from > end + slack)
+        throw too_short(result.from.location, "before " + seconds(*result.from));
+    const double until = result.until.given() ? *result.until : end;
+    if (result.period.given() && until - *result.from < *result.period - slack)
+        throw too_short(result.period.location,
+                        "and the window is shorter than the period of " + seconds(*result.period));
+}
+
+SweepRow::Result result_of(const study::Result& result, const Scene& scene, const MeasureSeries& measures, double end) {
+    const std::size_t column = column_of(result, scene, measures);
+    need_whole_window(result, end);
     study::TimeSeries series{measures.time, {}};
     for (const auto& row : measures.rows) series.value.push_back(row[column]);
     study::Window window;
@@ -57,19 +92,22 @@ SweepRow::Result result_of(const study::Result& result, const MeasureSeries& mea
     return {study::reduced(series, result.reduce, window, options), study::unit_of(result.reduce, unit)};
 }
 
+}  // namespace
+
 std::string one_line(const Error& error) {
     const std::string where = error.where().text();
     return (where.empty() ? "" : where + ": ") + error.problem();
 }
-
-}  // namespace
 
 SweepRow finished_row(const study::Study& study, const study::Point& point, const fs::path& folder) {
     SweepRow row = row_of(point);
     if (study.results.empty()) return row;
     try {
         const MeasureSeries measures = read_measures_csv(folder);
-        for (const study::Result& result : study.results) row.results.push_back(result_of(result, measures));
+        const auto run_end = read_run_end(folder);
+        const double end = run_end ? run_end->simulated_s : measures.time.empty() ? 0 : measures.time.back();
+        for (const study::Result& result : study.results)
+            row.results.push_back(result_of(result, study.scene, measures, end));
     } catch (const Error& error) {
         row.results.clear();
         row.error = one_line(error);
@@ -88,10 +126,7 @@ SweepRow failed_row(const study::Point& point, int exit_code, const std::string&
 std::string last_error(const std::string& output) {
     constexpr std::string_view mark = "error: ";
     std::string last, error;
-    for (std::size_t begin = 0; begin < output.size();) {
-        const std::size_t end = std::min(output.find('\n', begin), output.size());
-        const std::string line = output.substr(begin, end - begin);
-        begin = end + 1;
+    for (const std::string& line : text_lines(output)) {
         if (line.starts_with(mark)) error = line.substr(mark.size());
         if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
     }
@@ -106,6 +141,21 @@ std::vector<std::string> SweepTable::units() const {
     return units;
 }
 
+std::vector<std::optional<SweepRow>> SweepTable::rows() const {
+    const std::vector<std::string> known_units = units();
+    std::vector<std::optional<SweepRow>> settled = rows_;
+    for (auto& row : settled) {
+        if (!row) continue;
+        for (std::size_t k = 0; k < row->results.size(); ++k) {
+            const std::string& unit = row->results[k].unit;
+            if (unit != known_units[k])
+                row->error =
+                    "result '" + *study_.results[k].name + "' is in " + unit + ", that of others in " + known_units[k];
+        }
+    }
+    return settled;
+}
+
 std::string SweepTable::text() const {
     const std::vector<std::string> known_units = units();
     std::string text = "run";
@@ -113,24 +163,35 @@ std::string SweepTable::text() const {
     for (std::size_t k = 0; k < known_units.size(); ++k)
         text += "," + csv_cell(csv_heading(*study_.results[k].name, known_units[k]));
     text += ",exit_code,error\n";
-    for (const auto& row : rows_) {
+    for (const auto& row : rows()) {
         if (!row) continue;
-        std::string error = row->error;
         text += row->run;
         for (const std::string& value : row->values) text += "," + csv_cell(value);
         for (std::size_t k = 0; k < known_units.size(); ++k) {
             text += ",";
             if (row->results.empty()) continue;
             const auto& [value, unit] = row->results[k];
-            if (unit == known_units[k])
-                text += csv_number(value);
-            else
-                error =
-                    "result '" + *study_.results[k].name + "' is in " + unit + ", that of others in " + known_units[k];
+            if (unit == known_units[k]) text += csv_number(value);
         }
-        text += "," + std::to_string(row->exit_code) + "," + csv_cell(error) + "\n";
+        text += "," + std::to_string(row->exit_code) + "," + csv_cell(row->error) + "\n";
     }
     return text;
+}
+
+std::map<std::string, EarlierFailure> earlier_failures(const fs::path& file) {
+    std::map<std::string, EarlierFailure> failures;
+    if (!fs::is_regular_file(file)) return failures;
+    std::vector<std::string> lines = text_lines(read_file(file));
+    if (!lines.empty()) lines.erase(lines.begin());
+    for (const std::string& line : lines) {
+        const std::vector<std::string> cells = csv_cells(line);
+        if (cells.size() < 3) continue;  // damaged: the run is done again when it is asked for
+        int code = 0;
+        const std::string& text = cells[cells.size() - 2];
+        std::from_chars(text.data(), text.data() + text.size(), code);
+        if (code != 0) failures[cells.front()] = {code, cells.back()};
+    }
+    return failures;
 }
 
 }  // namespace dmp::cli

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "cli/uses.hpp"
 #include "study/points.hpp"
 #include "study/study.hpp"
@@ -41,17 +43,31 @@ struct SweepRow {
 /// The last error in what a run has said, on one line: the line that begins with "error:", else the last one.
 [[nodiscard]] std::string last_error(const std::string& output);
 
+/// An error on one line, "FILE:1:2: what is wrong".
+[[nodiscard]] std::string one_line(const Error& error);
+
+/// Of a run that failed earlier, as results.csv has it.
+struct EarlierFailure {
+    int exit_code = 0;
+    std::string error;
+};
+
+/// Those in an earlier results.csv, by the name of the run; none where there is no such file.
+[[nodiscard]] std::map<std::string, EarlierFailure> earlier_failures(const std::filesystem::path& file);
+
 /// All rows of a study.
 class SweepTable {
   public:
     SweepTable(const study::Study& study, std::size_t runs) : study_(study), rows_(runs) {}
 
     void set(std::size_t index, SweepRow row) { rows_[index] = std::move(row); }
-    [[nodiscard]] const std::vector<std::optional<SweepRow>>& rows() const { return rows_; }
+    /// A result in another unit than that of the first run that has it is its row's error.
+    [[nodiscard]] std::vector<std::optional<SweepRow>> rows() const;
+    /// As it was set; none: the run has not ended.
+    [[nodiscard]] const std::optional<SweepRow>& row(std::size_t index) const { return rows_[index]; }
 
     /// results.csv: a line for each run that has ended, in the order of the study. Numbers as in measures.csv; units of
-    /// results stand in the heading as soon as one run has been finished. A result in another unit than that of the
-    /// first run that has it is left out, and is that row's error.
+    /// results stand in the heading as soon as one run has been finished. A result in another unit is left out.
     [[nodiscard]] std::string text() const;
 
   private:

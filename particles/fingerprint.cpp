@@ -2,9 +2,9 @@
 #include "particles/fingerprint.hpp"
 
 #include <array>
-#include <cstdio>
 #include <string_view>
 
+#include "base/hex_text.hpp"
 #include "base/text_hash.hpp"
 
 namespace dmp::particles {
@@ -33,9 +33,7 @@ class Hash {
     }
     std::string text() {
         fold();
-        std::array<char, 17> digits{};
-        std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash_));
-        return digits.data();
+        return hex_text(hash_);
     }
 
   private:

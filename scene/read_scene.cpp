@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/hex_text.hpp"
 #include "base/nearest_name.hpp"
 #include "scene/checks.hpp"
 #include "scene/numerics_checks.hpp"
@@ -159,11 +160,7 @@ std::string fnv1a(const std::string& text) {
         hash ^= static_cast<unsigned char>(c);
         hash *= 0x100000001b3U;
     }
-    std::string digits(16, '0');
-    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash /= 16) {
-        *digit = "0123456789abcdef"[hash % 16];
-    }
-    return digits;
+    return hex_text(hash);
 }
 
 }  // namespace

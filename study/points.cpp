@@ -6,21 +6,17 @@
 #include <stdexcept>
 
 #include "base/csv.hpp"
+#include "base/hex_text.hpp"
 #include "base/random_number.hpp"
 #include "base/text_hash.hpp"
 #include "base/unlisted_value.hpp"
+#include "scene/read_scene.hpp"
 #include "study/read_vary.hpp"
 #include "study/varied_value.hpp"
 
 namespace dmp::study {
 
 namespace {
-
-std::string hex(std::uint64_t bits, std::size_t digits) {
-    std::string text(digits, '0');
-    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, bits /= 16) *digit = "0123456789abcdef"[bits % 16];
-    return text;
-}
 
 InputError too_many(const Study& study, const std::string& count) {
     return {SourceLocation{study.file, 0, 0},
@@ -65,6 +61,15 @@ std::size_t size_of(const Study& study) {
     unlisted_value(*study.combine);
 }
 
+/// Of the scene without what does not act on a run's results: its title, its threads, its pictures.
+std::string hash_of(Scene scene) {
+    const Scene defaults;
+    scene.title = defaults.title;
+    scene.run.threads = defaults.run.threads;
+    scene.output.pictures = defaults.output.pictures;
+    return hex_text(text_hash(resolved_scene(scene)));
+}
+
 /// A random order of 0 ... count - 1 that follows from the seed and the axis.
 std::vector<std::uint32_t> shuffled(std::size_t count, int seed, std::size_t axis) {
     std::vector<double> keys(count);
@@ -77,7 +82,8 @@ std::vector<std::uint32_t> shuffled(std::size_t count, int seed, std::size_t axi
 
 }  // namespace
 
-Points::Points(const Study& study) : study_(study), keys_(study.keys()), size_(size_of(study)) {
+Points::Points(const Study& study)
+    : study_(study), keys_(study.keys()), size_(size_of(study)), scene_hash_(hash_of(study.scene)) {
     if (size_ > most_runs) throw too_many(study, std::to_string(size_));
     if (*study.combine != Combine::latin_hypercube) return;
     for (std::size_t axis = 0; axis < study.vary.size(); ++axis)
@@ -101,32 +107,44 @@ std::vector<VariedValue> Points::axis_values(std::size_t axis, std::size_t index
     const double within = random_number({static_cast<std::uint64_t>(*study_.seed), axis, 2, index});
     const double part = (strata_[axis][index] + within) / static_cast<double>(size_);  // in [0, 1)
     if (vary.range) return {varied_number(number_of(*vary.range, part, 2), vary.keys[0].unit, vary.range->quoted)};
-    return vary.rows[static_cast<std::size_t>(part * static_cast<double>(vary.rows.size()))];
+    // The sum above may be rounded up to 1.
+    const auto row = static_cast<std::size_t>(part * static_cast<double>(vary.rows.size()));
+    return vary.rows[std::min(row, vary.rows.size() - 1)];
 }
 
-Point Points::at(std::size_t index) const {
+std::vector<VariedValue> Points::values_at(std::size_t index) const {
     if (index >= size_) throw std::out_of_range("a run that the study does not have");
-    Point point;
+    std::vector<VariedValue> values;
     for (std::size_t axis = 0; axis < study_.vary.size(); ++axis) {
         const Vary& vary = study_.vary[axis];
         if (vary.formula) {
-            point.values.push_back(
-                varied_quantity(formula_value(*vary.formula, *vary.keys[0].key, keys_, point.values)));
+            values.push_back(varied_quantity(formula_value(*vary.formula, *vary.keys[0].key, keys_, values)));
             continue;
         }
-        for (VariedValue& value : axis_values(axis, index)) point.values.push_back(std::move(value));
+        for (VariedValue& value : axis_values(axis, index)) values.push_back(std::move(value));
     }
-    std::string lines = study_.scene.hash + "\n";
-    for (std::size_t k = 0; k < keys_.size(); ++k) lines += *keys_[k].key + "=" + point.values[k].toml + "\n";
+    return values;
+}
+
+Point Points::at(std::size_t index) const {
+    Point point{"", values_at(index)};
+    std::string lines = scene_hash_ + "\n";
+    for (const std::string& each : overrides(keys_, point)) lines += each + "\n";
     std::string number = std::to_string(index + 1);
     const std::size_t width = std::max<std::size_t>(4, std::to_string(size_).size());
     number.insert(0, width - number.size(), '0');
-    point.name = number + "_" + hex(text_hash(lines), 8);
+    point.name = number + "_" + hex_text(text_hash(lines), 8);
     return point;
 }
 
+std::vector<std::string> overrides(const std::vector<VariedKey>& keys, const Point& point) {
+    std::vector<std::string> all;
+    for (std::size_t k = 0; k < keys.size(); ++k) all.push_back(*keys[k].key + "=" + point.values[k].toml);
+    return all;
+}
+
 std::string identity_of(const Study& study) {
-    std::string lines = study.scene.hash + "\n" + std::string(to_string(*study.combine)) + "\n";
+    std::string lines = hash_of(study.scene) + "\n" + std::string(to_string(*study.combine)) + "\n";
     if (*study.combine == Combine::latin_hypercube)
         lines += std::to_string(*study.samples) + " " + std::to_string(*study.seed) + "\n";
     for (const Vary& vary : study.vary) {
@@ -138,7 +156,7 @@ std::string identity_of(const Study& study) {
                      std::string(to_string(vary.range->scale)) + "\n";
         if (vary.formula) lines += vary.formula->text + "\n";
     }
-    return hex(text_hash(lines), 16);
+    return hex_text(text_hash(lines));
 }
 
 }  // namespace dmp::study

@@ -30,6 +30,8 @@ class Points {
     [[nodiscard]] std::size_t size() const { return size_; }
     /// The run with this index, from 0 on. Throws std::out_of_range, or InputError where a formula has no value there.
     [[nodiscard]] Point at(std::size_t index) const;
+    /// Its values alone, one for each key. Throws likewise.
+    [[nodiscard]] std::vector<VariedValue> values_at(std::size_t index) const;
 
   private:
     [[nodiscard]] std::vector<VariedValue> axis_values(std::size_t axis, std::size_t index) const;
@@ -37,10 +39,15 @@ class Points {
     const Study& study_;
     std::vector<VariedKey> keys_;
     std::size_t size_ = 0;
+    std::string scene_hash_;
     std::vector<std::vector<std::uint32_t>> strata_;  ///< Latin hypercube: of each axis, the stratum of each sample
 };
 
-/// A hash of all that the runs depend on in the study and its scene, 16 hex digits; not of its results.
+/// What a point sets, as --set takes it: "particles.spacing=\"0.1 mm\"".
+[[nodiscard]] std::vector<std::string> overrides(const std::vector<VariedKey>& keys, const Point& point);
+
+/// A hash of all that the runs depend on in the study and its scene, 16 hex digits; not of its results, nor of the
+/// scene's title, threads and pictures.
 [[nodiscard]] std::string identity_of(const Study& study);
 
 }  // namespace dmp::study

@@ -2,10 +2,13 @@
 #include "study/read_study.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
 #include "scene/read_scene.hpp"
+#include "scene/value_check.hpp"
 #include "study/points.hpp"
 #include "study/read_result.hpp"
 #include "study/read_vary.hpp"
@@ -59,6 +62,35 @@ void check_axes(const Study& study) {
                      "add [[vary]] with a key and its values, such as values = [\"0.1 mm\", \"0.2 mm\"]");
 }
 
+/// Of each run: one that its key does not take is found here, not after hours.
+void check_formulas(const Study& study, const Points& points) {
+    struct Formula {
+        std::size_t key;
+        SourceLocation location;
+        ValueCheck check;
+    };
+    std::vector<Formula> formulas;
+    std::size_t key = 0;
+    for (const Vary& vary : study.vary) {
+        if (vary.formula)
+            formulas.push_back(
+                {key, vary.formula->location, ValueCheck(study.scene, *vary.keys[0].key, vary.keys[0].key.location)});
+        key += vary.keys.size();
+    }
+    if (formulas.empty()) return;
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        try {
+            const std::vector<VariedValue> values = points.values_at(index);
+            for (const Formula& each : formulas) each.check(parse_toml_value(values[each.key].toml, each.location));
+        } catch (const InputError& error) {
+            throw InputError(
+                error.where(),
+                "run " + std::to_string(index + 1) + " of " + std::to_string(points.size()) + ": " + error.problem(),
+                error.what_to_do());
+        }
+    }
+}
+
 }  // namespace
 
 std::string Result::column_name() const { return column->empty() ? *measure : *measure + "_" + *column; }
@@ -89,7 +121,7 @@ Study read_study(const std::string& path) {
     for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
     check_axes(study);
     for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));
-    static_cast<void>(Points(study));  // refuses what does not go together
+    check_formulas(study, Points(study));  // which refuses what does not go together
     return study;
 }
 

@@ -8,6 +8,7 @@
 #include "base/csv.hpp"
 #include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
+#include "base/text_lines.hpp"
 #include "scene/formula.hpp"
 #include "scene/value_check.hpp"
 #include "study/points.hpp"
@@ -69,7 +70,22 @@ class KeyValues {
     std::set<std::string> seen_;
 };
 
-void refuse_repeated_keys(const Vary& vary, const Study& study) {
+/// A bare 0 is of the quantity that the key's unit is of: what is worked out from it has a unit, too.
+void give_zeros_a_dimension(Vary& vary) {
+    for (std::size_t column = 0; column < vary.keys.size(); ++column) {
+        const std::string& unit = vary.keys[column].unit;
+        if (unit.empty()) continue;
+        const Dimension dimension = parse_quantity({"1 " + unit, {}, {}}).dimension;
+        for (auto& row : vary.rows)
+            if (auto& quantity = row[column].quantity; quantity && quantity->si == 0) quantity->dimension = dimension;
+    }
+}
+
+void check_keys(const Vary& vary, const Study& study) {
+    for (const VariedKey& key : vary.keys)
+        if (*key.key == "run.threads")
+            throw InputError(key.key.location, "'run.threads' cannot vary: no result depends on it",
+                             "set run.threads in the scene: it is taken for all runs of the study");
     std::set<std::string> names;
     for (const VariedKey& key : study.keys()) names.insert(*key.key);
     for (const VariedKey& key : vary.keys)
@@ -125,25 +141,13 @@ void read_range(const TomlNode& node, const Study& study, Vary& vary) {
     for (int k = 0; k < steps; ++k) vary.rows.push_back({checked(k, steps)});
 }
 
-/// The lines of a text, without their ends; the last one may lack its end.
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines.push_back(text.substr(begin, end - begin));
-        if (lines.back().ends_with('\r')) lines.back().pop_back();
-        begin = end + 1;
-    }
-    return lines;
-}
-
 void read_csv_table(const TomlNode& node, const Study& study, Vary& vary) {
     const std::string name = text_not_empty().read(node, "vary.table");
     const std::string file = (fs::path(study.file).parent_path() / name).string();
     if (!fs::is_regular_file(file))
         throw InputError(node.location, "vary.table: there is no file '" + file + "'",
                          "give a CSV file relative to the folder of the study");
-    const std::vector<std::string> lines = lines_of(read_file(file));
+    const std::vector<std::string> lines = text_lines(read_file(file));
     SourceLocation location{file, 1, 1};
     if (lines.empty())
         throw InputError(location, "the table is empty", "write a heading 'KEY [UNIT],...' and a line for each run");
@@ -151,7 +155,7 @@ void read_csv_table(const TomlNode& node, const Study& study, Vary& vary) {
         const auto [key, unit] = name_and_unit(heading);
         vary.keys.push_back({Value<std::string>(key, location), unit});
     }
-    refuse_repeated_keys(vary, study);
+    check_keys(vary, study);
     std::vector<KeyValues> columns;
     for (VariedKey& key : vary.keys) columns.emplace_back(study, key);
     for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -256,13 +260,14 @@ Vary read_vary(const TomlNode& node, const Study& study) {
                              "remove it: the heading of the table names the keys");
     } else {
         vary.keys.push_back({table.need("key", text_not_empty()), ""});
-        refuse_repeated_keys(vary, study);
+        check_keys(vary, study);
     }
     const TomlNode& values = *table.find(source);
     if (source == "values") read_values(values, study, vary);
     if (source == "range") read_range(values, study, vary);
     if (source == "formula") read_formula_of(values, study, vary);
     if (source == "table") read_csv_table(values, study, vary);
+    give_zeros_a_dimension(vary);
     return vary;
 }
 

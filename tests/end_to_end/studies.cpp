@@ -177,12 +177,42 @@ TEST_F(Studies, MendRunsThatWereDamaged) {
     EXPECT_EQ(folder_.read("out/results.csv"), before);
 }
 
+TEST_F(Studies, AStoppedOneKeepsTheRowsOfThoseThatEnded) {
+    ASSERT_EQ(sweep("out").code, 2);
+    const std::vector<Words> whole = table("out");
+    const fs::path first = folder_.path() / "out/runs" / runs("out")[0];
+    fs::remove_all(first);
+    // The first one runs again, and is stopped in it.
+    const Outcome stopped = sweep("out", {"--jobs", "1", "--resume"},
+                                  {.interrupt_when = [this] { return is_half_way("out", "0001"); }, .signal = SIGINT});
+    EXPECT_EQ(stopped.code, 130) << stopped.errors;
+    EXPECT_THAT(stopped.output, HasSubstr("Interrupted: 1 of 4 runs done"));
+    const std::vector<Words> rows = table("out");
+    ASSERT_FALSE(rows.empty());
+    EXPECT_EQ(rows[0], whole[1]);
+}
+
+TEST_F(Studies, AnotherGeometryIsNotMixedWithTheFirst) {
+    const Outcome killed = ended_sweep("out", SIGTERM);
+    ASSERT_EQ(killed.code, 143) << killed.errors;
+    const Words begun = runs("out");
+    const std::string before = hash("out/runs/" + begun[0]), table_before = folder_.read("out/results.csv");
+    folder_.write("vein_valve.geo", folder_.read("vein_valve.geo") + "\n// changed\n");
+    const Outcome refused = sweep("out", {"--resume"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("out: its runs were made with other contents of 'vein_valve.geo'"));
+    EXPECT_EQ(hash("out/runs/" + begun[0]), before);
+    EXPECT_EQ(folder_.read("out/results.csv"), table_before);
+}
+
 TEST_F(Studies, MayBeDoneInParts) {
     ASSERT_EQ(sweep("whole").code, 2);
     ASSERT_EQ(sweep("out", {"--only", "part.blood.viscosity=4 mPa*s", "--only", "particles.spacing=0.8 mm"}).code, 0);
     EXPECT_THAT(table("out"), SizeIs(1));
     ASSERT_EQ(sweep("out", {"--only", "part.blood.viscosity=3.5 mPa*s", "--resume"}).code, 2);
     EXPECT_THAT(table("out"), SizeIs(3)) << "those of before are in the table, too";
+    ASSERT_EQ(sweep("out", {"--only", "particles.spacing=0.8 mm", "--resume"}).code, 0) << "none of these failed";
+    EXPECT_THAT(table("out"), SizeIs(3)) << "also the one that failed";
     ASSERT_EQ(sweep("out", {"--resume"}).code, 2);
     EXPECT_EQ(folder_.read("out/results.csv"), folder_.read("whole/results.csv"));
 }

@@ -45,7 +45,8 @@ TEST(Arguments, SweepTakesAllItsOptions) {
     EXPECT_EQ(sweep.typed.with("--overwrite"),
               "dmp sweep my.toml --out there --jobs 3 --only 'a.b=1 m' --only c=d --overwrite");
     EXPECT_THAT(error_of({"sweep"}).problem(), HasSubstr("a study is missing"));
-    EXPECT_THAT(error_of({"sweep", "my.toml", "--jobs", "0"}).problem(), HasSubstr("'0' is not a whole number from 1 on"));
+    EXPECT_THAT(error_of({"sweep", "my.toml", "--jobs", "0"}).problem(),
+                HasSubstr("'0' is not a whole number from 1 on"));
     EXPECT_THAT(error_of({"sweep", "my.toml", "--job", "2"}).what_to_do(), HasSubstr("Did you mean '--jobs'?"));
 }
 
@@ -157,8 +158,9 @@ TEST(Arguments, UnknownCommandNamesTheNearest) {
 TEST(Arguments, UnknownCommandFarFromAllListsThem) {
     const auto error = error_of({"xyzzy"});
     EXPECT_EQ(error.problem(), "there is no command 'xyzzy'");
-    EXPECT_THAT(error.what_to_do(),
-                HasSubstr("'run', 'sweep', 'mesh', 'inspect', 'new', 'convert', 'pictures', 'explain', 'escape' and 'doctor'"));
+    EXPECT_THAT(
+        error.what_to_do(),
+        HasSubstr("'run', 'sweep', 'mesh', 'inspect', 'new', 'convert', 'pictures', 'explain', 'escape' and 'doctor'"));
 }
 
 TEST(Arguments, UnknownOptionNamesTheNearest) {

@@ -1,17 +1,23 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Processes of this program: here of the tests themselves.
+#include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
+#include <pthread.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/safe_file.hpp"
 #include "cli/child_process.hpp"
+#include "cli/stop_signals.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 
@@ -88,6 +94,61 @@ TEST(ChildProcess, EndsWithTheProcessThatStartedIt) {
         ADD_FAILURE() << "it outlives the process that started it";
         kill(left, SIGKILL);
     }
+}
+
+TEST(ChildProcess, EndsAlsoWhereTheEndsOfChildrenAreIgnored) {
+    const TemporaryFolder folder;
+    std::signal(SIGCHLD, SIG_IGN);  // as whoever starts dmp may have left it
+    ChildProcess process({"test_cli", "--gtest_filter=NoSuchTest"}, folder.path() / "log");
+    constexpr int patience = 2000;
+    for (int looks = 0; looks < patience && !process.end(); ++looks) wait_for_any({&process}, 20);
+    std::signal(SIGCHLD, SIG_DFL);
+    ASSERT_TRUE(process.end());
+    EXPECT_EQ(process.end()->exit_code, 0);
+}
+
+std::atomic<bool> signal_after_fork = false;
+std::atomic<int> noted = 0;
+
+TEST(ChildProcess, ASignalBetweenForkAndExecIsNotLost) {
+    const TemporaryFolder folder;
+    // In the new process, before anything else of it is done.
+    static const int added = pthread_atfork(nullptr, nullptr, [] {
+        if (signal_after_fork) kill(getpid(), SIGTERM);
+    });
+    ASSERT_EQ(added, 0);
+    auto* const before = std::signal(SIGTERM, [](int) { ++noted; });
+    signal_after_fork = true;
+    ChildProcess process({"test_cli", "--gtest_filter=NoSuchTest"}, folder.path() / "log");
+    signal_after_fork = false;
+    EXPECT_EQ(waited_for(process).signal, SIGTERM);
+    std::signal(SIGTERM, before);
+    EXPECT_EQ(noted, 0);
+}
+
+/// What ChildProcess.IsAskedToStopOnce starts: it writes at the first SIGTERM, and ends when the file is there.
+TEST(ChildProcess, DISABLED_StopsSlowly) {
+    const StopSignals signals;
+    std::cout << "begun" << std::endl;
+    while (!signals.flag()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::cout << "stopping" << std::endl;
+    while (!std::filesystem::exists(std::getenv("DMP_TEST_END")))
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+TEST(ChildProcess, IsAskedToStopOnce) {
+    const TemporaryFolder folder;
+    const std::filesystem::path end = folder.path() / "end", log = folder.path() / "log";
+    setenv("DMP_TEST_END", end.c_str(), 1);
+    ChildProcess process(
+        {"test_cli", "--gtest_also_run_disabled_tests", "--gtest_filter=ChildProcess.DISABLED_StopsSlowly"}, log);
+    wait_for_text(log, "begun");
+    process.stop();
+    wait_for_text(log, "stopping");
+    process.stop();  // a second SIGTERM would end it at once
+    write_file(end, "");
+    EXPECT_EQ(waited_for(process).exit_code, 0);
+    EXPECT_EQ(process.end()->signal, 0);
 }
 
 }  // namespace

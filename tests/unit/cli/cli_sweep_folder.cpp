@@ -1,6 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
+#include <csignal>
 
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include "base/folder_lock.hpp"
 #include "base/safe_file.hpp"
 #include "cli/sweep_folder.hpp"
 #include "study/points.hpp"
@@ -88,6 +92,72 @@ TEST_F(SweepFolders, OverwritingRemovesItsOwnFilesOnly) {
                  fs::exists("out/runs/0001_0123abcd/summary.json"));
     EXPECT_TRUE(fs::exists("out/notes.txt") && fs::exists("out/runs/0001_0123abcd/mine.txt"));
     EXPECT_EQ(read_file("out/study.toml"), good_study);
+}
+
+TEST_F(SweepFolders, OverwritingLeavesLinksAndOtherNamesAlone) {
+    make("other.toml");
+    make_folder("elsewhere");
+    for (const std::string file : {"elsewhere/summary.json", "out/runs/mine.log", "out/runs/0001_0123abcd.log"})
+        write_file(file, "x");
+    fs::create_directory_symlink(fs::absolute("elsewhere"), "out/runs/0002_0123abcd");
+    make_folder("out/runs/archive");
+    write_file("out/runs/archive/summary.json", "x");
+    make("study.toml", false, true);
+    EXPECT_TRUE(fs::exists("elsewhere/summary.json") && fs::exists("out/runs/mine.log") &&
+                fs::exists("out/runs/archive/summary.json"));
+    EXPECT_FALSE(fs::exists("out/runs/0001_0123abcd.log"));
+    fs::rename("out/runs", "runs_of_before");
+    fs::create_directory_symlink(fs::absolute("runs_of_before"), "out/runs");
+    EXPECT_THAT(text_thrown<InputError>([] { make("study.toml", false, true); }),
+                HasSubstr("out/runs: it is a link: the runs of the earlier study are elsewhere"));
+}
+
+TEST_F(SweepFolders, OverwritingRefusesARunThatIsWritten) {
+    make("other.toml");
+    put_finished_run("0001_0123abcd");
+    const auto held = FolderLock::take("out/runs/0001_0123abcd");
+    EXPECT_THAT(text_thrown<InputError>([] { make("study.toml", false, true); }),
+                HasSubstr("out/runs/0001_0123abcd: another dmp is writing here: process "));
+    EXPECT_TRUE(fs::exists("out/runs/0001_0123abcd/summary.json"));
+}
+
+TEST_F(SweepFolders, GoesOnWithTheSameFilesOnly) {
+    const std::string geometry = *read_study("study.toml").scene.geometry.file;
+    make("study.toml");
+    write_file(geometry, "one");
+    make("study.toml", true);  // what could not be read has made no runs
+    make("study.toml", true);
+    write_file(geometry, "two");
+    EXPECT_THAT(refused("study.toml", true), HasSubstr("out: its runs were made with other contents of '" + geometry +
+                                                       "'\n  To go on with it, put back what was in there."));
+    write_file(geometry, "one");
+    make("study.toml", true);
+}
+
+TEST_F(SweepFolders, SaysWhichVersionWroteAnotherStudy) {
+    make("study.toml");
+    write_file("out/sweep.toml", "study = \"study\"\nidentity = \"0\"\nversion = \"0.0.1\"\n");
+    EXPECT_THAT(refused("study.toml", true), HasSubstr("It was written by dmp 0.0.1, and this is dmp "));
+}
+
+TEST_F(SweepFolders, WhatDoesNotActOnRunsMayChange) {
+    make("study.toml");
+    std::string scene = good_scene;
+    Folder::write(scene.replace(scene.find("\"Test\""), 6, "\"another\""));
+    ASSERT_EQ(*read_study("study.toml").scene.title, "another");
+    make("study.toml", true);
+}
+
+TEST_F(SweepFolders, LeavesNothingWhereItCannotBeLocked) {
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit nothing{0, before.rlim_max};  // no lock can be written
+    setrlimit(RLIMIT_FSIZE, &nothing);
+    EXPECT_THROW(LockedFolder("new/folder", ""), ResourceError);
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_FALSE(fs::exists("new"));
 }
 
 TEST_F(SweepFolders, ARunCannotGetOutOfTheFolder) {

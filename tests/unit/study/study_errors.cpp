@@ -106,6 +106,15 @@ INSTANTIATE_TEST_SUITE_P(
          "particles.seed\"\nrange = { from = 1, to = 2, steps = 4 }",
          "study.toml:9:9: particles.seed: found 1.33333333333 (a number), expected a whole number, at least 0\n"
          "  give seed a whole number, at least 0"},
+        {"threads", "particles.spacing\"\nrange = { from = \"0.1 mm\", to = \"0.4 mm\", steps = 3, scale = \"log\" }",
+         "run.threads\"\nvalues = [1, 2]",
+         "study.toml:8:7: 'run.threads' cannot vary: no result depends on it\n"
+         "  set run.threads in the scene: it is taken for all runs of the study"},
+        {"formula_that_one_run_cannot_take", "[[result]]\nname = \"opening\"",
+         "[[vary]]\nkey = \"contact.range\"\nformula = \"2 - particles.spacing / 0.2 mm\"\n\n[[result]]\nname = "
+         "\"opening\"",
+         "study.toml:13:11: run 3 of 6: contact.range: found 0 (a number), expected more than 0\n"
+         "  give a value that is more than 0"},
         {"zip_of_unlike_lengths", "scene = ", "combine = \"zip\"\nscene = ",
          "study.toml:8:1: 'particles.spacing' has 3 values, and 'part.leaflets.bending_stiffness', with which it "
          "varies together, 2\n"

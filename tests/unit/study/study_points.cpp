@@ -111,5 +111,18 @@ formula = "part.leaflets.bending_stiffness / (particles.spacing * contact.range)
     EXPECT_EQ(study.keys()[3].unit, "N");
 }
 
+TEST(Points, ABareZeroHasTheUnitOfTheOthers) {
+    const Study study = study_of(R"(scene = "scene.toml"
+[[vary]]
+key = "flow.largest_pressure"
+values = ["0", "1 kPa"]
+[[vary]]
+key = "numerics.background_pressure"
+formula = "flow.largest_pressure + 10 Pa"
+)");
+    EXPECT_EQ(Points(study).at(0).values[1].cell, "10");
+    EXPECT_EQ(Points(study).at(1).values[1].cell, "1010");
+}
+
 }  // namespace
 }  // namespace dmp::tests::study_points_tests
