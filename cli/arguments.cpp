@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
+#include "cli/argument_checks.hpp"
 #include "cli/version.hpp"
 
 namespace dmp::cli {
@@ -64,6 +65,7 @@ class Parser {
         add_new();
         add_convert();
         add_pictures();
+        add_report();
         add_explain();
         add_escape();
         doctor_app_ = app_.add_subcommand("doctor", "Is this machine all right? What is slow, small or missing");
@@ -92,6 +94,7 @@ class Parser {
         if (*new_app_) return new_;
         if (*convert_app_) return convert_;
         if (*pictures_app_) return pictures_;
+        if (*report_app_) return report_;
         if (*explain_app_) return explain_;
         if (*escape_app_) return finished(escape_);
         if (*doctor_app_) return DoctorCommand{};
@@ -239,6 +242,14 @@ class Parser {
                                                   "pictures out/vein_valve --set output.picture_field=pressure"}));
     }
 
+    void add_report() {
+        report_app_ = app_.add_subcommand("report", "Write a run's page again: report.html, for any browser");
+        report_app_->add_option("DIR", report_.folder, "The run's folder; the page goes there")
+            ->required()
+            ->type_name("");
+        report_app_->footer(examples(program_, {"report out/vein_valve"}));
+    }
+
     void add_explain() {
         explain_app_ = app_.add_subcommand("explain", "What a scene will run and why, or what a key of a scene means");
         explain_app_
@@ -323,14 +334,6 @@ class Parser {
             ->check(CLI::Validator(at_least_one, ""));
     }
 
-    /// What is wrong with a number of threads; empty: nothing.
-    static std::string at_least_one(const std::string& text) {
-        const bool digits =
-            !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits && std::stoi(text) > 0 ? ""
-                                             : "'" + text + "' is not a number of them; give a whole one from 1 on";
-    }
-
     static void add_particles(CLI::App& app, SceneChoice& scene) {
         app.add_option("--particles", scene.particles,
                        "File of 'mesh --particles' to take them from, instead of making them of the geometry")
@@ -347,32 +350,12 @@ class Parser {
             ->check(CLI::Validator(a_frame_format, ""));
     }
 
-    /// What is wrong with the name of a format; empty: nothing.
-    static std::string a_frame_format(const std::string& text) {
-        if (text != "vtk" && text != "hdf5") return "'" + text + "' is no format of frames; there are 'vtk' and 'hdf5'";
-        return text == "vtk" && build_facts().libraries.empty()
-                   ? "this dmp was built for clusters, without VTK; leave it out for frames in HDF5"
-                   : "";
-    }
-
     static void add_vector_unit(CLI::App& app, VectorUnit& unit) {
         const auto choose = [&unit](const std::string& text) { unit = *vector_unit_called(text); };
         app.add_option_function<std::string>(
                "--vector-unit", choose, "Vector instructions to use, avx2 or avx512; default: the widest there are")
             ->type_name("UNIT")
             ->check(CLI::Validator(a_vector_unit, ""));
-    }
-
-    static std::optional<VectorUnit> vector_unit_called(const std::string& text) {
-        for (const VectorUnit unit : {VectorUnit::avx2, VectorUnit::avx512}) {
-            if (to_string(unit) == text) return unit;
-        }
-        return std::nullopt;
-    }
-
-    /// What is wrong with the name of a vector unit; empty: nothing.
-    static std::string a_vector_unit(const std::string& text) {
-        return vector_unit_called(text) ? "" : "'" + text + "' is no vector unit; there are 'avx2' and 'avx512'";
     }
 
     /// The command given, or dmp itself.
@@ -431,6 +414,7 @@ class Parser {
     CLI::App* new_app_ = nullptr;
     CLI::App* convert_app_ = nullptr;
     CLI::App* pictures_app_ = nullptr;
+    CLI::App* report_app_ = nullptr;
     CLI::App* explain_app_ = nullptr;
     CLI::App* escape_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
@@ -441,6 +425,7 @@ class Parser {
     NewCommand new_;
     ConvertCommand convert_;
     PicturesCommand pictures_;
+    ReportCommand report_;
     ExplainCommand explain_;
     EscapeCommand escape_;
 };
