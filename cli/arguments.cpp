@@ -65,6 +65,7 @@ class Parser {
         add_new();
         add_convert();
         add_pictures();
+        add_report();
         add_explain();
         add_escape();
         doctor_app_ = app_.add_subcommand("doctor", "Is this machine all right? What is slow, small or missing");
@@ -93,6 +94,7 @@ class Parser {
         if (*new_app_) return new_;
         if (*convert_app_) return convert_;
         if (*pictures_app_) return pictures_;
+        if (*report_app_) return report_;
         if (*explain_app_) return explain_;
         if (*escape_app_) return finished(escape_);
         if (*doctor_app_) return DoctorCommand{};
@@ -235,6 +237,14 @@ class Parser {
                                                   "pictures out/vein_valve --set output.picture_field=pressure"}));
     }
 
+    void add_report() {
+        report_app_ = app_.add_subcommand("report", "Write a run's page again: report.html, for any browser");
+        report_app_->add_option("DIR", report_.folder, "The run's folder; the page goes there")
+            ->required()
+            ->type_name("");
+        report_app_->footer(examples(program_, {"report out/vein_valve"}));
+    }
+
     void add_explain() {
         explain_app_ = app_.add_subcommand("explain", "What a scene will run and why, or what a key of a scene means");
         explain_app_
@@ -350,6 +360,7 @@ class Parser {
     CLI::App* new_app_ = nullptr;
     CLI::App* convert_app_ = nullptr;
     CLI::App* pictures_app_ = nullptr;
+    CLI::App* report_app_ = nullptr;
     CLI::App* explain_app_ = nullptr;
     CLI::App* escape_app_ = nullptr;
     CLI::App* doctor_app_ = nullptr;
@@ -360,6 +371,7 @@ class Parser {
     NewCommand new_;
     ConvertCommand convert_;
     PicturesCommand pictures_;
+    ReportCommand report_;
     ExplainCommand explain_;
     EscapeCommand escape_;
 };

@@ -106,8 +106,8 @@ std::string uptake_text(const Scene& scene, const Species& species) {
 
 }  // namespace
 
-std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin) {
-    if (!scene.parts_of(PartKind::spheres).empty()) return chosen_of_spheres_text(scene, plan, origin);
+Listing chosen_values(const Scene& scene, const Plan& plan, const Origin& origin) {
+    if (!scene.parts_of(PartKind::spheres).empty()) return chosen_values_of_spheres(scene, plan, origin);
     const auto& numerics = scene.numerics;
     const Origins origin_text(scene);
     const bool has_fluid = !scene.parts_of(PartKind::fluid).empty();
@@ -156,7 +156,11 @@ std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& orig
                                                        origin_text(rule.bond_to, "bond_to")));
     if (!plan.at_rest) list.add("contact", contact_text(scene));
     for (const auto& note : origin.notes) list.add("note", note);
-    return Style(Stream::output).strong("What will run") + "\n" + list.text();
+    return list;
+}
+
+std::string chosen_text(const Listing& values) {
+    return Style(Stream::output).strong("What will run") + "\n" + values.text();
 }
 
 std::string limits_text(const Plan& plan) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/prepare.hpp"
+#include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "scene/scene.hpp"
 #include "solver/simulation.hpp"
@@ -12,9 +13,11 @@ namespace dmp::cli {
 
 /// The physics-changing values in force, which of them the scene gave and which dmp chose: sound speed, kernel, walls,
 /// time step with its ruling limit, spring constants, and what was adapted when the particles were made.
-[[nodiscard]] std::string chosen_text(const Scene& scene, const Plan& plan, const Origin& origin);
+[[nodiscard]] Listing chosen_values(const Scene& scene, const Plan& plan, const Origin& origin);
 /// The same of a scene of spheres: the law of each pair of parts, with its defaults.
-[[nodiscard]] std::string chosen_of_spheres_text(const Scene& scene, const Plan& plan, const Origin& origin);
+[[nodiscard]] Listing chosen_values_of_spheres(const Scene& scene, const Plan& plan, const Origin& origin);
+/// Those values below a heading.
+[[nodiscard]] std::string chosen_text(const Listing& values);
 
 /// Every limit of the time step with its formula, the ruling one marked.
 [[nodiscard]] std::string limits_text(const Plan& plan);

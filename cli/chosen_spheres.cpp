@@ -62,7 +62,7 @@ void add_pair(Listing& list, const ContactPair& pair) {
 
 }  // namespace
 
-std::string chosen_of_spheres_text(const Scene& scene, const Plan& plan, const Origin& origin) {
+Listing chosen_values_of_spheres(const Scene& scene, const Plan& plan, const Origin& origin) {
     const auto& numerics = scene.numerics;
     Listing list;
     list.add("quality", fmt::format("{} ({})", to_string(*scene.quality),
@@ -83,7 +83,7 @@ std::string chosen_of_spheres_text(const Scene& scene, const Plan& plan, const O
     list.add("time step", fmt::format("{}, ruled by {}; about {} steps", quantity_text(plan.dt, "s"), plan.ruling_limit,
                                       count_text(static_cast<std::size_t>(plan.steps))));
     for (const auto& note : origin.notes) list.add("note", note);
-    return Style(Stream::output).strong("What will run") + "\n" + list.text();
+    return list;
 }
 
 }  // namespace dmp::cli

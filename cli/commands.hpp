@@ -79,6 +79,11 @@ struct PicturesCommand {
     bool film = false;                   ///< also one of all frames
 };
 
+/// `dmp report`: writes the page about a run again.
+struct ReportCommand {
+    std::string folder;  ///< of the run; the page goes there
+};
+
 /// `dmp explain`: what a scene will run and why, or what a key means.
 struct ExplainCommand {
     SceneChoice subject;  ///< path: the scene or the key
@@ -133,7 +138,7 @@ struct PrintCommand {
 
 using Command =
     std::variant<RunCommand, SweepCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, PicturesCommand,
-                 ExplainCommand, EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
+                 ReportCommand, ExplainCommand, EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
@@ -144,6 +149,7 @@ int execute(const NewCommand& command);
 int execute(const ReadGeometryCommand& command);
 int execute(const ConvertCommand& command);
 int execute(const PicturesCommand& command);
+int execute(const ReportCommand& command);
 int execute(const ExplainCommand& command);
 int execute(const EscapeCommand& command);
 int execute(const DoctorCommand& command);

@@ -113,8 +113,9 @@ int execute(const ExplainCommand& command) {
             measured = "\nNothing was measured: " + std::string(error.problem()) + "\n";
         }
     }
-    print(head + "\n" + chosen_text(prepared.scene, plan, prepared.origin) + "\n" + models_text(plan, costs) + "\n" +
-          limits_text(plan) + "\n" + memory_text(plan) + measured + warnings_text(plan, prepared.origin.warnings));
+    print(head + "\n" + chosen_text(chosen_values(prepared.scene, plan, prepared.origin)) + "\n" +
+          models_text(plan, costs) + "\n" + limits_text(plan) + "\n" + memory_text(plan) + measured +
+          warnings_text(plan, prepared.origin.warnings));
     return exit_done;
 }
 

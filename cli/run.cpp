@@ -34,6 +34,7 @@
 #include "cli/workstation.hpp"
 #include "particles/fingerprint.hpp"
 #include "postproc/tables.hpp"
+#include "report/write_report.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/output/hdf5_sink.hpp"
 #include "solver/simulation.hpp"
@@ -103,21 +104,29 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
     }
 }
 
-/// Everything the run leaves besides the frames, whose files are given; returns the names of all.
+/// Everything the run leaves besides the frames, whose files are given in `extra`; returns the names of all.
 std::vector<std::string> write_results(const fs::path& folder, const Scene& scene, const RunSummary& summary,
-                                       std::vector<std::string> files, const std::optional<StartedFrom>& started_from,
-                                       FrameFormat format, ProgressLine& line, RunLog& log) {
+                                       SummaryExtra extra, FrameFormat format, ProgressLine& line, RunLog& log) {
+    std::vector<std::string>& files = extra.files;
     files.emplace_back(resolved_scene_name);
     if (!summary.measures.names.empty()) files.emplace_back(measures_file_name);
     files.emplace_back(summary_file_name);
     files.emplace_back(run_log_name);
     // Before the pictures, so that whoever stops those has the numbers.
-    write_summary(folder, summary, {label_of(scene), files, started_from});
+    write_summary(folder, summary, extra);
 
     const Pictures pictures = draw(format, scene, folder, line);
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
-    write_summary(folder, summary, {label_of(scene), files, started_from});
+    write_summary(folder, summary, extra);
     if (!pictures.warning.empty()) log.warn(": " + pictures.warning);
+    // Of a run that is done, a page that cannot be written is no error.
+    try {
+        write_run_report(folder);
+        files.emplace_back(report_file_name);
+        write_summary(folder, summary, extra);
+    } catch (const Error& error) {
+        log.warn(fmt::format(": the run's page {} was not written: {}", report_file_name, error.problem()));
+    }
     return files;
 }
 
@@ -191,7 +200,8 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     Plan plan = simulation.plan();
     check_steps(scene, plan, options.until);
     if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
-    const std::string chosen = head + "\n" + chosen_text(scene, plan, prepared.origin) + "\n";
+    const Listing values = chosen_values(scene, plan, prepared.origin);
+    const std::string chosen = head + "\n" + chosen_text(values) + "\n";
     print(chosen);
     flush_output();
     std::vector<std::string> warnings = prepared.origin.warnings;
@@ -220,8 +230,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     resources.ranks.broadcast(checkpoint);
     if (goes_on) {
         sink->go_on(simulation.resume(checkpoint));
-        // It tells of an end that is none any more.
+        // They tell of an end that is none any more.
         remove_file(folder / summary_file_name);
+        remove_file(folder / report_file_name);
     } else if (found != nullptr) {
         simulation.start_from(checkpoint);
     }
@@ -258,7 +269,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     if (summary.interrupted)
         log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
                             stopped_by(summary, signals), typed.with("--resume")));
-    const auto files = write_results(folder, scene, summary, sink->files(), started_from, format, line, log);
+    const auto files =
+        write_results(folder, scene, summary,
+                      {label_of(scene), sink->files(), started_from, values.lines(), plan.models}, format, line, log);
     log.say("\n" + results_text(folder, files));
     for (const Warning& warning : summary.warnings) log.warn(": " + warning.text());
     if (summary.out_of_time) return exit_out_of_time;

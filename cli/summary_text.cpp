@@ -11,6 +11,7 @@
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
 #include "postproc/paraview_script.hpp"
+#include "report/write_report.hpp"
 #include "solver/output/frame_index.hpp"
 
 namespace dmp::cli {
@@ -131,6 +132,7 @@ std::string results_text(const std::filesystem::path& folder, const std::vector<
             script = true;
             continue;
         }
+        if (file == report_file_name) continue;
         if (file == frame_index_name) to_convert = true;
         std::string& kind = file.ends_with(".png") ? pictures : others;
         kind += (kind.empty() ? "" : ", ") + file;
@@ -139,6 +141,8 @@ std::string results_text(const std::filesystem::path& folder, const std::vector<
     if (to_convert)
         list.add("look", fmt::format("dmp convert {}   makes ParaView's files, where dmp has VTK",
                                      shell_word(folder.string())));
+    if (std::ranges::find(files, report_file_name) != files.end())
+        list.add("look", shell_word((folder / report_file_name).string()) + "   the page of the run, for a browser");
     if (!pictures.empty()) list.add("pictures", pictures);
     if (!others.empty()) list.add("files", others);
     return Style(Stream::output).strong("Results in " + folder.string()) + "\n" + list.text();

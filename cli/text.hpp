@@ -30,6 +30,8 @@ class Listing {
     void add(std::string name, std::string text) { lines_.emplace_back(std::move(name), std::move(text)); }
     [[nodiscard]] bool empty() const { return lines_.empty(); }
     [[nodiscard]] std::string text() const;
+    /// Names and texts; an empty name goes on with the one before.
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& lines() const { return lines_; }
 
   private:
     int indent_;

@@ -7,6 +7,7 @@ namespace dmp::mesher {}
 namespace dmp::models {}
 namespace dmp::particles {}
 namespace dmp::postproc {}
+namespace dmp::report {}
 namespace dmp::scene {}
 namespace dmp::solver {}
 
@@ -17,6 +18,7 @@ using namespace mesher;
 using namespace models;
 using namespace particles;
 using namespace postproc;
+using namespace report;
 using namespace scene;
 using namespace solver;
 

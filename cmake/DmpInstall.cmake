@@ -10,7 +10,7 @@ if(DMP_CLUSTER)
 else()
   install(TARGETS dmp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-foreach(module base models scene study geometry particles mesher solver tables postproc)
+foreach(module base models scene study geometry particles mesher solver tables report postproc)
   if(TARGET dmp_${module})
     install(TARGETS dmp_${module} EXPORT dmpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   endif()
@@ -35,3 +35,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/dmpConfigVersion.cmake CO
 install(FILES ${PROJECT_BINARY_DIR}/dmpConfig.cmake ${PROJECT_BINARY_DIR}/dmpConfigVersion.cmake
         DESTINATION ${config_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Part of the program, which writes it into pages.
+install(FILES ${PROJECT_SOURCE_DIR}/third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.uPlot)

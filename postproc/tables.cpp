@@ -200,6 +200,9 @@ void write_summary(const fs::path& folder, const RunSummary& summary, const Summ
               {"state_hash", summary.state_hash},
               {"seconds_by_stage", object_of(summary.seconds_by_stage)},
               {"files", extra.files}};
+    for (const auto& [name, value] : extra.chosen) json["chosen"].push_back({{"name", name}, {"value", value}});
+    for (const ModelUse& use : extra.models)
+        json["models"].push_back({{"model", use.model}, {"source", use.source}, {"why", use.reason}});
     if (const auto& start = extra.started_from)
         json["started_from"] = {{"checkpoint", start->checkpoint}, {"step", start->step}, {"time_s", start->time}};
     if (summary.velocity_change) json["velocity_change_per_spacing"] = *summary.velocity_change;

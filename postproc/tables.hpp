@@ -9,6 +9,7 @@
 
 #include "postproc/uses.hpp"
 #include "solver/results/frame.hpp"
+#include "solver/results/plan.hpp"
 #include "solver/results/run_label.hpp"
 #include "solver/simulation.hpp"
 #include "solver/state/checkpoint_folder.hpp"
@@ -49,6 +50,8 @@ struct SummaryExtra {
     RunLabel label;
     std::vector<std::string> files;  ///< files written by the run, relative to the folder
     std::optional<StartedFrom> started_from{};
+    std::vector<std::pair<std::string, std::string>> chosen{};  ///< values in force and where they come from
+    std::vector<ModelUse> models{};                             ///< that ran, and why
 };
 
 /// folder/summary.json, the results of a run for scripts (keys: docs of `RunSummary`). NaN and infinities become

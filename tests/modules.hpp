@@ -7,6 +7,7 @@ namespace dmp::mesher {}
 namespace dmp::models {}
 namespace dmp::particles {}
 namespace dmp::postproc {}
+namespace dmp::report {}
 namespace dmp::scene {}
 namespace dmp::simd {}
 namespace dmp::solver {}
@@ -19,6 +20,7 @@ using namespace mesher;
 using namespace models;
 using namespace particles;
 using namespace postproc;
+using namespace report;
 using namespace scene;
 using namespace simd;
 using namespace solver;

@@ -23,7 +23,8 @@ MODULES = {  # module: what it may include besides base and itself
     "mesher": ["geometry", "models", "particles", "scene"],
     "solver": ["models", "particles", "scene"],
     "postproc": ["models", "particles", "scene", "solver"],
-    "cli": ["geometry", "mesher", "models", "particles", "postproc", "scene", "solver", "study"],
+    "report": ["postproc", "solver"],
+    "cli": ["geometry", "mesher", "models", "particles", "postproc", "report", "scene", "solver", "study"],
 }
 LIBRARIES = {  # header pattern: the only folders that may include it
     r"<gmsh": ["geometry"],

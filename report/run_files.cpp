@@ -1,0 +1,151 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/run_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+#include "base/safe_file.hpp"
+#include "postproc/paraview_script.hpp"
+#include "postproc/pictures.hpp"
+#include "postproc/tables.hpp"
+#include "solver/output/frame_index.hpp"
+
+namespace dmp::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* run_log_file = "run.log";
+constexpr const char* resolved_scene_file = "scene.resolved.toml";
+
+/// The file's text; without the file none, and a note of what the page lacks.
+std::string text_of(const fs::path& file, const std::string& lacks, std::vector<std::string>& notes) {
+    if (fs::is_regular_file(file)) return read_file(file);
+    notes.push_back(file.filename().string() + " is not in the folder: " + lacks);
+    return "";
+}
+
+unsigned big_endian(std::string_view bytes) {
+    unsigned value = 0;
+    for (const char c : bytes.substr(0, 4)) value = value << 8 | static_cast<unsigned char>(c);
+    return value;
+}
+
+/// None where it is no PNG file.
+std::optional<Picture> picture(const fs::path& file) {
+    constexpr std::string_view begin("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+    Picture found{file.filename().string(), read_file(file)};
+    const std::string_view bytes = found.bytes;
+    if (bytes.size() < 33 || !bytes.starts_with(begin) || bytes.find("IEND") == std::string_view::npos) return {};
+    found.width = big_endian(bytes.substr(16));
+    found.height = big_endian(bytes.substr(20));
+    return found;
+}
+
+void read_pictures(RunFiles& run) {
+    std::vector<std::string> names;
+    for (const JsonValue& file : run.facts()["files"].elements())
+        if (const std::string name = file.text(); name.ends_with(".png") && fs::path(name) == fs::path(name).filename())
+            names.push_back(name);
+    if (fs::is_regular_file(run.folder / film_file_name) && std::ranges::find(names, film_file_name) == names.end())
+        names.emplace_back(film_file_name);
+    std::size_t bytes = 0;
+    for (const std::string& name : names) {
+        const fs::path file = run.folder / name;
+        if (!fs::is_regular_file(file)) {
+            run.notes.push_back(name + " is not in the folder");
+        } else if (bytes + fs::file_size(file) > most_picture_bytes) {
+            run.notes.push_back(
+                fmt::format("{} ({:.1f} MB) is left out, as the pictures of a page are limited to {} MB", name,
+                            static_cast<double>(fs::file_size(file)) / 1e6, most_picture_bytes / 1'000'000));
+        } else if (auto found = picture(file)) {
+            bytes += found->bytes.size();
+            run.pictures.push_back(std::move(*found));
+        } else {
+            run.notes.push_back(name + " is not a whole PNG file and is left out");
+        }
+    }
+}
+
+void read_measures(RunFiles& run) {
+    const fs::path file = run.folder / measures_file_name;
+    if (!fs::is_regular_file(file)) {
+        if (!run.facts()["measures"].members().empty())
+            run.notes.push_back(std::string(measures_file_name) +
+                                " is not in the folder: the measures over time are missing");
+        return;
+    }
+    MeasureSeries series = read_measures_csv(run.folder);
+    if (series.names.empty())
+        throw InputError(SourceLocation{file.string(), 1, 0}, "no heading with the names of measures",
+                         "Restore the file or run the simulation again.");
+    run.measures = std::move(series);
+}
+
+long count_frames(const fs::path& folder) {
+    if (fs::is_regular_file(folder / frame_index_name)) return static_cast<long>(read_frame_index(folder).size());
+    long most = 0;
+    for (const char* name : {"fluid.pvd", "solid.pvd", "spheres.pvd"}) {
+        if (!fs::is_regular_file(folder / name)) continue;
+        const std::string text = read_file(folder / name);
+        long found = 0;
+        for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1))
+            ++found;
+        most = std::max(most, found);
+    }
+    return most;
+}
+
+}  // namespace
+
+LoggedRun logged_run(std::string_view text) {
+    static const std::regex start(R"((\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC)  dmp (\S+))");
+    LoggedRun result;
+    bool started = false;
+    while (!text.empty()) {
+        const std::string line(text.substr(0, text.find('\n')));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        std::smatch match;
+        if (started) {
+            result.starts.back().command = line;
+            started = false;
+        } else if (std::regex_match(line, match, start)) {
+            result.starts.push_back({match[1], match[2], ""});
+            started = true;
+        } else if (line.starts_with("warning: ") || line.starts_with("warning at ")) {
+            const std::string warning = line.substr(line[7] == ':' ? 9 : 8);
+            if (std::ranges::find(result.warnings, warning) == result.warnings.end())
+                result.warnings.push_back(warning);
+        }
+    }
+    return result;
+}
+
+JsonValue RunFiles::facts() const { return {&summary, folder / summary_file_name}; }
+
+RunFiles read_run_files(const fs::path& folder) {
+    const SourceLocation where{folder.string(), 0, 0};
+    if (!fs::is_directory(folder))
+        throw InputError(where, "there is no such folder", "Name the folder that a run left, e.g. out/vein_valve.");
+    if (!fs::is_regular_file(folder / summary_file_name))
+        throw InputError(where, std::string("there is no ") + summary_file_name + " in it",
+                         "Name the folder of a run that has ended. One that was killed gets to its end with the same "
+                         "command and --resume;\nof one that diverged, look at run.log.");
+    RunFiles run;
+    run.folder = folder;
+    run.summary = read_json_object(folder / summary_file_name);
+    run.log = logged_run(text_of(folder / run_log_file, "when and with which command it ran is not known", run.notes));
+    run.resolved_scene = text_of(folder / resolved_scene_file, "the scene as it was run is missing", run.notes);
+    read_measures(run);
+    read_pictures(run);
+    run.frames = count_frames(folder);
+    run.has_paraview_script = fs::is_regular_file(folder / paraview_script_name);
+    return run;
+}
+
+}  // namespace dmp::report

@@ -1,0 +1,57 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/json_value.hpp"
+#include "report/uses.hpp"
+#include "solver/results/run_summary.hpp"
+
+namespace dmp::report {
+
+/// What run.log says.
+struct LoggedRun {
+    /// Each time that the run was started or resumed.
+    struct Start {
+        std::string when, version, command;
+    };
+    std::vector<Start> starts;
+    std::vector<std::string> warnings;  ///< each once, without the word "warning"
+};
+
+/// Reads the text of a run.log.
+[[nodiscard]] LoggedRun logged_run(std::string_view text);
+
+/// A PNG file.
+struct Picture {
+    std::string name, bytes;
+    unsigned width = 0, height = 0;  ///< [pixels]
+};
+
+/// What a run left in its folder.
+struct RunFiles {
+    std::filesystem::path folder;
+    JsonValue::Json summary;
+    LoggedRun log;
+    std::string resolved_scene;
+    std::optional<MeasureSeries> measures;
+    std::vector<Picture> pictures;
+    long frames = 0;  ///< in the index of the frames or, for ParaView, in the longest .pvd file
+    bool has_paraview_script = false;
+    std::vector<std::string> notes;  ///< files that are not there, or cannot be shown
+
+    [[nodiscard]] JsonValue facts() const;
+};
+
+/// The most that the pictures of a page may take [bytes]; those beyond are named instead.
+inline constexpr std::size_t most_picture_bytes = 3'000'000;
+
+/// Throws InputError where the folder or its summary.json is missing, or a file is damaged.
+[[nodiscard]] RunFiles read_run_files(const std::filesystem::path& folder);
+
+}  // namespace dmp::report

@@ -1,0 +1,14 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace dmp::report {
+
+inline constexpr const char* report_file_name = "report.html";
+
+/// Writes folder/report.html about the run in the folder: one file, which needs no other and no network. Throws
+/// InputError where there is no run that has ended or a file of it is damaged, ResourceError if it cannot be written.
+void write_run_report(const std::filesystem::path& folder);
+
+}  // namespace dmp::report
