@@ -114,11 +114,11 @@ formula = "part.leaflets.bending_stiffness / (particles.spacing * contact.range)
 TEST(Points, ABareZeroHasTheUnitOfTheOthers) {
     const Study study = study_of(R"(scene = "scene.toml"
 [[vary]]
-key = "flow.largest_pressure"
+key = "numerics.background_pressure"
 values = ["0", "1 kPa"]
 [[vary]]
-key = "numerics.background_pressure"
-formula = "flow.largest_pressure + 10 Pa"
+key = "flow.largest_pressure"
+formula = "numerics.background_pressure + 10 Pa"
 )");
     EXPECT_EQ(Points(study).at(0).values[1].cell, "10");
     EXPECT_EQ(Points(study).at(1).values[1].cell, "1010");
