@@ -26,8 +26,8 @@ namespace dmp::scene {
 /// `subject` is the formula's key. Throws InputError with the location of the fault in the text.
 Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject);
 
-/// The value of a formula without variables, of any dimension. Throws InputError likewise, also where it depends on t, x,
-/// y or z, or is no finite number.
+/// The value of a formula without variables, of any dimension. Throws InputError likewise, also where it depends on t,
+/// x, y or z, or is no finite number.
 Quantity constant_formula(const WrittenText& text, const std::string& subject);
 
 }  // namespace dmp::scene

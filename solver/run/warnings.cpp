@@ -259,14 +259,15 @@ std::optional<Warning> stirred_interface(const Scene& scene, double acceleration
     const double atwood = (*heavy->density - *light->density) / (*heavy->density + *light->density);
     const double number = std::sqrt(atwood * acceleration * std::pow(*scene.particles.spacing, 3)) / least;
     if (!(number > damped)) return {};
-    return Warning{"part." + *light->name + ".density", light->density.location,
-                   "differs from that of '" + *heavy->name +
-                       "', and viscosity hardly damps flow at the scale of the spacing: sqrt(A g dx^3) / nu is " +
-                       number_text(number, 3) +
-                       "; above 3 the scheme itself stirs the interface, by 0.14 sqrt(g H) at 0.98 times the density and "
-                       "0.7 sqrt(g H) at half of it (docs/scheme.md)",
-                   "take a smaller particles.spacing, compare with numerics.scheme = \"plain\", or give both one density "
-                   "where gravity does not matter"};
+    return Warning{
+        "part." + *light->name + ".density", light->density.location,
+        "differs from that of '" + *heavy->name +
+            "', and viscosity hardly damps flow at the scale of the spacing: sqrt(A g dx^3) / nu is " +
+            number_text(number, 3) +
+            "; above 3 the scheme itself stirs the interface, by 0.14 sqrt(g H) at 0.98 times the density and "
+            "0.7 sqrt(g H) at half of it (docs/scheme.md)",
+        "take a smaller particles.spacing, compare with numerics.scheme = \"plain\", or give both one density "
+        "where gravity does not matter"};
 }
 
 std::vector<Warning> warnings_of(const Scene& scene, std::size_t bodies) { return Warnings(scene, bodies).all(); }
