@@ -66,7 +66,7 @@
     const time = plot.data[0];
     let at = plot.cursor.idx == null ? (by > 0 ? -1 : time.length) : plot.cursor.idx;
     at = Math.min(Math.max(at + by, 0), time.length - 1);
-    plot.setCursor({ left: plot.valToPos(time[at], "x"), top: plot.over.clientHeight / 2 });
+    plot.setCursor({ left: plot.valToPos(time[at], "x"), top: plot.over.clientHeight / 2 }, true, true);  // in all plots
   }
   function onKey(event, plot) {
     const { min, max } = plot.scales.x;

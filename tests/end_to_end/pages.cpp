@@ -29,7 +29,7 @@ TEST_F(Pages, ARunLeavesItsPage) {
     folder_.replace("scene.toml", "title = \"", "title = \"<script>alert(1)</script> ");
     const Outcome outcome = run("out");
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output, HasSubstr("look      out/report.html"));
+    EXPECT_THAT(outcome.output, HasSubstr("out/report.html   the page of the run"));
     EXPECT_THAT(summary("out")["files"], Contains("report.html"));
     EXPECT_THAT(page(), AllOf(HasSubstr("<h1>&lt;script&gt;alert(1)&lt;/script&gt; "), Not(HasSubstr("<script>alert")),
                               HasSubstr("Complete: 0.1 s simulated"), HasSubstr("inlet_flux [m^3/s]"),

@@ -25,11 +25,11 @@ DRAWN = """[...document.querySelectorAll('.plot canvas')].map(canvas => {
 
 
 class Page(unittest.TestCase):
-    run, keep = None, None  # folders
+    results, keep = None, None  # folders
 
     @classmethod
     def setUpClass(cls):
-        cls.page = cls.run / "report.html"
+        cls.page = cls.results / "report.html"
         cls.browser = browser.Browser()
 
     @classmethod
@@ -90,9 +90,9 @@ def main():
         print("skipped: there is no Chromium on this machine (apt-get install chromium)")
         sys.exit(77)
     with tempfile.TemporaryDirectory(prefix="dmp_page_") as folder:
-        Page.run = pathlib.Path(folder) / "out"
+        Page.results = pathlib.Path(folder) / "out"
         subprocess.run([dmp, "run", source + "/cases/vein_valve", "--set", 'particles.spacing="0.8 mm"', "--set",
-                        'output.every="10 ms"', "--until", "0.2 s", "--threads", "1", "--out", str(Page.run)],
+                        'output.every="10 ms"', "--until", "0.2 s", "--threads", "1", "--out", str(Page.results)],
                        check=True, stdout=subprocess.DEVNULL)
         unittest.main(argv=sys.argv[:1])
 

@@ -34,6 +34,7 @@ TEST(PlotData, CannotEndItsScript) {
 
 TEST(PlotData, AMillionRowsMakeNoLargePage) {
     RunFiles run;
+    run.summary = JsonValue::Json::object();
     run.measures.emplace();
     run.measures->names = {"a", "b"};
     run.measures->units = {"m", "1"};

@@ -50,7 +50,7 @@ TEST_F(RunPage, SaysWhatRanAndWhatItConserved) {
     EXPECT_THAT(text, HasSubstr("<dt>walls</dt><dd>extrapolated &lt;numerics.walls&gt;</dd>\n<dd>and more</dd>"));
     EXPECT_THAT(text, HasSubstr("<th scope=\"row\">Tait</th><td>default</td><td>Tait (1888)</td>"));
     EXPECT_THAT(text, HasSubstr("<th scope=\"row\">impulse of body forces</th><td class=\"number\">2.5</td>"));
-    EXPECT_THAT(text, HasSubstr("1e-15 of the sum of the impulses&#39; magnitudes"));
+    EXPECT_THAT(text, HasSubstr("1e-15 of the sum of the impulses' magnitudes"));
     EXPECT_THAT(text, HasSubstr("<th scope=\"row\">drug [mol]</th><td class=\"number\">4</td>"));
     EXPECT_THAT(text, HasSubstr("<td class=\"number\">0.875</td>")) << "the sum of the energies at the end";
     EXPECT_THAT(text, HasSubstr("<th scope=\"row\">forces</th><td class=\"number\">7</td><td "

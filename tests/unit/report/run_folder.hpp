@@ -23,6 +23,7 @@ inline std::string png_file(unsigned char width = 7, unsigned char height = 5, s
 class RunFolder {
   public:
     RunFolder() {
+        make_folder(path());
         write("summary.json", R"json({
   "title": "Valve <script>alert('title')</script>", "version": "0.1.0", "scene_hash": "0123456789abcdef",
   "interrupted": false, "warnings": ["too <fast> at the end"],
