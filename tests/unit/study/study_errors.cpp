@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"formula_that_one_run_cannot_take", "[[result]]\nname = \"opening\"",
          "[[vary]]\nkey = \"contact.range\"\nformula = \"1.5 - particles.spacing / 0.2 mm\"\n\n[[result]]\nname = "
          "\"opening\"",
-         "study.toml:13:11: run 3 of 6: contact.range: found -0.5 (a number), expected at least 0\n"
+         "study.toml:13:11: run 3 of 6: contact.range: found -0.5, expected at least 0\n"
          "  give a value that is at least 0"},
         {"zip_of_unlike_lengths", "scene = ", "combine = \"zip\"\nscene = ",
          "study.toml:8:1: 'particles.spacing' has 3 values, and 'part.leaflets.bending_stiffness', with which it "
