@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 #include "base/folder_lock.hpp"
 #include "cli/exit_codes.hpp"
@@ -25,7 +28,9 @@ constexpr std::array signals{
 
 std::atomic<bool> stop_wanted = false;
 std::atomic<int> signal_seen = 0;
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+std::atomic<std::int64_t> seen_at_ms = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
+                  std::atomic<std::int64_t>::is_always_lock_free,
               "a signal handler may touch lock-free atomics only");
 
 extern "C" void end_without_lock(int number) {
@@ -34,10 +39,27 @@ extern "C" void end_without_lock(int number) {
     std::raise(number);
 }
 
+/// Wall time that does not run backwards [ms]; may be called in a signal handler.
+std::int64_t milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return 1000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec / 1'000'000;
+}
+
+/// A second one ends the process, unless it follows at once: the system sends one for each thread of a parent that dies
+/// (PR_SET_PDEATHSIG), and those who start processes may repeat theirs.
 extern "C" void note_signal(int number) {
-    if (signal_seen == 0) signal_seen = number;
+    constexpr std::int64_t at_once_ms = 500;
+    const std::int64_t now = milliseconds();
+    if (signal_seen == 0) {
+        signal_seen = number;
+        seen_at_ms = now;
+    } else if ((number == SIGINT || number == SIGTERM) && now - seen_at_ms > at_once_ms) {
+        end_without_lock(number);
+        return;
+    }
     stop_wanted = true;
-    std::signal(number, number == SIGINT || number == SIGTERM ? end_without_lock : SIG_IGN);
+    if (number != SIGINT && number != SIGTERM) std::signal(number, SIG_IGN);
 }
 
 using Handler = void (*)(int);
