@@ -11,7 +11,8 @@ void remove_lock_on_signals();
 
 /// While it lives, the first Ctrl-C, SIGTERM, SIGUSR1 (job schedulers), SIGHUP (the terminal is gone) or SIGPIPE
 /// (nobody reads the output any more: `| head`) asks the run to stop after its step. A second Ctrl-C or SIGTERM ends
-/// dmp at once; more of the others change nothing, as they may come for each line that is written.
+/// dmp, unless it follows within half a second; more of the others change nothing, as they may come for each line that
+/// is written.
 class StopSignals {
   public:
     StopSignals();
