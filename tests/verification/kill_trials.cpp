@@ -43,8 +43,11 @@ class KillTrials : public SmallValve {
     int any(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
 
     [[nodiscard]] bool has_checkpoint(const std::string& out) const {
-        return std::ranges::any_of(files(out + "/checkpoints"),
-                                   [](const std::string& name) { return name.starts_with("step_"); });
+        std::error_code gone;  // the run makes and removes the folder while it is listed
+        for (fs::directory_iterator entry(folder_.path() / out / "checkpoints", gone);
+             !gone && entry != fs::directory_iterator(); entry.increment(gone))
+            if (entry->path().filename().string().starts_with("step_")) return true;
+        return false;
     }
 
     /// Starts or goes on with the run in `out` and kills it at a moment by chance: at some time, or while a file is
