@@ -73,7 +73,8 @@ void drop_handlers() {
 }
 
 /// Between fork and exec, where only functions may be called that are safe in a signal handler. Signals are blocked.
-[[noreturn]] void become(char* const* words, char* const* environment, int output, pid_t parent, const sigset_t& mask) {
+[[noreturn]] void become(const char* program, char* const* words, char* const* environment, int output, pid_t parent,
+                         const sigset_t& mask) {
     drop_handlers();
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -82,7 +83,7 @@ void drop_handlers() {
     if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0)
         _exit(not_started);
     pthread_sigmask(SIG_SETMASK, &mask, nullptr);  // a signal that came meanwhile ends it here
-    execve(own_program, words, environment);
+    execve(program, words, environment);
     _exit(not_started);
 }
 
@@ -94,7 +95,8 @@ int descriptor_of(pid_t pid) { return static_cast<int>(syscall(SYS_pidfd_open, p
 
 }  // namespace
 
-ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& output) {
+ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& output,
+                           const std::string& program) {
     write_file(output, "");
     const int file = open(output.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     if (file < 0) throw_write_error(output, std::system_category().message(errno));
@@ -107,7 +109,9 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
         const BlockedSignals blocked;
         pid_ = fork();
         error = errno;
-        if (pid_ == 0) become(arguments.data(), environment.data(), file, parent, blocked.before());
+        if (pid_ == 0)
+            become(program.empty() ? own_program : program.c_str(), arguments.data(), environment.data(), file, parent,
+                   blocked.before());
     }
     close(file);
     if (pid_ < 0)
@@ -144,10 +148,10 @@ std::optional<ChildEnd> ChildProcess::end() {
     return end_;
 }
 
-void ChildProcess::stop() {
+void ChildProcess::stop(int signal) {
     if (end_ || stop_sent_) return;
     stop_sent_ = true;
-    kill(pid_, SIGTERM);
+    kill(pid_, signal);
 }
 
 void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms) {

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,7 +25,8 @@ class ChildProcess {
   public:
     /// `words`: the name it is called by, and its arguments. To be called by the main thread: the process is told when
     /// the thread ends that has started it. Throws ResourceError when no process can be made.
-    ChildProcess(std::vector<std::string> words, const std::filesystem::path& output);
+    /// `program`: path of another one to start instead; "": this one.
+    ChildProcess(std::vector<std::string> words, const std::filesystem::path& output, const std::string& program = "");
     /// Asks it to stop, and waits for its end.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
@@ -32,8 +34,9 @@ class ChildProcess {
 
     /// None while it runs.
     [[nodiscard]] std::optional<ChildEnd> end();
-    /// Sends SIGTERM; once only, as a second one would end a run before it has written its checkpoint.
-    void stop();
+    /// Sends it a signal that asks it to stop; once only, as a second one would end a run before it has written its
+    /// checkpoint.
+    void stop(int signal = SIGTERM);
 
   private:
     friend void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms);

@@ -9,6 +9,7 @@
 #include "cli/typed_command.hpp"
 #include "cli/uses.hpp"
 #include "solver/parallel/resources.hpp"
+#include "study/slurm.hpp"
 
 namespace dmp::cli {
 
@@ -55,6 +56,14 @@ struct MeshCommand {
     TypedCommand typed;      ///< for lines to paste
 };
 
+/// What the command line says of a study's jobs, in place of [slurm] in the study.
+struct SlurmOptions {
+    std::string partition, account, time;  ///< as given; empty: as the study says
+    int ranks = 0, threads = 0;            ///< 0: as the study says
+    study::Launcher launcher = study::Launcher::mpirun;
+    std::string form;  ///< file of the job script; empty: dmp's own
+};
+
 /// `dmp sweep`: the runs of a study (docs/studies.md).
 struct SweepCommand {
     std::string study;              ///< a study file, or a folder with a study.toml
@@ -64,7 +73,10 @@ struct SweepCommand {
     bool dry_run = false;
     bool resume = false;     ///< go on with the study in the folder
     bool overwrite = false;  ///< remove what an earlier study has left in the folder
-    TypedCommand typed;      ///< for lines to paste
+    bool slurm = false;      ///< in jobs of Slurm
+    SlurmOptions slurm_options;
+    std::vector<std::string> runs;  ///< do these in this job of a queueing system, by name or number; empty: the study
+    TypedCommand typed;             ///< for lines to paste
 };
 
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.

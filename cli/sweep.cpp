@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,10 +13,13 @@
 #include "cli/machine.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/prepare.hpp"
+#include "cli/slurm_sweep.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/sweep_choice.hpp"
 #include "cli/sweep_dry_run.hpp"
+#include "cli/sweep_element.hpp"
 #include "cli/sweep_folder.hpp"
+#include "cli/sweep_rows.hpp"
 #include "cli/sweep_runs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
@@ -83,45 +87,71 @@ int exit_code_of_runs(const std::vector<SweepRow>& ended) {
     return exit_done;
 }
 
+/// How a study ends that has come as far as it can: what is told at last, and the exit code. `left`: what there is to
+/// say of runs that go on without this process.
+int closed(const SweepTable& table, const SweepCounts& counts, const std::vector<std::size_t>& chosen,
+           const fs::path& folder, const StopSignals& signals, const TypedCommand& typed, const std::string& left) {
+    print(fmt::format("{}: {} of {} done{}\n", counts.left() == 0 ? "Done" : "Interrupted", count_text(counts.done),
+                      count_text(counts.runs, "run"),
+                      counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
+    const std::vector<SweepRow> ended = ended_rows(table, chosen);
+    print(failures_text(ended) + files_text(folder));
+    if (counts.left() == 0) return exit_code_of_runs(ended);
+    print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n{}",
+                      signals.name(), typed.with("--resume"), left));
+    return signals.exit_code();
+}
+
+int in_jobs(const SweepCommand& command, const study::Study& study, const study::Points& points,
+            const std::vector<std::size_t>& chosen, const SlurmSettings& settings) {
+    SlurmQueue queue;  // that there is one, before anything is written
+    const SweepFolder folder(settings.out, {study, points.size(), command.resume, command.overwrite}, command.typed);
+    print(folder.note() + fmt::format("Writing to {}, in jobs of Slurm, on {} of {} each\n\n", folder.path().string(),
+                                      count_text(static_cast<std::size_t>(*settings.slurm.ranks), "rank"),
+                                      count_text(static_cast<std::size_t>(*settings.slurm.threads), "thread")));
+    flush_output();
+    const StopSignals signals;
+    SweepRows rows(study, points, folder, chosen);
+    SlurmRuns runs(rows, std::move(queue), settings);
+    runs.run(signals);
+    return closed(rows.table(), rows.counts(), chosen, folder.path(), signals, command.typed, runs.left_text());
+}
+
 }  // namespace
 
 int execute(const SweepCommand& command) {
     refuse_several_ranks();
+    if (!command.runs.empty()) return do_runs(command);
     const study::Study study = study::read_study(command.study);
     const study::Points points(study);
+    const fs::path out = output_folder(command.out, study.name);
     SweepSettings settings;
     settings.program = command.typed.program();
     settings.threads = threads_of(study);
     settings.jobs = jobs_of(command, settings.threads);
     settings.chosen = chosen_runs(study, points, command.only);
+    const SlurmSettings slurm = slurm_settings(command, study, out);  // checks its options
     print(heading_of(study, settings.chosen.size(), points.size()));
     if (command.dry_run) {
         print(runs_text(study, points, settings.chosen) + "\n");
+        if (command.slurm) print(script_text(slurm, study, settings.chosen.size()));
         flush_output();
         print(Style(Stream::output).strong("Dry run") + "\n" +
               cost_text(study, points, settings.chosen, settings.jobs, settings.threads) + "Nothing was written.\n");
         return exit_done;
     }
-    const SweepFolder folder(output_folder(command.out, study.name),
-                             {study, points.size(), command.resume, command.overwrite}, command.typed);
+    if (command.overwrite) need_no_queued_jobs(out);
+    // A study whose jobs are in the queue goes on there.
+    if (command.slurm || (command.resume && has_queued_jobs(out)))
+        return in_jobs(command, study, points, settings.chosen, slurm);
+    const SweepFolder folder(out, {study, points.size(), command.resume, command.overwrite}, command.typed);
     print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
                                       settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
     flush_output();
     const StopSignals signals;
     SweepRuns runs(study, points, folder, settings);
     runs.run(signals);
-    const SweepCounts& counts = runs.counts();
-    print(fmt::format("{}: {} of {} done{}\n", counts.left() == 0 ? "Done" : "Interrupted", count_text(counts.done),
-                      count_text(counts.runs, "run"),
-                      counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
-    const std::vector<SweepRow> ended = ended_rows(runs.table(), settings.chosen);
-    print(failures_text(ended) + files_text(folder.path()));
-    if (counts.left() > 0) {
-        print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n",
-                          signals.name(), command.typed.with("--resume")));
-        return signals.exit_code();
-    }
-    return exit_code_of_runs(ended);
+    return closed(runs.table(), runs.counts(), settings.chosen, folder.path(), signals, command.typed, "");
 }
 
 }  // namespace dmp::cli

@@ -11,6 +11,7 @@
 #include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
+#include "cli/slurm_folder.hpp"
 #include "cli/sweep_table.hpp"
 #include "cli/text.hpp"
 #include "cli/version.hpp"
@@ -50,17 +51,6 @@ std::vector<std::string> changed_files(const SweepContents& contents, const stud
             changed.push_back(file.name);
     }
     return changed;
-}
-
-/// The name of a run's folder: NNNN_hhhhhhhh.
-bool is_run_name(const std::string& name) {
-    const auto only = [](std::string_view text, std::string_view characters) {
-        return text.find_first_not_of(characters) == std::string_view::npos;
-    };
-    const auto mark = name.find('_');
-    return mark != std::string::npos && mark >= 4 && name.size() == mark + 9 &&
-           only(std::string_view(name).substr(0, mark), "0123456789") &&
-           only(std::string_view(name).substr(mark + 1), "0123456789abcdef");
 }
 
 /// Names of what a study has left in its folder of runs: their folders, and their output (".log"). Links, and what has
@@ -140,6 +130,7 @@ std::string remove_study(const fs::path& folder) {
     }
     for (const fs::path& output : runs.outputs) fs::remove(output);
     fs::remove(folder / runs_name, none);
+    SlurmFolder(folder).remove();
     // What says that this is a study last: a removal that is stopped can be gone on with.
     for (const char* name : {sweep_results_name, sweep_timing_name, study_copy_name, scene_copy_name, sweep_file_name})
         fs::remove(folder / name);
@@ -163,7 +154,25 @@ fs::path not_foreign(const fs::path& folder) {
     return folder;
 }
 
+/// First what makes this the folder of a study.
+void write_study_files(const fs::path& folder, const NewSweep& sweep) {
+    write_file(folder / sweep_file_name, sweep_text(sweep));
+    make_folder(folder / runs_name);
+    write_file(folder / study_copy_name, read_file(sweep.study.file));
+    write_file(folder / scene_copy_name, read_file(sweep.study.scene.file));
+}
+
 }  // namespace
+
+bool is_run_name(const std::string& name) {
+    const auto only = [](std::string_view text, std::string_view characters) {
+        return text.find_first_not_of(characters) == std::string_view::npos;
+    };
+    const auto mark = name.find('_');
+    return mark != std::string::npos && mark >= 4 && name.size() == mark + 9 &&
+           only(std::string_view(name).substr(0, mark), "0123456789") &&
+           only(std::string_view(name).substr(mark + 1), "0123456789abcdef");
+}
 
 SweepContents sweep_contents_of(const fs::path& folder) {
     SweepContents contents;
@@ -203,11 +212,14 @@ SweepFolder::SweepFolder(const fs::path& folder, const NewSweep& sweep, const Ty
     need_fitting_contents(path(), contents, sweep, typed);
     if (!folder_.note().empty()) note_ = folder_.note() + "\n";
     if (sweep.overwrite && contents.kind == SweepContents::Kind::study) note_ += remove_study(path());
-    // First, as it is what makes this the folder of a study.
-    write_file(path() / sweep_file_name, sweep_text(sweep));
-    make_folder(path() / runs_name);
-    write_file(path() / study_copy_name, read_file(sweep.study.file));
-    write_file(path() / scene_copy_name, read_file(sweep.study.scene.file));
+    write_study_files(path(), sweep);
+}
+
+void join_sweep_folder(const fs::path& folder, const NewSweep& sweep, const TypedCommand& typed) {
+    const SweepContents contents = sweep_contents_of(folder);
+    if (contents.kind != SweepContents::Kind::nothing) return need_fitting_contents(folder, contents, sweep, typed);
+    make_folder(folder);
+    write_study_files(folder, sweep);
 }
 
 }  // namespace dmp::cli

@@ -40,6 +40,9 @@ struct SweepContents {
 /// What that run said last, as long as it has not reached its end.
 [[nodiscard]] std::filesystem::path run_output(const std::filesystem::path& folder, const std::string& run);
 
+/// Whether this is the name of a run, NNNN_hhhhhhhh.
+[[nodiscard]] bool is_run_name(const std::string& name);
+
 /// A study that is about to write into a folder.
 struct NewSweep {
     const study::Study& study;
@@ -63,5 +66,9 @@ class SweepFolder {
     LockedFolder folder_;
     std::string note_;
 };
+
+/// For a job that does runs of a study, beside others: takes no lock. Makes the folder a study's where it is empty.
+/// Throws InputError if it holds anything but this study.
+void join_sweep_folder(const std::filesystem::path& folder, const NewSweep& sweep, const TypedCommand& typed);
 
 }  // namespace dmp::cli

@@ -34,12 +34,6 @@ constexpr std::size_t most_failures_told = 10;
 /// Whether a run that ends so can be gone on with: at a signal, or at its wall-time limit.
 bool is_unfinished(int exit_code) { return exit_code == exit_out_of_time || exit_code > 128; }
 
-std::string killed_text(int signal) {
-    const char* name = strsignal(signal);
-    return fmt::format("it was ended by signal {} ({}){}", signal, name == nullptr ? "" : name,
-                       signal == SIGKILL ? ", perhaps for lack of memory" : "");
-}
-
 /// Why a run that was begun cannot go on from any of its checkpoints; "": it can. What else stands against it, such as
 /// another geometry, is the run's error.
 std::string refused_checkpoint(const std::string& scene_file, const std::vector<std::string>& overrides,

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <csignal>
+#include <cstring>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
@@ -93,6 +97,12 @@ SweepRow::Result result_of(const study::Result& result, const Scene& scene, cons
 }
 
 }  // namespace
+
+std::string killed_text(int signal) {
+    const char* name = strsignal(signal);
+    return fmt::format("it was ended by signal {} ({}){}", signal, name == nullptr ? "" : name,
+                       signal == SIGKILL ? ", perhaps for lack of memory" : "");
+}
 
 std::string one_line(const Error& error) {
     const std::string where = error.where().text();

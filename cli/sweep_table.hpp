@@ -43,6 +43,9 @@ struct SweepRow {
 /// The last error in what a run has said, on one line: the line that begins with "error:", else the last one.
 [[nodiscard]] std::string last_error(const std::string& output);
 
+/// What is told of a run that a signal has ended.
+[[nodiscard]] std::string killed_text(int signal);
+
 /// An error on one line, "FILE:1:2: what is wrong".
 [[nodiscard]] std::string one_line(const Error& error);
 

@@ -11,6 +11,7 @@
 #include "scene/value_check.hpp"
 #include "study/points.hpp"
 #include "study/read_result.hpp"
+#include "study/read_slurm.hpp"
 #include "study/read_vary.hpp"
 #include "study/toml_table.hpp"
 
@@ -106,12 +107,13 @@ Study read_study(const std::string& path) {
     study.file = study_file(path);
     study.name = name_of(study.file);
     const TomlNode document = parse_toml(read_file(study.file), study.file);
-    const TomlTable table(document, "", {"scene", "combine", "samples", "seed", "vary", "result"});
+    const TomlTable table(document, "", {"scene", "combine", "samples", "seed", "vary", "result", "slurm"});
     SourceLocation whole{study.file, 0, 0};
     if (table.find("scene") == nullptr)
         throw InputError(whole, "missing key: scene", "add 'scene': the scene's file, relative to the study's folder");
     study.scene_path = table.need("scene", text_not_empty());
     read_combination(table, study);
+    study.slurm = read_slurm(document);
 
     const fs::path scene = fs::path(study.file).parent_path() / *study.scene_path;
     if (std::error_code none; !fs::exists(scene, none))

@@ -11,6 +11,7 @@
 #include "scene/quantity.hpp"
 #include "scene/scene.hpp"
 #include "scene/value.hpp"
+#include "study/slurm.hpp"
 #include "study/uses.hpp"
 
 namespace dmp::study {
@@ -80,6 +81,7 @@ struct Study {
     Value<int> seed = 1;
     std::vector<Vary> vary;
     std::vector<Result> results;
+    Slurm slurm;
 
     /// All that varies, in the order of the file.
     [[nodiscard]] std::vector<VariedKey> keys() const;

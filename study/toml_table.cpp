@@ -10,9 +10,10 @@ namespace dmp::study {
 
 namespace {
 
-/// "a study", "[[vary]]", "range".
+/// "a study", "[[vary]]", "[slurm]", "range".
 std::string holder(const std::string& path) {
     if (path.empty()) return "a study";
+    if (path == "slurm") return "[slurm]";
     return path.find('.') == std::string::npos ? "[[" + path + "]]" : "'" + last_word(path) + "'";
 }
 
