@@ -16,6 +16,7 @@
 #include "cli/sweep_choice.hpp"
 #include "cli/sweep_dry_run.hpp"
 #include "cli/sweep_folder.hpp"
+#include "cli/sweep_page.hpp"
 #include "cli/sweep_runs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
@@ -68,8 +69,10 @@ std::string failures_text(const std::vector<SweepRow>& ended) {
     return failed == 0 ? "" : Style(Stream::output).strong("Failed") + "\n" + text;
 }
 
-std::string files_text(const fs::path& folder) {
+/// `page`: what to say of the study's page; "": there is none.
+std::string files_text(const fs::path& folder, const std::string& page) {
     Listing list;
+    if (!page.empty()) list.add("look", page);
     list.add((folder / sweep_results_name).string(), "a row for each run that has ended");
     list.add((folder / sweep_timing_name).string(), "what each run took");
     list.add((folder / "runs").string(), "a folder for each run");
@@ -107,6 +110,7 @@ int execute(const SweepCommand& command) {
     print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
                                       settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
     flush_output();
+    begin_sweep_page(folder.path(), study, points, command.typed);
     const StopSignals signals;
     SweepRuns runs(study, points, folder, settings);
     runs.run(signals);
@@ -115,7 +119,8 @@ int execute(const SweepCommand& command) {
                       count_text(counts.runs, "run"),
                       counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
     const std::vector<SweepRow> ended = ended_rows(runs.table(), settings.chosen);
-    print(failures_text(ended) + files_text(folder.path()));
+    const std::string page = write_sweep_page(folder.path(), study, points);
+    print(failures_text(ended) + files_text(folder.path(), page));
     if (counts.left() > 0) {
         print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n",
                           signals.name(), command.typed.with("--resume")));
