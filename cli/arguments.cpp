@@ -272,11 +272,12 @@ class Parser {
     }
 
     void add_report() {
-        report_app_ = app_.add_subcommand("report", "Write a run's page again: report.html, for any browser");
-        report_app_->add_option("DIR", report_.folder, "The run's folder; the page goes there")
+        report_app_ =
+            app_.add_subcommand("report", "Write the page of a run or of a study again: report.html, for any browser");
+        report_app_->add_option("DIR", report_.folder, "The folder of the run or of the study; the page goes there")
             ->required()
             ->type_name("");
-        report_app_->footer(examples(program_, {"report out/vein_valve"}));
+        report_app_->footer(examples(program_, {"report out/vein_valve", "report out/vein_valve_study"}));
     }
 
     void add_explain() {

@@ -91,9 +91,9 @@ struct PicturesCommand {
     bool film = false;                   ///< also one of all frames
 };
 
-/// `dmp report`: writes the page about a run again.
+/// `dmp report`: writes the page of a run or of a study again.
 struct ReportCommand {
-    std::string folder;  ///< of the run; the page goes there
+    std::string folder;  ///< of the run or the study; the page goes there
 };
 
 /// `dmp explain`: what a scene will run and why, or what a key means.

@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/numbered_files.hpp"
 #include "base/safe_file.hpp"
+#include "base/shell_word.hpp"
 #include "base/wall_clock.hpp"
 #include "cli/chosen.hpp"
 #include "cli/commands.hpp"
@@ -82,7 +83,19 @@ Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, Pr
     return result;
 }
 
-/// Runs to the end; what ends it before that is in the log. Of a run that diverges it also says where its frames are.
+/// Whether it was written. Of a run that is done, a page that cannot be written is no error.
+bool write_page(const fs::path& folder, RunLog& log) {
+    try {
+        write_run_report(folder);
+        return true;
+    } catch (const Error& error) {
+        log.warn(fmt::format(": the run's page {} was not written: {}", report_file_name, error.problem()));
+        return false;
+    }
+}
+
+/// Runs to the end; what ends it before that is in the log. A run that diverges leaves a page, too, and says where its
+/// frames are.
 RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs::path& folder, RunLog& log) {
     const auto note = [&](const Error& error) {
         try {
@@ -97,9 +110,11 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
         const DivergenceError with_place(error.problem(),
                                          error.what_to_do() + "\nThe frames up to there are in " + folder.string());
         note(with_place);
+        if (write_page(folder, log))
+            print(shell_word((folder / report_file_name).string()) + "   the page of the run, for a browser\n");
         throw with_place;
     } catch (const Error& error) {
-        note(error);
+        note(error);  // and no page: the disk may be full, or the folder another process's
         throw;
     }
 }
@@ -119,13 +134,9 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
     write_summary(folder, summary, extra);
     if (!pictures.warning.empty()) log.warn(": " + pictures.warning);
-    // Of a run that is done, a page that cannot be written is no error.
-    try {
-        write_run_report(folder);
+    if (write_page(folder, log)) {
         files.emplace_back(report_file_name);
         write_summary(folder, summary, extra);
-    } catch (const Error& error) {
-        log.warn(fmt::format(": the run's page {} was not written: {}", report_file_name, error.problem()));
     }
     return files;
 }

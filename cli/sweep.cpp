@@ -19,6 +19,7 @@
 #include "cli/sweep_dry_run.hpp"
 #include "cli/sweep_element.hpp"
 #include "cli/sweep_folder.hpp"
+#include "cli/sweep_page.hpp"
 #include "cli/sweep_rows.hpp"
 #include "cli/sweep_runs.hpp"
 #include "cli/terminal.hpp"
@@ -72,8 +73,10 @@ std::string failures_text(const std::vector<SweepRow>& ended) {
     return failed == 0 ? "" : Style(Stream::output).strong("Failed") + "\n" + text;
 }
 
-std::string files_text(const fs::path& folder) {
+/// `page`: what to say of the study's page; "": there is none.
+std::string files_text(const fs::path& folder, const std::string& page) {
     Listing list;
+    if (!page.empty()) list.add("look", page);
     list.add((folder / sweep_results_name).string(), "a row for each run that has ended");
     list.add((folder / sweep_timing_name).string(), "what each run took");
     list.add((folder / "runs").string(), "a folder for each run");
@@ -87,18 +90,29 @@ int exit_code_of_runs(const std::vector<SweepRow>& ended) {
     return exit_done;
 }
 
-/// How a study ends that has come as far as it can: what is told at last, and the exit code. `left`: what there is to
-/// say of runs that go on without this process.
-int closed(const SweepTable& table, const SweepCounts& counts, const std::vector<std::size_t>& chosen,
-           const fs::path& folder, const StopSignals& signals, const TypedCommand& typed, const std::string& left) {
+/// A study that has come as far as it can.
+struct EndedSweep {
+    const study::Study& study;
+    const study::Points& points;
+    const SweepFolder& folder;
+    const std::vector<std::size_t>& chosen;
+    const SweepTable& table;
+    const SweepCounts& counts;
+    std::string left;  ///< what there is to say of runs that go on without this process
+};
+
+/// Writes the study's page, tells how it has ended, and returns the exit code.
+int close(const EndedSweep& sweep, const StopSignals& signals, const TypedCommand& typed) {
+    const SweepCounts& counts = sweep.counts;
     print(fmt::format("{}: {} of {} done{}\n", counts.left() == 0 ? "Done" : "Interrupted", count_text(counts.done),
                       count_text(counts.runs, "run"),
                       counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
-    const std::vector<SweepRow> ended = ended_rows(table, chosen);
-    print(failures_text(ended) + files_text(folder));
+    const std::vector<SweepRow> ended = ended_rows(sweep.table, sweep.chosen);
+    const std::string page = write_sweep_page(sweep.folder.path(), sweep.study, sweep.points);
+    print(failures_text(ended) + files_text(sweep.folder.path(), page));
     if (counts.left() == 0) return exit_code_of_runs(ended);
     print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n{}",
-                      signals.name(), typed.with("--resume"), left));
+                      signals.name(), typed.with("--resume"), sweep.left));
     return signals.exit_code();
 }
 
@@ -110,11 +124,13 @@ int in_jobs(const SweepCommand& command, const study::Study& study, const study:
                                       count_text(static_cast<std::size_t>(*settings.slurm.ranks), "rank"),
                                       count_text(static_cast<std::size_t>(*settings.slurm.threads), "thread")));
     flush_output();
+    begin_sweep_page(folder.path(), study, points, command.typed);
     const StopSignals signals;
     SweepRows rows(study, points, folder, chosen);
     SlurmRuns runs(rows, std::move(queue), settings);
     runs.run(signals);
-    return closed(rows.table(), rows.counts(), chosen, folder.path(), signals, command.typed, runs.left_text());
+    return close({study, points, folder, chosen, rows.table(), rows.counts(), runs.left_text()}, signals,
+                 command.typed);
 }
 
 }  // namespace
@@ -148,10 +164,11 @@ int execute(const SweepCommand& command) {
     print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
                                       settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
     flush_output();
+    begin_sweep_page(folder.path(), study, points, command.typed);
     const StopSignals signals;
     SweepRuns runs(study, points, folder, settings);
     runs.run(signals);
-    return closed(runs.table(), runs.counts(), settings.chosen, folder.path(), signals, command.typed, "");
+    return close({study, points, folder, settings.chosen, runs.table(), runs.counts(), ""}, signals, command.typed);
 }
 
 }  // namespace dmp::cli

@@ -10,6 +10,7 @@
 #include "scene/read_scene.hpp"
 #include "scene/value_check.hpp"
 #include "study/points.hpp"
+#include "study/read_plot.hpp"
 #include "study/read_result.hpp"
 #include "study/read_slurm.hpp"
 #include "study/read_vary.hpp"
@@ -107,11 +108,14 @@ Study read_study(const std::string& path) {
     study.file = study_file(path);
     study.name = name_of(study.file);
     const TomlNode document = parse_toml(read_file(study.file), study.file);
-    const TomlTable table(document, "", {"scene", "combine", "samples", "seed", "vary", "result", "slurm"});
+    const TomlTable table(document, "",
+                          {"title", "purpose", "scene", "combine", "samples", "seed", "vary", "result", "plot", "slurm"});
     SourceLocation whole{study.file, 0, 0};
     if (table.find("scene") == nullptr)
         throw InputError(whole, "missing key: scene", "add 'scene': the scene's file, relative to the study's folder");
     study.scene_path = table.need("scene", text_not_empty());
+    study.title = *table.read("title", text_not_empty(), Value<std::string>());
+    study.purpose = *table.read("purpose", text_not_empty(), Value<std::string>());
     read_combination(table, study);
     study.slurm = read_slurm(document);
 
@@ -123,7 +127,9 @@ Study read_study(const std::string& path) {
     for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
     check_axes(study);
     for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));
-    check_formulas(study, Points(study));  // which refuses what does not go together
+    const Points points(study);  // which refuses what does not go together
+    check_formulas(study, points);
+    study.plots = read_plots(document, study, points);
     return study;
 }
 

@@ -139,6 +139,7 @@ void read_range(const TomlNode& node, const Study& study, Vary& vary) {
     }
     const int steps = *table.need("steps", integer(between(2, most_runs)));
     for (int k = 0; k < steps; ++k) vary.rows.push_back({checked(k, steps)});
+    vary.log_range = range.scale == Scale::log && range.from > 0;
 }
 
 void read_csv_table(const TomlNode& node, const Study& study, Vary& vary) {

@@ -11,6 +11,7 @@
 #include "scene/quantity.hpp"
 #include "scene/scene.hpp"
 #include "scene/value.hpp"
+#include "study/plot.hpp"
 #include "study/slurm.hpp"
 #include "study/uses.hpp"
 
@@ -50,6 +51,7 @@ struct Vary {
     std::vector<std::vector<VariedValue>> rows;  ///< what the keys take together, one for each key
     std::optional<NumberRange> range;            ///< of a Latin hypercube, which has no rows for it
     std::optional<WrittenText> formula;          ///< in place of rows: of keys above it
+    bool log_range = false;                      ///< the rows are a range of equal ratios
 
     /// Whether it makes runs of its own; a formula follows those of others.
     [[nodiscard]] bool is_axis() const { return !formula; }
@@ -72,8 +74,10 @@ struct Result {
 
 /// A study: one scene, the keys that vary, and what is kept of each run.
 struct Study {
-    std::string file;  ///< path of the study as given
-    std::string name;  ///< of its folder for study.toml, else of the file
+    std::string file;     ///< path of the study as given
+    std::string name;     ///< of its folder for study.toml, else of the file
+    std::string title;    ///< of its page; "": its name
+    std::string purpose;  ///< what it is to find out, for its page
     Value<std::string> scene_path;
     Scene scene;  ///< without any of the values that vary
     Value<Combine> combine = Combine::grid;
@@ -82,6 +86,7 @@ struct Study {
     std::vector<Vary> vary;
     std::vector<Result> results;
     Slurm slurm;
+    std::vector<Plot> plots;  ///< none: default_plots
 
     /// All that varies, in the order of the file.
     [[nodiscard]] std::vector<VariedKey> keys() const;

@@ -120,8 +120,8 @@ TEST_F(Studies, EndWithATableInTheirOrder) {
     }
     EXPECT_THAT(ended.output,
                 AllOf(HasSubstr("valve: 4 runs of scene.toml\n"), HasSubstr("Done: 2 of 4 runs done, 2 failed")));
-    EXPECT_THAT(files("out"),
-                testing::ElementsAre("results.csv", "runs", "scene.toml", "study.toml", "sweep.toml", "timing.csv"));
+    EXPECT_THAT(files("out"), testing::ElementsAre("report.html", "results.csv", "runs", "scene.toml", "study.json",
+                                                   "study.toml", "sweep.log", "sweep.toml", "timing.csv"));
     ASSERT_EQ(sweep("one_by_one", {"--jobs", "1"}).code, 2);
     EXPECT_EQ(folder_.read("one_by_one/results.csv"), folder_.read("out/results.csv"));
 }
