@@ -1,5 +1,6 @@
 # Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 """A page of docs/ as a list of what a reader copies from it: commands, files and scripts."""
+import os
 import pathlib
 import re
 import shlex
@@ -46,8 +47,9 @@ def commands(block):
 
 def run_dmp(dmp, arguments, folder):
     """Starts dmp as ./dmp does; its output and errors together, and its exit code."""
-    done = subprocess.run(["./dmp", *arguments], executable=dmp, cwd=folder, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, stdin=subprocess.DEVNULL)
+    waiting = {"OMP_WAIT_POLICY": "passive", "GOMP_SPINCOUNT": "1000"}
+    done = subprocess.run(["./dmp", *arguments], executable=dmp, cwd=folder, env=waiting | os.environ,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, stdin=subprocess.DEVNULL)
     return done.stdout, done.returncode
 
 
