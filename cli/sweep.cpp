@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/machine.hpp"
@@ -38,6 +39,24 @@ int jobs_of(const SweepCommand& command, int threads) {
     double processors = machine.processors;
     if (machine.processor_quota > 0) processors = std::min(processors, machine.processor_quota);
     return std::max(1, static_cast<int>(std::floor(processors / threads)));
+}
+
+/// What the study says; else pages and pictures of many runs, which nobody looks at and which can be made later.
+study::LeftOut left_out_of(const study::Study& study, std::size_t runs) {
+    using enum study::RunOutput;
+    if (study.left_out.given()) return study.left_out;
+    return runs > study::most_runs_with_pages ? study::LeftOut{pictures, page} : study::LeftOut{};
+}
+
+std::string left_out_text(const study::Study& study, const study::LeftOut& left_out) {
+    if (left_out.empty()) return "";
+    std::vector<std::string> names;
+    for (const study::RunOutput each : left_out) names.push_back(to_string(each));
+    return "The runs leave out " + quoted_list(names) +
+           (study.left_out.given()
+                ? "\n"
+                : fmt::format(", as they are more than {}; 'leave_out = []' in the study keeps all\n",
+                              study::most_runs_with_pages));
 }
 
 std::string heading_of(const study::Study& study, std::size_t chosen, std::size_t all) {
@@ -94,18 +113,21 @@ int execute(const SweepCommand& command) {
     settings.threads = threads_of(study);
     settings.jobs = jobs_of(command, settings.threads);
     settings.chosen = chosen_runs(study, points, command.only);
+    settings.left_out = left_out_of(study, points.size());
     print(heading_of(study, settings.chosen.size(), points.size()));
     if (command.dry_run) {
         print(runs_text(study, points, settings.chosen) + "\n");
         flush_output();
         print(Style(Stream::output).strong("Dry run") + "\n" +
-              cost_text(study, points, settings.chosen, settings.jobs, settings.threads) + "Nothing was written.\n");
+              cost_text(study, points, settings.chosen, settings.jobs, settings.threads, settings.left_out) +
+              left_out_text(study, settings.left_out) + "Nothing was written.\n");
         return exit_done;
     }
     const SweepFolder folder(output_folder(command.out, study.name),
                              {study, points.size(), command.resume, command.overwrite}, command.typed);
-    print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
-                                      settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
+    print(folder.note() + left_out_text(study, settings.left_out) +
+          fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(), settings.jobs,
+                      count_text(static_cast<std::size_t>(settings.threads), "thread")));
     flush_output();
     const StopSignals signals;
     SweepRuns runs(study, points, folder, settings);
