@@ -74,9 +74,9 @@ void check_formulas(const Study& study, const Points& points) {
     std::vector<Formula> formulas;
     std::size_t key = 0;
     for (const Vary& vary : study.vary) {
-        if (vary.formula)
-            formulas.push_back(
-                {key, vary.formula->location, ValueCheck(study.scene, *vary.keys[0].key, vary.keys[0].key.location)});
+        if (!vary.is_axis() && vary.keys[0].is_of_scene)
+            formulas.push_back({key, vary.formulas[0].location,
+                                ValueCheck(study.scene, *vary.keys[0].key, vary.keys[0].key.location)});
         key += vary.keys.size();
     }
     if (formulas.empty()) return;
@@ -108,8 +108,9 @@ Study read_study(const std::string& path) {
     study.file = study_file(path);
     study.name = name_of(study.file);
     const TomlNode document = parse_toml(read_file(study.file), study.file);
-    const TomlTable table(document, "",
-                          {"title", "purpose", "scene", "combine", "samples", "seed", "vary", "result", "plot", "slurm"});
+    const TomlTable table(
+        document, "",
+        {"title", "purpose", "scene", "combine", "samples", "seed", "leave_out", "vary", "result", "plot", "slurm"});
     SourceLocation whole{study.file, 0, 0};
     if (table.find("scene") == nullptr)
         throw InputError(whole, "missing key: scene", "add 'scene': the scene's file, relative to the study's folder");
@@ -118,6 +119,8 @@ Study read_study(const std::string& path) {
     study.purpose = *table.read("purpose", text_not_empty(), Value<std::string>());
     read_combination(table, study);
     study.slurm = read_slurm(document);
+    if (const TomlNode* list = table.find("leave_out"))
+        study.left_out = {read_left_out(*list, "leave_out"), list->location};
 
     const fs::path scene = fs::path(study.file).parent_path() / *study.scene_path;
     if (std::error_code none; !fs::exists(scene, none))

@@ -12,6 +12,7 @@
 #include "scene/scene.hpp"
 #include "scene/value.hpp"
 #include "study/plot.hpp"
+#include "study/run_output.hpp"
 #include "study/slurm.hpp"
 #include "study/uses.hpp"
 
@@ -33,8 +34,9 @@ struct VariedValue {
 
 /// A key that varies.
 struct VariedKey {
-    Value<std::string> key;  ///< as for --set: "part.leaflets.bending_stiffness"
-    std::string unit;        ///< of the numbers in results.csv, as the study writes it; "" where they have none
+    Value<std::string> key;   ///< as for --set: "part.leaflets.bending_stiffness"
+    std::string unit;         ///< of the numbers in results.csv, as the study writes it; "" where they have none
+    bool is_of_scene = true;  ///< false: a name of the study's own, for formulas
 };
 
 /// Numbers between two ends, in the key's unit.
@@ -50,11 +52,12 @@ struct Vary {
     std::vector<VariedKey> keys;
     std::vector<std::vector<VariedValue>> rows;  ///< what the keys take together, one for each key
     std::optional<NumberRange> range;            ///< of a Latin hypercube, which has no rows for it
-    std::optional<WrittenText> formula;          ///< in place of rows: of keys above it
+    std::vector<WrittenText> formulas;           ///< in place of rows: of keys above it
     bool log_range = false;                      ///< the rows are a range of equal ratios
+    bool is_list = false;                        ///< of formulas: the key takes a list of as many values
 
     /// Whether it makes runs of its own; a formula follows those of others.
-    [[nodiscard]] bool is_axis() const { return !formula; }
+    [[nodiscard]] bool is_axis() const { return formulas.empty(); }
 };
 
 /// [[result]]: a measure of the scene, reduced over time to one number of each run.
@@ -87,6 +90,7 @@ struct Study {
     std::vector<Result> results;
     Slurm slurm;
     std::vector<Plot> plots;  ///< none: default_plots
+    Value<LeftOut> left_out;  ///< by each run; not given: by the number of runs, left_out_of
 
     /// All that varies, in the order of the file.
     [[nodiscard]] std::vector<VariedKey> keys() const;

@@ -51,7 +51,7 @@ std::vector<ValuesTaken> values_taken(const Study& study, const Points& points) 
             Distinct distinct(taken);
             for (const auto& row : vary.rows) distinct.add(row[column]);
             taken.log_range = vary.log_range;
-            if (!vary.formula) continue;
+            if (vary.is_axis()) continue;
             taken.is_formula = true;
             const std::size_t key = all.size() - 1;
             for (std::size_t index = 0; index < points.size(); ++index) distinct.add(points.values_at(index)[key]);
