@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
          "study.toml:2:14: leave_out: found \"pages\", expected one of 'frames', 'pictures', 'page' and 'checkpoint'\n"
          "  did you mean \"page\"?"},
         {"leaves_out_no_list", "scene = \"scene.toml\"", "scene = \"scene.toml\"\nleave_out = \"page\"",
-         "study.toml:2:13: leave_out: found \"page\", expected a list of outputs\n"
+         "study.toml:2:13: leave_out: found \"page\" (text), expected a list of outputs\n"
          "  write for example leave_out = [\"pictures\", \"page\"]"},
         {"reserved_name", "name = \"opening\"", "name = \"error\"",
          "study.toml:12:8: a result may not have the name 'error'\n"

@@ -145,8 +145,8 @@ values = ["0 deg", "90 deg"]
 key = "flow.acceleration"
 formula = ["sin(angle) * 1 m/s^2", "-9.81 m/s^2"]
 )");
-    EXPECT_EQ(Points(study).at(0).values[1].toml, R"(["0 m*s^-2", "-9.81 m*s^-2"])");
-    EXPECT_EQ(Points(study).at(1).values[1].cell, R"(["1 m*s^-2", "-9.81 m*s^-2"])");
+    EXPECT_EQ(Points(study).at(0).values[1].toml, R"(["0 m/s^2", "-9.81 m/s^2"])");
+    EXPECT_EQ(Points(study).at(1).values[1].cell, R"(["1 m/s^2", "-9.81 m/s^2"])");
 }
 
 TEST(Points, ABareZeroHasTheUnitOfTheOthers) {
