@@ -75,6 +75,7 @@ class Parser {
 
     Command read(std::span<const char* const> argv) {
         if (argv.size() == 2 && std::string_view(argv[1]) == read_geometry_command) return ReadGeometryCommand{};
+        if (argv.size() == 2 && std::string_view(argv[1]) == start_runs_command) return StartRunsCommand{};
         try {
             app_.parse(static_cast<int>(argv.size()), argv.data());
         } catch (const CLI::CallForHelp&) {
@@ -115,6 +116,7 @@ class Parser {
         add_particles(*run_app_, run_.scene);
         add_reading(*run_app_, run_.scene.reading);
         add_frames(*run_app_, run_.frames);
+        add_leave_out(*run_app_, run_.left_out);
         auto* resume =
             run_app_->add_flag("--resume", run_.resume, "Go on from the last checkpoint in the folder of the results");
         auto* from = run_app_
@@ -140,6 +142,9 @@ class Parser {
             ->add_flag("--dry-run", run_.dry_run,
                        "Only say what the run would take: particles, memory, time steps, measured time")
             ->excludes(from);
+        run_app_
+            ->add_option("--trial", run_.trial, "Wall time for which a dry run tries the scene out; default: \"1 s\"")
+            ->type_name("TIME");
         run_app_->footer(examples(
             program_, {"run cases/vein_valve", "run cases/vein_valve --dry-run",
                        R"(run cases/vein_valve --out soft --set part.leaflets.bending_stiffness="1e-6 N*m^2")",
@@ -272,11 +277,12 @@ class Parser {
     }
 
     void add_report() {
-        report_app_ = app_.add_subcommand("report", "Write a run's page again: report.html, for any browser");
-        report_app_->add_option("DIR", report_.folder, "The run's folder; the page goes there")
+        report_app_ =
+            app_.add_subcommand("report", "Write the page of a run or of a study again: report.html, for any browser");
+        report_app_->add_option("DIR", report_.folder, "The folder of the run or of the study; the page goes there")
             ->required()
             ->type_name("");
-        report_app_->footer(examples(program_, {"report out/vein_valve"}));
+        report_app_->footer(examples(program_, {"report out/vein_valve", "report out/vein_valve_study"}));
     }
 
     void add_explain() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <string_view>
 #include <system_error>
 
@@ -23,6 +24,7 @@ namespace dmp::cli {
 namespace {
 
 constexpr const char* own_program = "/proc/self/exe";
+constexpr const char* no_file = "/dev/null";
 constexpr int not_started = 127;  ///< exit code, as shells have it
 
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
@@ -72,20 +74,33 @@ void drop_handlers() {
     }
 }
 
-/// Between fork and exec, where only functions may be called that are safe in a signal handler. Signals are blocked.
-[[noreturn]] void become(const char* program, char* const* words, char* const* environment, int output, pid_t parent,
-                         const sigset_t& mask) {
+/// What a new process does first. Between fork and exec only functions may be called that are safe in a signal handler.
+/// Signals are blocked.
+void settle(int input, int output, pid_t parent, const sigset_t& mask) {
     drop_handlers();
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(not_started);  // it has ended before the line above
-    const int input = open("/dev/null", O_RDONLY);
     if (dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 || dup2(output, STDERR_FILENO) < 0)
         _exit(not_started);
     pthread_sigmask(SIG_SETMASK, &mask, nullptr);  // a signal that came meanwhile ends it here
-    execve(program, words, environment);
-    _exit(not_started);
 }
+
+/// An open file, closed with this object.
+class OpenFile {
+  public:
+    OpenFile(const std::filesystem::path& path, int flags) : descriptor_(open(path.c_str(), flags | O_CLOEXEC)) {
+        if (descriptor_ < 0) throw_write_error(path, std::system_category().message(errno));
+    }
+    ~OpenFile() { close(descriptor_); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+  private:
+    int descriptor_;
+};
 
 double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -95,12 +110,41 @@ int descriptor_of(pid_t pid) { return static_cast<int>(syscall(SYS_pidfd_open, p
 
 }  // namespace
 
+struct ChildProcess::Start {
+    int input, output;
+    std::function<void()> become;  ///< called in the new process, does not return
+};
+
 ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& output,
                            const std::string& program) {
     write_file(output, "");
-    const int file = open(output.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-    if (file < 0) throw_write_error(output, std::system_category().message(errno));
+    const OpenFile file(output, O_WRONLY | O_APPEND), nothing(no_file, O_RDONLY);
+    start_program(std::move(words), nothing.descriptor(), file.descriptor(), program.empty() ? own_program : program);
+}
+
+ChildProcess::ChildProcess(std::vector<std::string> words, int input) {
+    const OpenFile nothing(no_file, O_WRONLY);
+    start_program(std::move(words), input, nothing.descriptor(), own_program);
+}
+
+ChildProcess::ChildProcess(const std::function<int()>& action, const std::filesystem::path& output) {
+    write_file(output, "");
+    const OpenFile file(output, O_WRONLY | O_APPEND), nothing(no_file, O_RDONLY);
+    start({nothing.descriptor(), file.descriptor(), [&] {
+               close_range(STDERR_FILENO + 1, ~0U, 0);
+               std::exit(action());
+           }});
+}
+
+void ChildProcess::start_program(std::vector<std::string> words, int input, int output, const std::string& program) {
     std::vector<char*> arguments = pointers_to(words), environment = environment_of_its_own();
+    start({input, output, [&] {
+               execve(program.c_str(), arguments.data(), environment.data());
+               _exit(not_started);
+           }});
+}
+
+void ChildProcess::start(const Start& how) {
     const pid_t parent = getpid();
     // Where it is ignored, which is inherited, the system keeps no child's end to ask for.
     std::signal(SIGCHLD, SIG_DFL);
@@ -109,11 +153,11 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
         const BlockedSignals blocked;
         pid_ = fork();
         error = errno;
-        if (pid_ == 0)
-            become(program.empty() ? own_program : program.c_str(), arguments.data(), environment.data(), file, parent,
-                   blocked.before());
+        if (pid_ == 0) {
+            settle(how.input, how.output, parent, blocked.before());
+            how.become();
+        }
     }
-    close(file);
     if (pid_ < 0)
         throw ResourceError("no process can be started: " + std::system_category().message(error),
                             "Make room (memory, processes: 'ulimit -u'), or give fewer --jobs.");
@@ -154,11 +198,14 @@ void ChildProcess::stop(int signal) {
     kill(pid_, signal);
 }
 
-void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms) {
+void wait_for_any(const std::vector<const ChildProcess*>& children, int most_ms, int input) {
+    constexpr int ask_again_ms = 20;
     std::vector<pollfd> descriptors;
+    if (input >= 0) descriptors.push_back({input, POLLIN, 0});
     for (const ChildProcess* child : children) {
         descriptors.push_back({child->descriptor_, POLLIN, 0});
-        if (child->descriptor_ < 0) most_ms = std::min(most_ms, 20);  // it has to be asked
+        if (child->descriptor_ < 0)  // it has to be asked
+            most_ms = most_ms < 0 ? ask_again_ms : std::min(most_ms, ask_again_ms);
     }
     poll(descriptors.data(), descriptors.size(), most_ms);
 }

@@ -9,6 +9,7 @@
 #include "cli/typed_command.hpp"
 #include "cli/uses.hpp"
 #include "solver/parallel/resources.hpp"
+#include "study/run_output.hpp"
 #include "study/slurm.hpp"
 
 namespace dmp::cli {
@@ -38,7 +39,9 @@ struct RunCommand {
     int threads = 0;    ///< 0: as the scene says
     VectorUnit vector_unit = VectorUnit::widest;
     std::optional<FrameFormat> frames;  ///< none: vtk, or hdf5 where dmp was built without VTK
+    study::LeftOut left_out;            ///< what it does not write
     bool dry_run = false;
+    std::string trial;             ///< of a dry run: wall time with its unit; empty: a second
     bool resume = false;           ///< go on with the run in the folder
     std::string from;              ///< start from the state of the run in DIR or DIR@TIME; empty: from the beginning
     bool overwrite = false;        ///< remove what an earlier run has left in the folder
@@ -91,9 +94,9 @@ struct PicturesCommand {
     bool film = false;                   ///< also one of all frames
 };
 
-/// `dmp report`: writes the page about a run again.
+/// `dmp report`: writes the page of a run or of a study again.
 struct ReportCommand {
-    std::string folder;  ///< of the run; the page goes there
+    std::string folder;  ///< of the run or the study; the page goes there
 };
 
 /// `dmp explain`: what a scene will run and why, or what a key means.
@@ -140,6 +143,10 @@ struct NewCommand {
 struct ReadGeometryCommand {};
 inline constexpr const char* read_geometry_command = "read-geometry";
 
+/// What `dmp sweep` starts itself with to start runs (cli/run_starter.hpp); no help tells of it.
+struct StartRunsCommand {};
+inline constexpr const char* start_runs_command = "start-runs";
+
 /// `dmp doctor`: is this machine all right?
 struct DoctorCommand {};
 
@@ -148,9 +155,9 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, SweepCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand, PicturesCommand,
-                 ReportCommand, ExplainCommand, EscapeCommand, DoctorCommand, ReadGeometryCommand, PrintCommand>;
+using Command = std::variant<RunCommand, SweepCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand,
+                             PicturesCommand, ReportCommand, ExplainCommand, EscapeCommand, DoctorCommand,
+                             ReadGeometryCommand, StartRunsCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
@@ -159,6 +166,7 @@ int execute(const MeshCommand& command);
 int execute(const InspectCommand& command);
 int execute(const NewCommand& command);
 int execute(const ReadGeometryCommand& command);
+int execute(const StartRunsCommand& command);
 int execute(const ConvertCommand& command);
 int execute(const PicturesCommand& command);
 int execute(const ReportCommand& command);

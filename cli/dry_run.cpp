@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <fstream>
 #include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "cli/chosen.hpp"
+#include "cli/process_memory.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 
@@ -36,21 +36,6 @@ class Alarm {
     std::jthread thread_;  // last: it uses the others
 };
 
-/// The largest memory this process ever held [bytes].
-double peak_memory() {
-    std::ifstream status("/proc/self/status");
-    std::string key;
-    while (status >> key) {
-        if (key == "VmHWM:") {
-            double kibibytes = 0;
-            status >> kibibytes;
-            return kibibytes * 1024;
-        }
-        status.ignore(4096, '\n');
-    }
-    return 0;
-}
-
 std::size_t total_of(const Plan& plan) {
     std::size_t total = 0;
     for (const auto& [kind, count] : plan.particles) total += count;
@@ -72,7 +57,7 @@ Trial try_out(const Scene& scene, const ParticleSet& particles, const Resources&
         summary = simulation.run(options);
     }
     const auto steps = static_cast<double>(std::max(1L, summary.steps));
-    const auto memory = resources.ranks.sum(static_cast<std::int64_t>(peak_memory()));
+    const auto memory = resources.ranks.sum(static_cast<std::int64_t>(own_memory().most));
     return {summary.steps, summary.wall_s / steps, static_cast<double>(memory)};
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,13 @@ constexpr std::array<Liquid, 3> liquids{
 std::string in_small_letters(std::string name) {
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return name;
+}
+
+/// As a user writes it: "1 mm" for a thousandth of a metre.
+std::string unit_text(double metres) {
+    for (const auto& [name, length] : {std::pair{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}})
+        if (metres == length) return fmt::format("1 {}", name);
+    return fmt::format("{:.17g} m", metres);
 }
 
 }  // namespace
@@ -98,11 +106,12 @@ std::string SceneDraft::text() const {
     for (const std::string& assumption : assumptions) text += "# - " + assumption + "\n";
     text += fmt::format("schema = 1\ntitle = \"First scene of {}\"\ndimension = {}\n\n[geometry]\nfile = {}\n", fluid,
                         geometry.dimension, toml_quoted(file));
-    if (unit_given) text += fmt::format("unit = \"{:.17g} m\"\n", geometry.unit);
+    if (unit_given) text += fmt::format("unit = \"{}\"\n", unit_text(geometry.unit));
     text += fmt::format("\n[particles]\nspacing = \"{}\"\n", in_millimetres(spacing, 0)) + parts + flow;
     return text + fmt::format(
                       "\n[run]\nduration = \"{:.3g} s\"\n\n[output]\nevery = \"{:.3g} s\"\n"
-                      "fields = [\"velocity\", \"pressure\"]\n",
+                      "fields = [\"velocity\", \"pressure\"]\n\n"
+                      "[[measure]]\nname = \"largest_speed\"\nkind = \"largest_speed\"\n",
                       duration, duration / 20);
 }
 

@@ -94,16 +94,22 @@ std::vector<std::string> vector_unit_names() {
 
 }  // namespace
 
+MachineMemory machine_memory() {
+    MachineMemory memory{meminfo("MemTotal:"), meminfo("MemAvailable:")};
+    if (const double limit = group_number("/sys/fs/cgroup/memory.max"); limit > 0 && limit < memory.all) {
+        memory.all = limit;
+        memory.free = std::min(memory.free, limit - group_number("/sys/fs/cgroup/memory.current"));
+    }
+    return memory;
+}
+
 Machine inspect_machine(const fs::path& folder) {
     Machine machine;
     machine.processors = processors_allowed();
     machine.processor_quota = processor_quota();
-    machine.memory = meminfo("MemTotal:");
-    machine.memory_free = meminfo("MemAvailable:");
-    if (const double limit = group_number("/sys/fs/cgroup/memory.max"); limit > 0 && limit < machine.memory) {
-        machine.memory = limit;
-        machine.memory_free = std::min(machine.memory_free, limit - group_number("/sys/fs/cgroup/memory.current"));
-    }
+    const MachineMemory memory = machine_memory();
+    machine.memory = memory.all;
+    machine.memory_free = memory.free;
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
     if (!error) machine.disk_free = static_cast<double>(space.available);

@@ -19,6 +19,12 @@ struct Machine {
     std::vector<std::string> vector_units;  ///< of the processor, that dmp has code for; the widest last
 };
 
+/// Of a machine, a control group's limit taken into account [bytes]; 0 where the system does not say.
+struct MachineMemory {
+    double all = 0, free = 0;
+};
+[[nodiscard]] MachineMemory machine_memory();
+
 [[nodiscard]] Machine inspect_machine(const std::filesystem::path& folder);
 
 }  // namespace dmp::cli

@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/prepare.hpp"
+#include "cli/sweep_folder.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
 #include "report/write_report.hpp"
@@ -13,7 +14,10 @@ namespace dmp::cli {
 int execute(const ReportCommand& command) {
     refuse_several_ranks();
     const std::filesystem::path folder = command.folder;
-    write_run_report(folder);
+    if (sweep_contents_of(folder).kind == SweepContents::Kind::study)
+        write_study_report(folder);
+    else
+        write_run_report(folder);
     print((folder / report_file_name).string() + "\n");
     return exit_done;
 }

@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/numbered_files.hpp"
 #include "base/safe_file.hpp"
+#include "base/shell_word.hpp"
 #include "base/wall_clock.hpp"
 #include "cli/chosen.hpp"
 #include "cli/commands.hpp"
@@ -38,6 +39,7 @@
 #include "scene/read_scene.hpp"
 #include "solver/output/hdf5_sink.hpp"
 #include "solver/simulation.hpp"
+#include "solver/state/checkpoint_folder.hpp"
 
 namespace dmp::cli {
 
@@ -45,7 +47,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Wall time of the trial that a dry run's estimate rests on [s].
+/// Of the trial that a dry run's estimate rests on, where nobody asks for another [s].
 constexpr double trial_seconds = 1.0;
 
 /// A time from the command line [s], or what holds when it was not given.
@@ -62,27 +64,46 @@ double time_of(const std::string& option, const std::string& text, double otherw
 
 constexpr double seconds_between_checkpoints = 600;
 
+/// [s]
+double trial_of(const RunCommand& command) { return time_of("--trial", command.trial, trial_seconds, true); }
+
 FrameFormat frame_format(const RunCommand& command) {
     return command.frames.value_or(workstation_libraries().empty() ? FrameFormat::hdf5 : FrameFormat::vtk);
 }
 
-/// This rank's; none where the first one writes for all.
-std::unique_ptr<FrameSeries> frame_series(FrameFormat format, const fs::path& folder, const Scene& scene,
+/// This rank's; none where the first one writes for all, or there are to be none.
+std::unique_ptr<FrameSeries> frame_series(const RunCommand& command, const fs::path& folder, const Scene& scene,
                                           const Ranks& ranks) {
+    if (command.left_out.contains(study::RunOutput::frames)) return nullptr;
+    const FrameFormat format = frame_format(command);
     if (format == FrameFormat::hdf5) return std::make_unique<Hdf5Sink>(folder, label_of(scene), ranks);
     return ranks.is_first() ? paraview_frames(folder, label_of(scene)) : nullptr;
 }
 
 /// Pictures are drawn of ParaView's files.
-Pictures draw(FrameFormat format, const Scene& scene, const fs::path& folder, ProgressLine& line) {
-    if (!*scene.output.pictures || format != FrameFormat::vtk) return {};
+Pictures draw(const RunCommand& command, const Scene& scene, const fs::path& folder, ProgressLine& line) {
+    const bool left_out =
+        command.left_out.contains(study::RunOutput::pictures) || command.left_out.contains(study::RunOutput::frames);
+    if (left_out || !*scene.output.pictures || frame_format(command) != FrameFormat::vtk) return {};
     line.show("geometry pictures");
     Pictures result = draw_pictures(folder, picture_options(scene));
     line.clear();
     return result;
 }
 
-/// Runs to the end; what ends it before that is in the log. Of a run that diverges it also says where its frames are.
+/// Whether it was written. Of a run that is done, a page that cannot be written is no error.
+bool write_page(const fs::path& folder, RunLog& log) {
+    try {
+        write_run_report(folder);
+        return true;
+    } catch (const Error& error) {
+        log.warn(fmt::format(": the run's page {} was not written: {}", report_file_name, error.problem()));
+        return false;
+    }
+}
+
+/// Runs to the end; what ends it before that is in the log. A run that diverges leaves a page, too, and says where its
+/// frames are.
 RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs::path& folder, RunLog& log) {
     const auto note = [&](const Error& error) {
         try {
@@ -94,19 +115,24 @@ RunSummary simulate(Simulation& simulation, const RunOptions& options, const fs:
     try {
         return simulation.run(options);
     } catch (const DivergenceError& error) {
-        const DivergenceError with_place(error.problem(),
-                                         error.what_to_do() + "\nThe frames up to there are in " + folder.string());
+        const DivergenceError with_place(
+            error.problem(),
+            error.what_to_do() +
+                (options.sink == nullptr ? "\nWhat it has measured is in " : "\nThe frames up to there are in ") +
+                folder.string());
         note(with_place);
+        if (write_page(folder, log))
+            print(shell_word((folder / report_file_name).string()) + "   the page of the run, for a browser\n");
         throw with_place;
     } catch (const Error& error) {
-        note(error);
+        note(error);  // and no page: the disk may be full, or the folder another process's
         throw;
     }
 }
 
 /// Everything the run leaves besides the frames, whose files are given in `extra`; returns the names of all.
 std::vector<std::string> write_results(const fs::path& folder, const Scene& scene, const RunSummary& summary,
-                                       SummaryExtra extra, FrameFormat format, ProgressLine& line, RunLog& log) {
+                                       SummaryExtra extra, const RunCommand& command, ProgressLine& line, RunLog& log) {
     std::vector<std::string>& files = extra.files;
     files.emplace_back(resolved_scene_name);
     if (!summary.measures.names.empty()) files.emplace_back(measures_file_name);
@@ -115,17 +141,14 @@ std::vector<std::string> write_results(const fs::path& folder, const Scene& scen
     // Before the pictures, so that whoever stops those has the numbers.
     write_summary(folder, summary, extra);
 
-    const Pictures pictures = draw(format, scene, folder, line);
+    const Pictures pictures = draw(command, scene, folder, line);
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
     write_summary(folder, summary, extra);
     if (!pictures.warning.empty()) log.warn(": " + pictures.warning);
-    // Of a run that is done, a page that cannot be written is no error.
-    try {
-        write_run_report(folder);
+    if (command.left_out.contains(study::RunOutput::page)) return files;
+    if (write_page(folder, log)) {
         files.emplace_back(report_file_name);
         write_summary(folder, summary, extra);
-    } catch (const Error& error) {
-        log.warn(fmt::format(": the run's page {} was not written: {}", report_file_name, error.problem()));
     }
     return files;
 }
@@ -195,9 +218,9 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         options.checkpoints.label = {resolved_scene(scene), build_facts().version, fingerprint(prepared.particles),
                                      destination->started_from()};
     }
-    Simulation simulation(scene, prepared.particles, resources);
+    std::optional<Simulation> simulation(std::in_place, scene, prepared.particles, resources);
     prepared.particles = {};
-    Plan plan = simulation.plan();
+    Plan plan = simulation->plan();
     check_steps(scene, plan, options.until);
     if (auto warning = frames_rule_steps(scene, plan)) plan.warnings.push_back(std::move(*warning));
     const Listing values = chosen_values(scene, plan, prepared.origin);
@@ -209,15 +232,15 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     if (command.dry_run) {
         for (const std::string& warning : warnings)
             print_error(Style(Stream::error).warning("warning:") + " " + warning + "\n");
-        print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_seconds),
+        simulation.reset();  // the trial has one of its own
+        print(dry_run_text(scene, plan, try_out(scene, particles, resources, options.until, trial_of(command)),
                            options.until));
         return exit_done;
     }
 
     const fs::path& folder = destination->results.path();
     options.checkpoints.folder = folder;
-    const FrameFormat format = frame_format(command);
-    const auto sink = frame_series(format, folder, scene, resources.ranks);
+    const auto sink = frame_series(command, folder, scene, resources.ranks);
     const std::string opened = open_folder(*destination);
     const TypedCommand typed = command.typed.on_ranks(resources.ranks.size());
     RunLog log(folder, typed.text());
@@ -229,12 +252,13 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     std::string checkpoint = found != nullptr ? found->file.string() : "";
     resources.ranks.broadcast(checkpoint);
     if (goes_on) {
-        sink->go_on(simulation.resume(checkpoint));
+        const long frames = simulation->resume(checkpoint);
+        if (sink) sink->go_on(frames);
         // They tell of an end that is none any more.
         remove_file(folder / summary_file_name);
         remove_file(folder / report_file_name);
     } else if (found != nullptr) {
-        simulation.start_from(checkpoint);
+        simulation->start_from(checkpoint);
     }
 
     const std::optional<StartedFrom> started_from = destination->started_from();
@@ -261,7 +285,7 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
         measures.write(series);
     };
     options.stop = &signals.flag();
-    const RunSummary summary = simulate(simulation, options, folder, log);
+    const RunSummary summary = simulate(*simulation, options, folder, log);
     line.clear();
 
     log.say(summary_text(scene, summary));
@@ -269,9 +293,12 @@ int run_as_first(const RunCommand& command, Prepared prepared, const Resources& 
     if (summary.interrupted)
         log.say(fmt::format("Stopped before its end{}. Go on with the same command and --resume.\n  {}\n",
                             stopped_by(summary, signals), typed.with("--resume")));
-    const auto files =
-        write_results(folder, scene, summary,
-                      {label_of(scene), sink->files(), started_from, values.lines(), plan.models}, format, line, log);
+    const auto files = write_results(
+        folder, scene, summary,
+        {label_of(scene), sink ? sink->files() : std::vector<std::string>{}, started_from, values.lines(), plan.models},
+        command, line, log);
+    // Of a run that goes on, those of before are still there.
+    if (!summary.interrupted && !options.checkpoints.at_end) CheckpointFolder(folder).remove();
     log.say("\n" + results_text(folder, files));
     for (const Warning& warning : summary.warnings) log.warn(": " + warning.text());
     if (summary.out_of_time) return exit_out_of_time;
@@ -284,13 +311,13 @@ int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resou
     Simulation simulation(prepared.scene, prepared.particles, resources);
     prepared.particles = {};
     if (command.dry_run) {
-        static_cast<void>(try_out(prepared.scene, particles, resources, options.until, trial_seconds));
+        static_cast<void>(try_out(prepared.scene, particles, resources, options.until, trial_of(command)));
         return exit_done;
     }
     options.checkpoints.folder = output_folder(command.out, scene_name(prepared.scene));
     std::string checkpoint;
     resources.ranks.broadcast(checkpoint);
-    const auto sink = frame_series(frame_format(command), options.checkpoints.folder, prepared.scene, resources.ranks);
+    const auto sink = frame_series(command, options.checkpoints.folder, prepared.scene, resources.ranks);
     options.sink = sink.get();
     if (!command.from.empty()) {
         simulation.start_from(checkpoint);
@@ -322,6 +349,7 @@ int execute(const RunCommand& command) {
         options.wall_limit = time_of("--wall-limit", command.wall_limit, 0);
         options.checkpoints.every =
             time_of("--checkpoint-every", command.checkpoint_every, seconds_between_checkpoints, true);
+        options.checkpoints.at_end = !command.left_out.contains(study::RunOutput::checkpoint);
 
         check_frames(scene, options.until);
         // Before particles are made, which may take long.

@@ -36,7 +36,8 @@ std::string log_text(const RunProgress& progress, double seconds_left) {
     return text;
 }
 
-RunLog::RunLog(const std::filesystem::path& folder, const std::string& command_line) : file_(folder / run_log_name) {
+RunLog::RunLog(const std::filesystem::path& folder, const std::string& command_line, const char* name)
+    : file_(folder / name) {
     add(now_text() + "  dmp " + build_facts().version + "\n" + command_line + "\n\n");
 }
 
@@ -52,8 +53,10 @@ void RunLog::say(const std::string& text) {
 }
 
 void RunLog::warn(const std::string& text) {
-    print_error(Style(Stream::error).warning("warning") + text + "\n");
-    add("warning" + text + "\n");
+    std::string lines;
+    for (const char c : text) lines += c == '\n' ? std::string("\n  ") : std::string(1, c);
+    print_error(Style(Stream::error).warning("warning") + lines + "\n");
+    add("warning" + lines + "\n");
 }
 
 std::string RunLog::progress(const RunProgress& progress, double wall) {

@@ -16,17 +16,17 @@ inline constexpr const char* run_log_name = "run.log";
 /// left"; the density where there is a fluid, what is left where it is known.
 [[nodiscard]] std::string log_text(const RunProgress& progress, double seconds_left);
 
-/// folder/run.log: what a run said, and every two minutes how far it is; one that goes on adds to it. Lines without
-/// colours. The text is in the file when a call returns. Throws ResourceError.
+/// folder/NAME, run.log: what a run said, and every two minutes how far it is; one that goes on adds to it. Lines
+/// without colours. The text is in the file when a call returns. Throws ResourceError.
 class RunLog {
   public:
     /// Begins with the time and the command line.
-    RunLog(const std::filesystem::path& folder, const std::string& command_line);
+    RunLog(const std::filesystem::path& folder, const std::string& command_line, const char* name = run_log_name);
 
     void add(const std::string& text);
     /// The same, after it was printed.
     void say(const std::string& text);
-    /// The same on stderr, a line that begins with "warning".
+    /// The same on stderr, a line that begins with "warning"; further lines are indented.
     void warn(const std::string& text);
     /// Adds a line if one is due after `wall` seconds of running, and returns it without its end; else returns "".
     std::string progress(const RunProgress& progress, double wall);

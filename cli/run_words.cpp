@@ -29,16 +29,34 @@ std::string refused_checkpoint(const std::string& scene_file, const std::vector<
 
 }  // namespace
 
+study::LeftOut left_out_of(const study::Study& study, std::size_t runs) {
+    using enum study::RunOutput;
+    if (study.left_out.given()) return study.left_out;
+    return runs > study::most_runs_with_pages ? study::LeftOut{pictures, page} : study::LeftOut{};
+}
+
+std::vector<std::string> run_line(const study::Study& study, const study::Point& point, const fs::path& folder,
+                                  const std::string& program, int threads, const study::LeftOut& left_out) {
+    std::vector<std::string> words{program,
+                                   "run",
+                                   study.scene.file,
+                                   "--out",
+                                   run_folder(folder, point.name).string(),
+                                   "--threads",
+                                   std::to_string(threads)};
+    for (const std::string& each : study::overrides(study.keys(), point)) words.insert(words.end(), {"--set", each});
+    for (const study::RunOutput each : left_out) words.insert(words.end(), {"--leave-out", to_string(each)});
+    return words;
+}
+
 RunWords words_for_run(const study::Study& study, const study::Point& point, const fs::path& folder,
-                       const std::string& program, int threads) {
+                       const std::string& program, int threads, const study::LeftOut& left_out) {
+    RunWords start{run_line(study, point, folder, program, threads, left_out), ""};
     const fs::path run = run_folder(folder, point.name);
-    RunWords start{{program, "run", study.scene.file, "--out", run.string(), "--threads", std::to_string(threads)}, ""};
-    const std::vector<std::string> overrides = study::overrides(study.keys(), point);
-    for (const std::string& each : overrides) start.words.insert(start.words.end(), {"--set", each});
     const FolderContents contents = contents_of(run);
     bool resumed = contents.kind == FolderContents::Kind::unfinished && contents.has_checkpoint;
     if (resumed) {
-        const std::string refused = refused_checkpoint(study.scene.file, overrides, run);
+        const std::string refused = refused_checkpoint(study.scene.file, study::overrides(study.keys(), point), run);
         if (!refused.empty())
             start.note = "run " + point.name + " cannot go on from its checkpoint, and starts anew: " + refused;
         resumed = refused.empty();

@@ -27,6 +27,13 @@ std::string a_vector_unit(const std::string& text) {
     return vector_unit_called(text) ? "" : "'" + text + "' is no vector unit; there are 'avx2' and 'avx512'";
 }
 
+/// What is wrong with the name of an output.
+std::string an_output(const std::string& text) {
+    return study::run_output_called(text)
+               ? ""
+               : "'" + text + "' is nothing to leave out; there are 'frames', 'pictures', 'page' and 'checkpoint'";
+}
+
 }  // namespace
 
 std::string at_least_one(const std::string& text) {
@@ -78,6 +85,19 @@ void add_frames(CLI::App& app, std::optional<FrameFormat>& format) {
            "Write frames for ParaView, vtk, or for 'convert', hdf5; default: " + otherwise)
         ->type_name("FORMAT")
         ->check(CLI::Validator(a_frame_format, ""));
+}
+
+void add_leave_out(CLI::App& app, study::LeftOut& left_out) {
+    const auto add = [&left_out](const std::vector<std::string>& names) {
+        for (const std::string& name : names) left_out.insert(*study::run_output_called(name));
+    };
+    app.add_option_function<std::vector<std::string>>(
+           "--leave-out", add,
+           "Do not write frames, pictures, page or the checkpoint of a run that is done; may be a list")
+        ->type_name("WHAT,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::Validator(an_output, ""));
 }
 
 void add_vector_unit(CLI::App& app, VectorUnit& unit) {

@@ -20,6 +20,8 @@ void add_set(CLI::App& app, std::vector<std::string>& overrides);
 void add_threads(CLI::App& app, int& threads);
 void add_particles(CLI::App& app, SceneChoice& scene);
 void add_frames(CLI::App& app, std::optional<FrameFormat>& format);
+/// --leave-out
+void add_leave_out(CLI::App& app, study::LeftOut& left_out);
 void add_vector_unit(CLI::App& app, VectorUnit& unit);
 
 /// What is wrong with a number of threads or runs; "": nothing.

@@ -60,7 +60,7 @@ std::string measures_text(const MeasureSeries& measures) {
         list.add(measures.names[k],
                  low > high ? "no value at any time" : fmt::format("{:.4g} to {:.4g}{}", low, high, unit));
     }
-    return "  measures, smallest to largest\n" + list.text();
+    return measures.names.empty() ? "" : "  measures, smallest to largest\n" + list.text();
 }
 
 }  // namespace

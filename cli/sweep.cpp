@@ -8,17 +8,20 @@
 
 #include <fmt/format.h>
 
+#include "base/nearest_name.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/machine.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/prepare.hpp"
+#include "cli/run_words.hpp"
 #include "cli/slurm_sweep.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/sweep_choice.hpp"
 #include "cli/sweep_dry_run.hpp"
 #include "cli/sweep_element.hpp"
 #include "cli/sweep_folder.hpp"
+#include "cli/sweep_page.hpp"
 #include "cli/sweep_rows.hpp"
 #include "cli/sweep_runs.hpp"
 #include "cli/terminal.hpp"
@@ -42,6 +45,17 @@ int jobs_of(const SweepCommand& command, int threads) {
     double processors = machine.processors;
     if (machine.processor_quota > 0) processors = std::min(processors, machine.processor_quota);
     return std::max(1, static_cast<int>(std::floor(processors / threads)));
+}
+
+std::string left_out_text(const study::Study& study, const study::LeftOut& left_out) {
+    if (left_out.empty()) return "";
+    std::vector<std::string> names;
+    for (const study::RunOutput each : left_out) names.push_back(to_string(each));
+    return "The runs leave out " + quoted_list(names) +
+           (study.left_out.given()
+                ? "\n"
+                : fmt::format(", as they are more than {}; 'leave_out = []' in the study keeps all\n",
+                              study::most_runs_with_pages));
 }
 
 std::string heading_of(const study::Study& study, std::size_t chosen, std::size_t all) {
@@ -72,8 +86,10 @@ std::string failures_text(const std::vector<SweepRow>& ended) {
     return failed == 0 ? "" : Style(Stream::output).strong("Failed") + "\n" + text;
 }
 
-std::string files_text(const fs::path& folder) {
+/// `page`: what to say of the study's page; "": there is none.
+std::string files_text(const fs::path& folder, const std::string& page) {
     Listing list;
+    if (!page.empty()) list.add("look", page);
     list.add((folder / sweep_results_name).string(), "a row for each run that has ended");
     list.add((folder / sweep_timing_name).string(), "what each run took");
     list.add((folder / "runs").string(), "a folder for each run");
@@ -87,15 +103,17 @@ int exit_code_of_runs(const std::vector<SweepRow>& ended) {
     return exit_done;
 }
 
-/// How a study ends that has come as far as it can: what is told at last, and the exit code. `left`: what there is to
-/// say of runs that go on without this process.
-int closed(const SweepTable& table, const SweepCounts& counts, const std::vector<std::size_t>& chosen,
-           const fs::path& folder, const StopSignals& signals, const TypedCommand& typed, const std::string& left) {
+/// A study has come as far as it can: writes its page, tells how it has ended, and returns the exit code. `left`: what
+/// there is to say of runs that go on without this process.
+int close(const SweepRows& rows, const StopSignals& signals, const TypedCommand& typed, const std::string& left) {
+    const SweepCounts& counts = rows.counts();
+    const fs::path& folder = rows.folder().path();
     print(fmt::format("{}: {} of {} done{}\n", counts.left() == 0 ? "Done" : "Interrupted", count_text(counts.done),
                       count_text(counts.runs, "run"),
                       counts.failed == 0 ? "" : ", " + count_text(counts.failed) + " failed"));
-    const std::vector<SweepRow> ended = ended_rows(table, chosen);
-    print(failures_text(ended) + files_text(folder));
+    const std::vector<SweepRow> ended = ended_rows(rows.table(), rows.chosen());
+    const std::string page = write_sweep_page(folder, rows.study(), rows.points());
+    print(failures_text(ended) + files_text(folder, page));
     if (counts.left() == 0) return exit_code_of_runs(ended);
     print(fmt::format("\nStopped before its end, by {}. Go on with the same command and --resume.\n  {}\n{}",
                       signals.name(), typed.with("--resume"), left));
@@ -110,11 +128,12 @@ int in_jobs(const SweepCommand& command, const study::Study& study, const study:
                                       count_text(static_cast<std::size_t>(*settings.slurm.ranks), "rank"),
                                       count_text(static_cast<std::size_t>(*settings.slurm.threads), "thread")));
     flush_output();
+    begin_sweep_page(folder.path(), study, points, command.typed);
     const StopSignals signals;
     SweepRows rows(study, points, folder, chosen);
     SlurmRuns runs(rows, std::move(queue), settings);
     runs.run(signals);
-    return closed(rows.table(), rows.counts(), chosen, folder.path(), signals, command.typed, runs.left_text());
+    return close(rows, signals, command.typed, runs.left_text());
 }
 
 }  // namespace
@@ -129,29 +148,34 @@ int execute(const SweepCommand& command) {
     settings.program = command.typed.program();
     settings.threads = threads_of(study);
     settings.jobs = jobs_of(command, settings.threads);
-    settings.chosen = chosen_runs(study, points, command.only);
+    const std::vector<std::size_t> chosen = chosen_runs(study, points, command.only);
     const SlurmSettings slurm = slurm_settings(command, study, out);  // checks its options
-    print(heading_of(study, settings.chosen.size(), points.size()));
+    settings.left_out = left_out_of(study, points.size());
+    print(heading_of(study, chosen.size(), points.size()));
     if (command.dry_run) {
-        print(runs_text(study, points, settings.chosen) + "\n");
-        if (command.slurm) print(script_text(slurm, study, settings.chosen.size()));
+        print(runs_text(study, points, chosen) + "\n");
+        if (command.slurm) print(script_text(slurm, study, chosen.size()));
         flush_output();
         print(Style(Stream::output).strong("Dry run") + "\n" +
-              cost_text(study, points, settings.chosen, settings.jobs, settings.threads) + "Nothing was written.\n");
+              cost_text(study, points, chosen, settings.jobs, settings.threads, settings.left_out) +
+              left_out_text(study, settings.left_out) + "Nothing was written.\n");
         return exit_done;
     }
     if (command.overwrite) need_no_queued_jobs(out);
     // A study whose jobs are in the queue goes on there.
     if (command.slurm || (command.resume && has_queued_jobs(out)))
-        return in_jobs(command, study, points, settings.chosen, slurm);
+        return in_jobs(command, study, points, chosen, slurm);
     const SweepFolder folder(out, {study, points.size(), command.resume, command.overwrite}, command.typed);
-    print(folder.note() + fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(),
-                                      settings.jobs, count_text(static_cast<std::size_t>(settings.threads), "thread")));
+    print(folder.note() + left_out_text(study, settings.left_out) +
+          fmt::format("Writing to {}, {} at a time on {} each\n\n", folder.path().string(), settings.jobs,
+                      count_text(static_cast<std::size_t>(settings.threads), "thread")));
     flush_output();
+    begin_sweep_page(folder.path(), study, points, command.typed);
     const StopSignals signals;
-    SweepRuns runs(study, points, folder, settings);
+    SweepRows rows(study, points, folder, chosen);
+    SweepRuns runs(rows, settings);
     runs.run(signals);
-    return closed(runs.table(), runs.counts(), settings.chosen, folder.path(), signals, command.typed, "");
+    return close(rows, signals, command.typed, "");
 }
 
 }  // namespace dmp::cli

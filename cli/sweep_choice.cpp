@@ -45,7 +45,7 @@ Wanted wanted(const study::Study& study, const std::string& text) {
     }
     const auto index = static_cast<std::size_t>(found - names.begin());
     const TomlNode value = parse_toml_value(text.substr(equals + 1), location);
-    ValueCheck(study.scene, key, location)(value);
+    if (keys[index].is_of_scene) ValueCheck(study.scene, key, location)(value);
     std::string unit = keys[index].unit;
     return {index, study::varied_value(value, unit)};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -37,6 +39,23 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
 
 }  // namespace
 
+double disk_of_run(std::size_t particles, double frames, bool pictures, const study::LeftOut& left_out) {
+    using study::RunOutput;
+    // As the runs of cases/carrier and cases/cilia have left them: compressed frames of all default fields, the last
+    // two checkpoints; measures, log and summary; pictures, which are in the page, too.
+    constexpr double frame_bytes = 80, checkpoint_bytes = 250, text_bytes = 33e3, page_bytes = 90e3,
+                     picture_bytes = 500e3;
+    const auto left = [&](RunOutput output) { return !left_out.contains(output); };
+    const bool drawn = pictures && left(RunOutput::frames) && left(RunOutput::pictures);
+    const auto all = static_cast<double>(particles);
+    double bytes = text_bytes;
+    if (left(RunOutput::frames)) bytes += frames * frame_bytes * all;
+    if (left(RunOutput::checkpoint)) bytes += 2 * checkpoint_bytes * all;
+    if (drawn) bytes += picture_bytes;
+    if (left(RunOutput::page)) bytes += page_bytes + (drawn ? picture_bytes : 0);
+    return bytes;
+}
+
 std::string runs_text(const study::Study& study, const study::Points& points, const std::vector<std::size_t>& chosen) {
     std::vector<std::vector<std::string>> rows(1, {"run"});
     for (const study::VariedKey& key : study.keys()) rows[0].push_back(csv_heading(*key.key, key.unit));
@@ -51,7 +70,7 @@ std::string runs_text(const study::Study& study, const study::Points& points, co
 }
 
 std::string cost_text(const study::Study& study, const study::Points& points, const std::vector<std::size_t>& chosen,
-                      int jobs, int threads) {
+                      int jobs, int threads, const study::LeftOut& left_out) {
     const study::Point first = points.at(chosen.front());
     SceneChoice choice;
     choice.path = study.scene.file;
@@ -78,9 +97,15 @@ std::string cost_text(const study::Study& study, const study::Points& points, co
                          count_text(static_cast<std::size_t>(threads), "thread")));
     list.add("memory", fmt::format("about {}, {} a run", bytes_text(trial.peak_memory * std::min<double>(jobs, runs)),
                                    bytes_text(trial.peak_memory)));
-    list.add("frames", fmt::format("{} a run, {} in all", count_text(static_cast<std::size_t>(frames)),
-                                   count_text(static_cast<std::size_t>(frames * runs))));
-    list.add("", "runs with other values may take longer or shorter; frames and pictures come on top");
+    if (!left_out.contains(study::RunOutput::frames))
+        list.add("frames", fmt::format("{} a run, {} in all", count_text(static_cast<std::size_t>(frames)),
+                                       count_text(static_cast<std::size_t>(frames * runs))));
+    const double disk = disk_of_run(prepared.particles.size(), frames, *prepared.scene.output.pictures, left_out);
+    std::error_code unknown;
+    const std::filesystem::space_info space = std::filesystem::space(std::filesystem::current_path(), unknown);
+    list.add("disk", fmt::format("about {}, {} a run{}", bytes_text(disk * runs), bytes_text(disk),
+                                 unknown ? "" : "; " + bytes_text(static_cast<double>(space.available)) + " are free"));
+    list.add("", "runs with other values may take longer or shorter; frames and pictures come on top of the time");
     return list.text();
 }
 

@@ -11,12 +11,16 @@
 
 namespace dmp::cli {
 
+/// What a run of so many particles and frames leaves on the disk [bytes], roughly.
+[[nodiscard]] double disk_of_run(std::size_t particles, double frames, bool pictures, const study::LeftOut& left_out);
+
 /// The first runs and their values as a table, with units above.
 [[nodiscard]] std::string runs_text(const study::Study& study, const study::Points& points,
                                     const std::vector<std::size_t>& chosen);
 
 /// What the runs take, as the first one does: its particles are made and its first steps timed.
 [[nodiscard]] std::string cost_text(const study::Study& study, const study::Points& points,
-                                    const std::vector<std::size_t>& chosen, int jobs, int threads);
+                                    const std::vector<std::size_t>& chosen, int jobs, int threads,
+                                    const study::LeftOut& left_out);
 
 }  // namespace dmp::cli

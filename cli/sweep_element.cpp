@@ -82,8 +82,12 @@ std::vector<std::string> launcher_words(const SlurmOptions& options) {
 
 class Element {
   public:
-    Element(const SweepCommand& command, const study::Study& study, fs::path folder)
-        : command_(command), study_(study), folder_(std::move(folder)), ends_(folder_) {}
+    Element(const SweepCommand& command, const study::Study& study, study::LeftOut left_out, fs::path folder)
+        : command_(command),
+          study_(study),
+          left_out_(std::move(left_out)),
+          folder_(std::move(folder)),
+          ends_(folder_) {}
 
     /// Returns the run's exit code.
     int run(const study::Point& point) {
@@ -116,7 +120,7 @@ class Element {
 
     JobEnd done(const study::Point& point, const fs::path& run) {
         const RunWords start = words_for_run(study_, point, folder_, command_.typed.program(),
-                                             std::max(1, command_.slurm_options.threads));
+                                             std::max(1, command_.slurm_options.threads), left_out_);
         if (!start.note.empty()) print_error(start.note + "\n");
         const fs::path output = run_output(folder_, point.name);
         const WallClock::time_point began = WallClock::now();
@@ -175,6 +179,7 @@ class Element {
 
     const SweepCommand& command_;
     const study::Study& study_;
+    study::LeftOut left_out_;
     fs::path folder_;
     SlurmFolder ends_;
     StopSignals signals_;
@@ -200,7 +205,7 @@ int do_runs_of_study(const SweepCommand& command) {
     for (const std::string& name : command.runs) runs.push_back(points.at(run_called(name, points)));
     const fs::path folder = output_folder(command.out, study.name);
     join_sweep_folder(folder, {study, points.size(), true, false}, command.typed);
-    Element element(command, study, folder);
+    Element element(command, study, left_out_of(study, points.size()), folder);
     int first_failure = exit_done;
     for (const study::Point& point : runs) {
         const int code = element.run(point);

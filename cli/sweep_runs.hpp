@@ -5,39 +5,37 @@
 #include <deque>
 #include <filesystem>
 #include <list>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/wall_clock.hpp"
-#include "cli/child_process.hpp"
 #include "cli/progress.hpp"
+#include "cli/run_starter.hpp"
 #include "cli/stop_signals.hpp"
-#include "cli/sweep_folder.hpp"
+#include "cli/sweep_memory.hpp"
 #include "cli/sweep_progress.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep_rows.hpp"
 #include "cli/uses.hpp"
 #include "study/points.hpp"
+#include "study/run_output.hpp"
 
 namespace dmp::cli {
 
 /// How a study's runs are started.
 struct SweepSettings {
-    std::string program;              ///< the name they are called by
-    int jobs = 1;                     ///< runs at a time
-    int threads = 1;                  ///< of each
-    std::vector<std::size_t> chosen;  ///< indices of the runs, in order
+    std::string program;      ///< the name they are called by
+    int jobs = 1;             ///< runs at a time
+    int threads = 1;          ///< of each
+    study::LeftOut left_out;  ///< what they do not write
 };
 
-/// Does the runs of a study, several at a time, each in a process of its own. Those that are finished in the folder are
-/// not run again; those that were begun go on from their checkpoints, or from the start where they have none.
+/// Does the chosen runs of a study, several at a time, each in a process of its own. Those that are finished in the
+/// folder are not run again; those that were begun go on from their checkpoints, or from the start where they have
+/// none. What still runs at the end of this object is stopped, and waited for.
 class SweepRuns {
   public:
-    SweepRuns(const study::Study& study, const study::Points& points, const SweepFolder& folder,
-              SweepSettings settings);
-    /// Stops what still runs, and waits for its end.
-    ~SweepRuns();
+    SweepRuns(SweepRows& rows, SweepSettings settings);
     SweepRuns(const SweepRuns&) = delete;
     SweepRuns& operator=(const SweepRuns&) = delete;
 
@@ -46,49 +44,48 @@ class SweepRuns {
     /// the runs are stopped then, too.
     void run(const StopSignals& signals);
 
-    [[nodiscard]] const SweepTable& table() const { return table_; }
-    [[nodiscard]] const SweepCounts& counts() const { return counts_; }
-
   private:
     struct Running {
         std::size_t index;
         study::Point point;
         WallClock::time_point start;
-        std::unique_ptr<ChildProcess> process;
     };
 
     /// Starts what there is room for; what another process still writes is put off.
     void start_some(const StopSignals& signals);
     void start(std::size_t index, study::Point point);
+    /// Tries the first run out, which may take long: its particles are made. Throws ResourceError where it takes more
+    /// memory than the machine has.
+    void learn_memory(const StopSignals& signals);
+    /// Whether there is memory for one more run; says once that there is none.
+    [[nodiscard]] bool has_room(const study::Point& point);
     /// Whether another process writes into this run's folder; says so once.
     [[nodiscard]] bool is_held(std::size_t index, const std::filesystem::path& run);
-    /// Runs that have ended before this process has begun: they are in the table from its first line on.
-    void take_earlier_ends();
-    /// A result in another unit is seen when all rows are there.
-    void count_other_units();
     void collect(bool stopping);
-    void take_end(Running& running, const ChildEnd& end, bool stopping);
+    void take_end(const Running& running, const RunEnd& end, bool stopping);
+    /// Runs whose end nobody has seen are gone on with later.
+    void put_off_lost(const std::vector<RunEnd>& ends);
     void add(std::size_t index, SweepRow row);
-    void write_table(bool at_once);
-    void note_time(const Running& running, const ChildEnd& end) const;
     void say(const std::string& line);
     void show_progress();
 
+    SweepRows& rows_;
     const study::Study& study_;
     const study::Points& points_;
     const SweepFolder& folder_;
     SweepSettings settings_;
     std::string scene_text_;
-    SweepTable table_;
-    SweepCounts counts_;
     std::deque<std::size_t> waiting_;
     std::vector<std::size_t> put_off_;  ///< another process has their folders
     std::set<std::size_t> told_held_;   ///< of which it was said that they wait for another process
     std::list<Running> running_;
-    WallClock::time_point started_ = WallClock::now(), written_ = started_;
+    RunStarter starter_;
+    SweepMemory memory_;
+    bool told_memory_ = false;
+    int losses_ = 0;  ///< of all that ran, since a run has ended
+    WallClock::time_point started_ = WallClock::now();
     std::size_t ended_ = 0;  ///< processes that have ended
     double ended_s_ = 0;     ///< the wall time that they took together [s]
-    bool changed_ = true;    ///< the table, since it was written
     ProgressLine line_;
     LineEvery lines_;
 };

@@ -5,8 +5,11 @@
 
 namespace dmp::report {
 
-// Texts that CMake takes from files: page.css, page.js and third_party/uplot.
-extern const std::string_view page_style, page_script;
+// Texts that CMake takes from files: page.css, *.js and third_party/uplot.
+extern const std::string_view page_style;
+extern const std::string_view axes_script;   ///< of all pages with plots
+extern const std::string_view page_script;   ///< of the page of a run
+extern const std::string_view study_script;  ///< of the page of a study
 extern const std::string_view uplot_style, uplot_script, uplot_licence;
 
 }  // namespace dmp::report

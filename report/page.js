@@ -1,40 +1,13 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the measures over time with uPlot: one plot each, with a common pointer and a common range of time.
 (function () {
-  "use strict";
-  document.documentElement.classList.add("has-script");
-  const measures = JSON.parse(document.getElementById("plot-data").textContent).measures;
-  const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const { colour, exponentOf, axisName, axis, numbersIn, follow, widthOf } = pageAxes;
+  const measures = JSON.parse(document.getElementById("page-data").textContent).measures;
   // At the pointer; index: of the point there, null without a pointer.
   const number = (plot, value, series, index) =>
     index == null ? "–" : value == null ? "no value" : String(Number(value.toPrecision(7)));
 
-  // A power of 1000 that keeps the numbers at an axis short; it stands in the axis' name.
-  function exponentOf(values) {
-    let largest = 0;
-    for (const value of values) if (value != null) largest = Math.max(largest, Math.abs(value));
-    if (largest === 0 || (largest >= 0.01 && largest < 1e5)) return 0;
-    return 3 * Math.floor(Math.log10(largest) / 3);
-  }
-  const superscript = (exponent) => String(exponent).replace(/[-0-9]/g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
-  const axisName = (unit, exponent) => (exponent ? "10" + superscript(exponent) + " " : "") + unit;
-
-  function axis(label, exponent, isTime) {
-    const font = "13px system-ui, 'Segoe UI', Roboto, sans-serif";
-    const own = {
-      label, font, labelFont: font, labelSize: 22,
-      stroke: () => colour("--soft"),
-      grid: { stroke: () => colour("--grid"), width: 1 },
-      ticks: { stroke: () => colour("--line"), width: 1 },
-      values: (plot, splits) => splits.map((value) => (value == null ? "" : String(Number((value / 10 ** exponent).toPrecision(6))))),
-    };
-    if (isTime) own.size = 40;
-    else own.size = (plot, values) => 22 + 7.5 * Math.max(3, ...(values || []).map((value) => value.length));
-    return own;
-  }
-
   const plots = [];
-  const widthOf = (place) => Math.max(200, Math.floor(place.clientWidth));
   for (const place of document.querySelectorAll(".plot")) {
     const measure = measures[Number(place.dataset.measure)];
     const options = {
@@ -49,8 +22,8 @@
         },
       ],
       axes: [
-        axis("time [" + axisName("s", exponentOf(measure.time)) + "]", exponentOf(measure.time), true),
-        axis("[" + axisName(measure.unit || "1", exponentOf(measure.value)) + "]", exponentOf(measure.value), false),
+        axis("time [" + axisName("s", exponentOf(measure.time)) + "]", true, numbersIn(exponentOf(measure.time))),
+        axis("[" + axisName(measure.unit || "1", exponentOf(measure.value)) + "]", false, numbersIn(exponentOf(measure.value))),
       ],
     };
     const plot = new uPlot(options, [measure.time, measure.value], place);
@@ -84,14 +57,5 @@
   }
   document.getElementById("show-all").addEventListener("click", showAll);
 
-  let due = 0;
-  window.addEventListener("resize", () => {
-    cancelAnimationFrame(due);
-    due = requestAnimationFrame(() => {
-      for (const plot of plots) plot.setSize({ width: widthOf(plot.root.parentNode), height: 230 });
-    });
-  });
-  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-    for (const plot of plots) plot.redraw();
-  });
+  follow(() => plots, 230);
 })();

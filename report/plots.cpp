@@ -9,6 +9,7 @@
 
 #include "base/csv.hpp"
 #include "report/html.hpp"
+#include "report/page_frame.hpp"
 #include "report/thin.hpp"
 
 namespace dmp::report {
@@ -58,10 +59,7 @@ std::string plot_data(const MeasureSeries& measures) {
                         {"time", rounded(curve.time)},
                         {"value", rounded(curve.value)}});
     }
-    std::string text = Json{{"measures", list}}.dump(-1, ' ', false, Json::error_handler_t::replace);
-    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-        text.replace(at, 1, "\\u003c");
-    return text;
+    return without_markup(Json{{"measures", list}}.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string measures_section(const RunFiles& run) {

@@ -22,29 +22,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* run_log_file = "run.log";
 constexpr const char* resolved_scene_file = "scene.resolved.toml";
+constexpr std::size_t most_log_bytes = 100'000;
 
 /// The file's text; without the file none, and a note of what the page lacks.
 std::string text_of(const fs::path& file, const std::string& lacks, std::vector<std::string>& notes) {
     if (fs::is_regular_file(file)) return read_file(file);
     notes.push_back(file.filename().string() + " is not in the folder: " + lacks);
     return "";
-}
-
-unsigned big_endian(std::string_view bytes) {
-    unsigned value = 0;
-    for (const char c : bytes.substr(0, 4)) value = value << 8 | static_cast<unsigned char>(c);
-    return value;
-}
-
-/// None where it is no PNG file.
-std::optional<Picture> picture(const fs::path& file) {
-    constexpr std::string_view begin("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
-    Picture found{file.filename().string(), read_file(file)};
-    const std::string_view bytes = found.bytes;
-    if (bytes.size() < 33 || !bytes.starts_with(begin) || bytes.find("IEND") == std::string_view::npos) return {};
-    found.width = big_endian(bytes.substr(16));
-    found.height = big_endian(bytes.substr(20));
-    return found;
 }
 
 void read_pictures(RunFiles& run) {
@@ -63,7 +47,7 @@ void read_pictures(RunFiles& run) {
             run.notes.push_back(
                 fmt::format("{} ({:.1f} MB) is left out, as the pictures of a page are limited to {} MB", name,
                             static_cast<double>(fs::file_size(file)) / 1e6, most_picture_bytes / 1'000'000));
-        } else if (auto found = picture(file)) {
+        } else if (auto found = read_picture(file)) {
             bytes += found->bytes.size();
             run.pictures.push_back(std::move(*found));
         } else {
@@ -80,7 +64,14 @@ void read_measures(RunFiles& run) {
                                 " is not in the folder: the measures over time are missing");
         return;
     }
-    MeasureSeries series = read_measures_csv(run.folder);
+    MeasureSeries series;
+    try {
+        series = read_measures_csv(run.folder);
+    } catch (const InputError& error) {
+        if (!run.has_no_end()) throw;
+        run.notes.push_back("measures.csv is damaged: " + error.problem());  // a killed run may leave half a line
+        return;
+    }
     if (series.names.empty())
         throw InputError(SourceLocation{file.string(), 1, 0}, "no heading with the names of measures",
                          "Restore the file or run the simulation again.");
@@ -105,24 +96,37 @@ long count_frames(const fs::path& folder) {
 
 LoggedRun logged_run(std::string_view text) {
     static const std::regex start(R"((\d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC)  dmp (\S+))");
+    constexpr std::string_view error = "error: ", more = "  ";
     LoggedRun result;
     bool started = false;
+    std::string* goes_on = nullptr;  // what an indented line belongs to
     while (!text.empty()) {
         const std::string line(text.substr(0, text.find('\n')));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         std::smatch match;
+        if (goes_on != nullptr && line.starts_with(more)) {
+            *goes_on += "\n" + line.substr(more.size());
+            continue;
+        }
+        goes_on = nullptr;
         if (started) {
             result.starts.back().command = line;
             started = false;
         } else if (std::regex_match(line, match, start)) {
             result.starts.push_back({match[1], match[2], ""});
+            result.error.clear();
             started = true;
         } else if (line.starts_with("warning: ") || line.starts_with("warning at ")) {
-            const std::string warning = line.substr(line[7] == ':' ? 9 : 8);
-            if (std::ranges::find(result.warnings, warning) == result.warnings.end())
-                result.warnings.push_back(warning);
+            goes_on = &result.warnings.emplace_back(line.substr(line[7] == ':' ? 9 : 8));
+        } else if (line.starts_with(error)) {
+            result.error = line.substr(error.size());
+            goes_on = &result.error;
         }
     }
+    std::vector<std::string> once;
+    for (std::string& warning : result.warnings)
+        if (std::ranges::find(once, warning) == once.end()) once.push_back(std::move(warning));
+    result.warnings = std::move(once);
     return result;
 }
 
@@ -132,14 +136,19 @@ RunFiles read_run_files(const fs::path& folder) {
     const SourceLocation where{folder.string(), 0, 0};
     if (!fs::is_directory(folder))
         throw InputError(where, "there is no such folder", "Name the folder that a run left, e.g. out/vein_valve.");
-    if (!fs::is_regular_file(folder / summary_file_name))
-        throw InputError(where, std::string("there is no ") + summary_file_name + " in it",
-                         "Name the folder of a run that has ended. One that was killed gets to its end with the same "
-                         "command and --resume;\nof one that diverged, look at run.log.");
+    const bool ended = fs::is_regular_file(folder / summary_file_name);
+    if (!ended && !(fs::is_regular_file(folder / run_log_file) && fs::is_regular_file(folder / resolved_scene_file)))
+        throw InputError(where,
+                         fmt::format("there is no {} in it, and no {} with a {} of a run that was ended before",
+                                     summary_file_name, run_log_file, resolved_scene_file),
+                         "Name the folder that a run or a study left, e.g. out/vein_valve.");
     RunFiles run;
     run.folder = folder;
-    run.summary = read_json_object(folder / summary_file_name);
-    run.log = logged_run(text_of(folder / run_log_file, "when and with which command it ran is not known", run.notes));
+    run.summary = ended ? read_json_object(folder / summary_file_name) : JsonValue::Json::object();
+    const std::string log =
+        text_of(folder / run_log_file, "when and with which command it ran is not known", run.notes);
+    run.log = logged_run(log);
+    if (run.has_no_end()) run.log_text = log.size() > most_log_bytes ? log.substr(log.size() - most_log_bytes) : log;
     run.resolved_scene = text_of(folder / resolved_scene_file, "the scene as it was run is missing", run.notes);
     read_measures(run);
     read_pictures(run);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "report/json_value.hpp"
+#include "report/picture.hpp"
 #include "report/uses.hpp"
 #include "solver/results/run_summary.hpp"
 
@@ -21,23 +22,19 @@ struct LoggedRun {
         std::string when, version, command;
     };
     std::vector<Start> starts;
-    std::vector<std::string> warnings;  ///< each once, without the word "warning"
+    std::vector<std::string> warnings;  ///< each once, without the word "warning"; may have several lines
+    std::string error;                  ///< what ended it, since it was last started; "": nothing did
 };
 
 /// Reads the text of a run.log.
 [[nodiscard]] LoggedRun logged_run(std::string_view text);
 
-/// A PNG file.
-struct Picture {
-    std::string name, bytes;
-    unsigned width = 0, height = 0;  ///< [pixels]
-};
-
 /// What a run left in its folder.
 struct RunFiles {
     std::filesystem::path folder;
-    JsonValue::Json summary;
+    JsonValue::Json summary;  ///< empty: the run did not reach an end that leaves one
     LoggedRun log;
+    std::string log_text;  ///< of a run without a summary: the end of run.log
     std::string resolved_scene;
     std::optional<MeasureSeries> measures;
     std::vector<Picture> pictures;
@@ -46,12 +43,14 @@ struct RunFiles {
     std::vector<std::string> notes;  ///< files that are not there, or cannot be shown
 
     [[nodiscard]] JsonValue facts() const;
+    /// Whether it was killed, diverged, or runs still.
+    [[nodiscard]] bool has_no_end() const { return summary.empty(); }
 };
 
 /// The most that the pictures of a page may take [bytes]; those beyond are named instead.
 inline constexpr std::size_t most_picture_bytes = 3'000'000;
 
-/// Throws InputError where the folder or its summary.json is missing, or a file is damaged.
+/// Throws InputError where the folder is missing or no run has begun in it, or a file is damaged.
 [[nodiscard]] RunFiles read_run_files(const std::filesystem::path& folder);
 
 }  // namespace dmp::report

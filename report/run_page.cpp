@@ -10,6 +10,7 @@
 #include "report/conservation.hpp"
 #include "report/embedded.hpp"
 #include "report/html.hpp"
+#include "report/page_frame.hpp"
 #include "report/plots.hpp"
 
 namespace dmp::report {
@@ -17,8 +18,6 @@ namespace dmp::report {
 namespace {
 
 using Items = std::vector<std::pair<std::string, std::string>>;
-
-std::string or_unknown(std::string text) { return text.empty() ? "not known" : text; }
 
 std::string title_of(const RunFiles& run) {
     const std::string title = run.facts()["title"].text();
@@ -33,27 +32,48 @@ std::vector<std::string> warnings_of(const RunFiles& run) {
     return warnings;
 }
 
-std::string box(const std::string& kind, const std::string& heading, const std::vector<std::string>& lines) {
-    if (lines.empty()) return "";
-    std::string text = fmt::format("<section class=\"box {}\"><h2>{}</h2>\n<ul>\n", kind, escaped(heading));
-    for (const std::string& line : lines) text += "<li>" + escaped(line) + "</li>\n";
-    return text + "</ul></section>\n";
+std::string version_of(const RunFiles& run) {
+    if (run.has_no_end()) return run.log.starts.empty() ? "not known" : run.log.starts.back().version;
+    return or_unknown(run.facts()["version"].text());
+}
+
+/// How far a run without a summary has come, as its measures tell.
+std::string measured_until(const RunFiles& run) {
+    if (!run.measures || run.measures->time.empty()) return "";
+    return "; its measures end at " + number_text(run.measures->time.back(), "s");
+}
+
+/// A class of page.css, and what to say.
+std::pair<std::string, std::string> state_of(const RunFiles& run) {
+    const JsonValue facts = run.facts();
+    if (!run.has_no_end()) {
+        const std::string time = number_text(facts["simulated_s"].number(), "s simulated");
+        if (facts["interrupted"].truth()) return {"interrupted", "Interrupted: stopped before its end, at " + time};
+        return {"complete", "Complete: " + time};
+    }
+    if (!run.log.error.empty()) return {"failed", "Failed: ended by an error" + measured_until(run)};
+    return {"interrupted", "Not complete: killed before its end, or it runs still" + measured_until(run)};
+}
+
+/// Of a run without a summary.
+std::string how_it_failed(const RunFiles& run) {
+    if (!run.has_no_end()) return "";
+    if (run.log.error.empty())
+        return "<p>It has left no summary. The same command with --resume goes on from its last checkpoint.</p>\n";
+    return "<pre class=\"error\">" + escaped(run.log.error) + "</pre>\n";
 }
 
 std::string head(const RunFiles& run) {
     const JsonValue facts = run.facts();
-    const bool interrupted = facts["interrupted"].truth();
-    const std::string state =
-        fmt::format("{} {}", interrupted ? "Interrupted: stopped before its end, at" : "Complete:",
-                    number_text(facts["simulated_s"].number(), "s simulated"));
-    Items items{{"dmp version", or_unknown(facts["version"].text())},
+    Items items{{"dmp version", version_of(run)},
                 {"scene hash", or_unknown(facts["scene_hash"].text())},
                 {"started", run.log.starts.empty() ? "not known" : run.log.starts.front().when}};
     for (std::size_t k = 1; k < run.log.starts.size(); ++k) items.emplace_back("resumed", run.log.starts[k].when);
     items.emplace_back("wall time", wall_time_text(facts["wall_s"].number()));
     items.emplace_back("folder", run.folder.lexically_normal().filename().string());
-    return fmt::format("<header><h1>{}</h1>\n<p class=\"state {}\">{}</p>\n{}</header>\n", escaped(title_of(run)),
-                       interrupted ? "interrupted" : "complete", escaped(state), list(items));
+    const auto [kind, state] = state_of(run);
+    return fmt::format("<header><h1>{}</h1>\n<p class=\"state {}\">{}</p>\n{}{}</header>\n", escaped(title_of(run)),
+                       kind, escaped(state), how_it_failed(run), list(items));
 }
 
 std::string what_was_run(const RunFiles& run) {
@@ -86,11 +106,8 @@ std::string alternative_text(const std::string& name) {
 
 std::string image(const Picture& picture) {
     const std::string name = alternative_text(picture.name);
-    return fmt::format(
-        "<figure><img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\">"
-        "<figcaption>{}{}</figcaption></figure>\n",
-        base64(picture.bytes), picture.width, picture.height, escaped(name), escaped(name),
-        name == picture.name ? "" : " (" + escaped(picture.name) + ")");
+    return fmt::format("<figure>{}<figcaption>{}{}</figcaption></figure>\n", image_element(picture, name),
+                       escaped(name), name == picture.name ? "" : " (" + escaped(picture.name) + ")");
 }
 
 /// The picture of the measures only stands in for the plots.
@@ -155,7 +172,7 @@ std::string reproduce_section(const RunFiles& run) {
     for (const LoggedRun::Start& start : run.log.starts)
         text += fmt::format("<p>{}, dmp {}:</p>\n<pre><code>{}</code></pre>\n", escaped(start.when),
                             escaped(start.version), escaped(start.command));
-    Items items{{"dmp version", or_unknown(facts["version"].text())},
+    Items items{{"dmp version", version_of(run)},
                 {"hash of the resolved scene", or_unknown(facts["scene_hash"].text())},
                 {"hash of the final state", or_unknown(facts["state_hash"].text())}};
     if (const JsonValue from = facts["started_from"]; from.is_there())
@@ -174,34 +191,36 @@ std::string reproduce_section(const RunFiles& run) {
     return section("reproduce", "How to run it again", text);
 }
 
-std::string scripts(const RunFiles& run) {
-    if (!run.measures || run.measures->rows.empty()) return "";
-    // The licence goes with the program.
-    return "<script type=\"application/json\" id=\"plot-data\">" + plot_data(*run.measures) +
-           "</script>\n<script>\n/*\n" + std::string(uplot_licence) + "*/\n" + std::string(uplot_script) +
-           "\n</script>\n<script>\n" + std::string(page_script) + "</script>\n";
+/// Of a run that has left no summary there is nothing else to tell.
+std::string sections_without_summary(const RunFiles& run) {
+    return navigation({{"pictures", "Pictures"},
+                       {"measures", "Measures"},
+                       {"log", "What it said"},
+                       {"reproduce", "How to run it again"}}) +
+           pictures_section(run) + measures_section(run) +
+           section("log", "What it said", "<pre><code>" + escaped(run.log_text) + "</code></pre>\n") +
+           reproduce_section(run);
 }
 
 }  // namespace
 
 std::string run_page(const RunFiles& run) {
     std::string text =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-        "'unsafe-inline'; script-src 'unsafe-inline'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n<title>";
-    text += escaped(title_of(run)) + "</title>\n<style>\n" + std::string(uplot_style) + "\n" + std::string(page_style) +
-            "</style>\n</head>\n<body>\n<main>\n";
-    text += head(run);
-    text += box("warnings", "Warnings", warnings_of(run)) + box("missing", "Not on this page", run.notes);
-    text +=
-        "<nav aria-label=\"Sections\"><a href=\"#pictures\">Pictures</a> <a href=\"#measures\">Measures</a> "
-        "<a href=\"#what\">What was run</a> <a href=\"#conservation\">What was conserved</a> "
-        "<a href=\"#time\">Time</a> <a href=\"#reproduce\">How to run it again</a></nav>\n";
-    text += pictures_section(run) + measures_section(run) + what_was_run(run) + conservation_section(run) +
-            time_section(run) + reproduce_section(run);
-    return text + "</main>\n" + scripts(run) + "</body>\n</html>\n";
+        head(run) + box("warnings", "Warnings", warnings_of(run)) + box("missing", "Not on this page", run.notes);
+    if (run.has_no_end()) {
+        text += sections_without_summary(run);
+    } else {
+        text += navigation({{"pictures", "Pictures"},
+                            {"measures", "Measures"},
+                            {"what", "What was run"},
+                            {"conservation", "What was conserved"},
+                            {"time", "Time"},
+                            {"reproduce", "How to run it again"}});
+        text += pictures_section(run) + measures_section(run) + what_was_run(run) + conservation_section(run) +
+                time_section(run) + reproduce_section(run);
+    }
+    const bool has_plots = run.measures && !run.measures->rows.empty();
+    return page_text(title_of(run), text, has_plots ? plot_data(*run.measures) : "", page_script);
 }
 
 }  // namespace dmp::report

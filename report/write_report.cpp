@@ -4,11 +4,17 @@
 #include "base/safe_file.hpp"
 #include "report/run_files.hpp"
 #include "report/run_page.hpp"
+#include "report/study_files.hpp"
+#include "report/study_page.hpp"
 
 namespace dmp::report {
 
 void write_run_report(const std::filesystem::path& folder) {
     write_file(folder / report_file_name, run_page(read_run_files(folder)));
+}
+
+void write_study_report(const std::filesystem::path& folder) {
+    write_file(folder / report_file_name, study_page(read_study_files(folder)));
 }
 
 }  // namespace dmp::report

@@ -408,6 +408,11 @@ Expression read_formula(const WrittenText& text, const Expected& expected, const
     return compiled(whole, text, subject);
 }
 
+bool is_formula_word(std::string_view name) {
+    return unit_symbol(name) || is_variable_or_constant(name) ||
+           std::ranges::find(functions, name, &Function::name) != functions.end();
+}
+
 Quantity constant_formula(const WrittenText& text, const std::string& subject) {
     const Term whole = FormulaReader(text).read();
     const Expression expression = compiled(whole, text, subject);

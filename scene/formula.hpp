@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scene/expression.hpp"
 #include "scene/quantity.hpp"
@@ -25,6 +26,9 @@ namespace dmp::scene {
 ///
 /// `subject` is the formula's key. Throws InputError with the location of the fault in the text.
 Expression read_formula(const WrittenText& text, const Expected& expected, const std::string& subject);
+
+/// Whether a name has a meaning in formulas: a unit, a function, a variable or pi.
+bool is_formula_word(std::string_view name);
 
 /// The value of a formula without variables, of any dimension. Throws InputError likewise, also where it depends on t,
 /// x, y or z, or is no finite number.

@@ -11,7 +11,7 @@
 #include "base/text_hash.hpp"
 #include "base/unlisted_value.hpp"
 #include "scene/read_scene.hpp"
-#include "study/read_vary.hpp"
+#include "study/formula_value.hpp"
 #include "study/varied_value.hpp"
 
 namespace dmp::study {
@@ -117,8 +117,8 @@ std::vector<VariedValue> Points::values_at(std::size_t index) const {
     std::vector<VariedValue> values;
     for (std::size_t axis = 0; axis < study_.vary.size(); ++axis) {
         const Vary& vary = study_.vary[axis];
-        if (vary.formula) {
-            values.push_back(varied_quantity(formula_value(*vary.formula, *vary.keys[0].key, keys_, values)));
+        if (!vary.is_axis()) {
+            values.push_back(value_of(vary, keys_, values));
             continue;
         }
         for (VariedValue& value : axis_values(axis, index)) values.push_back(std::move(value));
@@ -139,7 +139,8 @@ Point Points::at(std::size_t index) const {
 
 std::vector<std::string> overrides(const std::vector<VariedKey>& keys, const Point& point) {
     std::vector<std::string> all;
-    for (std::size_t k = 0; k < keys.size(); ++k) all.push_back(*keys[k].key + "=" + point.values[k].toml);
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        if (keys[k].is_of_scene) all.push_back(*keys[k].key + "=" + point.values[k].toml);
     return all;
 }
 
@@ -154,7 +155,7 @@ std::string identity_of(const Study& study) {
         if (vary.range)
             lines += csv_number(vary.range->from) + " " + csv_number(vary.range->to) + " " + vary.keys[0].unit + " " +
                      std::string(to_string(vary.range->scale)) + "\n";
-        if (vary.formula) lines += vary.formula->text + "\n";
+        for (const WrittenText& formula : vary.formulas) lines += formula.text + "\n";
     }
     return hex_text(text_hash(lines));
 }

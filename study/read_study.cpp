@@ -10,6 +10,7 @@
 #include "scene/read_scene.hpp"
 #include "scene/value_check.hpp"
 #include "study/points.hpp"
+#include "study/read_plot.hpp"
 #include "study/read_result.hpp"
 #include "study/read_slurm.hpp"
 #include "study/read_vary.hpp"
@@ -73,9 +74,9 @@ void check_formulas(const Study& study, const Points& points) {
     std::vector<Formula> formulas;
     std::size_t key = 0;
     for (const Vary& vary : study.vary) {
-        if (vary.formula)
-            formulas.push_back(
-                {key, vary.formula->location, ValueCheck(study.scene, *vary.keys[0].key, vary.keys[0].key.location)});
+        if (!vary.is_axis() && vary.keys[0].is_of_scene)
+            formulas.push_back({key, vary.formulas[0].location,
+                                ValueCheck(study.scene, *vary.keys[0].key, vary.keys[0].key.location)});
         key += vary.keys.size();
     }
     if (formulas.empty()) return;
@@ -107,13 +108,19 @@ Study read_study(const std::string& path) {
     study.file = study_file(path);
     study.name = name_of(study.file);
     const TomlNode document = parse_toml(read_file(study.file), study.file);
-    const TomlTable table(document, "", {"scene", "combine", "samples", "seed", "vary", "result", "slurm"});
+    const TomlTable table(
+        document, "",
+        {"title", "purpose", "scene", "combine", "samples", "seed", "leave_out", "vary", "result", "plot", "slurm"});
     SourceLocation whole{study.file, 0, 0};
     if (table.find("scene") == nullptr)
         throw InputError(whole, "missing key: scene", "add 'scene': the scene's file, relative to the study's folder");
     study.scene_path = table.need("scene", text_not_empty());
+    study.title = *table.read("title", text_not_empty(), Value<std::string>());
+    study.purpose = *table.read("purpose", text_not_empty(), Value<std::string>());
     read_combination(table, study);
     study.slurm = read_slurm(document);
+    if (const TomlNode* list = table.find("leave_out"))
+        study.left_out = {read_left_out(*list, "leave_out"), list->location};
 
     const fs::path scene = fs::path(study.file).parent_path() / *study.scene_path;
     if (std::error_code none; !fs::exists(scene, none))
@@ -123,7 +130,9 @@ Study read_study(const std::string& path) {
     for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
     check_axes(study);
     for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));
-    check_formulas(study, Points(study));  // which refuses what does not go together
+    const Points points(study);  // which refuses what does not go together
+    check_formulas(study, points);
+    study.plots = read_plots(document, study, points);
     return study;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "base/csv.hpp"
@@ -11,6 +12,7 @@
 #include "base/text_lines.hpp"
 #include "scene/formula.hpp"
 #include "scene/value_check.hpp"
+#include "study/formula_value.hpp"
 #include "study/points.hpp"
 #include "study/toml_table.hpp"
 #include "study/varied_value.hpp"
@@ -39,11 +41,12 @@ bool go_together(const Quantity& a, const Quantity& b) {
 /// Checks the values of one key as they come.
 class KeyValues {
   public:
-    KeyValues(const Study& study, VariedKey& key)
-        : check_(study.scene, key.key, key.key.location), key_(key), unique_(*study.combine == Combine::grid) {}
+    KeyValues(const Study& study, VariedKey& key) : key_(key), unique_(*study.combine == Combine::grid) {
+        if (key.is_of_scene) check_.emplace(study.scene, key.key, key.key.location);
+    }
 
     VariedValue add(const TomlNode& node) {
-        check_(node);
+        check(node);
         VariedValue value = varied_value(node, key_.unit);
         if (value.quantity) {
             if (first_ && !go_together(*first_, *value.quantity))
@@ -60,10 +63,12 @@ class KeyValues {
                              "remove one of them: a grid would hold the same runs twice");
         return value;
     }
-    void check(const TomlNode& node) const { check_(node); }
+    void check(const TomlNode& node) const {
+        if (check_) (*check_)(node);
+    }
 
   private:
-    ValueCheck check_;
+    std::optional<ValueCheck> check_;  ///< none of a name of the study's own, which may be anything
     VariedKey& key_;
     bool unique_;
     std::optional<Quantity> first_;
@@ -139,6 +144,7 @@ void read_range(const TomlNode& node, const Study& study, Vary& vary) {
     }
     const int steps = *table.need("steps", integer(between(2, most_runs)));
     for (int k = 0; k < steps; ++k) vary.rows.push_back({checked(k, steps)});
+    vary.log_range = range.scale == Scale::log && range.from > 0;
 }
 
 void read_csv_table(const TomlNode& node, const Study& study, Vary& vary) {
@@ -179,70 +185,43 @@ void read_csv_table(const TomlNode& node, const Study& study, Vary& vary) {
 }
 
 void read_formula_of(const TomlNode& node, const Study& study, Vary& vary) {
-    if (!node.is_text()) throw wrong_kind(node, "vary.formula", "a formula in quotes");
-    if (node.text.text.size() > 10000)
-        throw InputError(node.location, "vary.formula: it has more than 10 000 characters", "write a shorter formula");
-    vary.formula = node.text;
+    read_formulas(node, vary);
     // For the first run; its unit is that of all.
     const std::vector<VariedKey> above = study.keys();
     std::vector<VariedValue> values;
     for (const Vary& each : study.vary) {
-        if (each.formula)
-            values.push_back(varied_quantity(formula_value(*each.formula, *each.keys[0].key, above, values)));
+        if (!each.is_axis())
+            values.push_back(value_of(each, above, values));
         else if (each.range)
             values.push_back(varied_number(each.range->from, each.keys[0].unit, each.range->quoted));
         else
             values.insert(values.end(), each.rows.front().begin(), each.rows.front().end());
     }
     VariedKey& key = vary.keys.front();
-    const Quantity value = formula_value(*vary.formula, *key.key, above, values);
-    key.unit = value.dimension.si_unit();
-    ValueCheck(study.scene, *key.key, key.key.location)(parse_toml_value(varied_quantity(value).toml, node.location));
+    const VariedValue value = value_of(vary, above, values);
+    if (value.quantity) key.unit = value.quantity->dimension.si_unit();
+    if (key.is_of_scene)
+        ValueCheck(study.scene, *key.key, key.key.location)(parse_toml_value(value.toml, node.location));
+}
+
+/// A key of the scene, or a name of the study's own.
+VariedKey read_key(const TomlTable& table) {
+    const TomlNode* own = table.find("name");
+    if (own == nullptr) return {table.need("key", text_not_empty()), ""};
+    if (table.find("key") != nullptr)
+        throw InputError(own->key_location, "[[vary]] has a 'key' and a 'name', expected one of them",
+                         "give 'key' for a key of the scene, 'name' for a value that formulas below it take");
+    VariedKey key{table.need("name", name()), "", false};
+    if (is_formula_word(*key.key))
+        throw InputError(key.key.location, "'" + *key.key + "' has a meaning in formulas already",
+                         "choose another name: none of a unit, a function, t, x, y, z or pi");
+    return key;
 }
 
 }  // namespace
 
-Quantity formula_value(const WrittenText& formula, const std::string& subject, const std::vector<VariedKey>& keys,
-                       const std::vector<VariedValue>& values) {
-    const std::string& text = formula.text;
-    std::string filled;
-    const auto part_of_key = [&](std::size_t at) {
-        return at < text.size() && (text[at] == '.' || end_of_name(text, at) > at || std::isdigit(text[at]) != 0);
-    };
-    for (std::size_t at = 0; at < text.size();) {
-        std::size_t end = end_of_number(text, at);
-        if (end > at || end_of_name(text, at) == at) {  // a number, an operator, a space
-            filled += text.substr(at, std::max(end, at + 1) - at);
-            at = std::max(end, at + 1);
-            continue;
-        }
-        for (end = at; part_of_key(end);) ++end;
-        const std::string word = text.substr(at, end - at);
-        const auto key = std::ranges::find(keys, word, [](const VariedKey& each) { return *each.key; });
-        if (key != keys.end()) {
-            const VariedValue& value = values[static_cast<std::size_t>(key - keys.begin())];
-            if (!value.quantity)
-                throw InputError(formula.at(at), subject + ": '" + word + "' is " + value.toml + ", which is no number",
-                                 "a formula takes keys with numbers");
-            filled += "(" + csv_number(value.quantity->si) + " " + value.quantity->dimension.si_unit() + ")";
-        } else if (word.find('.') != std::string::npos) {
-            std::vector<std::string> names;
-            for (const VariedKey& each : keys) names.push_back(*each.key);
-            const std::string nearest = nearest_name(word, names);
-            throw InputError(formula.at(at), subject + ": '" + word + "' is not varied above",
-                             nearest.empty() ? "a formula takes keys that vary above it: " + quoted_list(names)
-                                             : "did you mean '" + nearest + "'?");
-        } else {
-            filled += word;
-        }
-        at = end;
-    }
-    // Columns are those of the text with the numbers in it.
-    return constant_formula({filled, formula.location, {}}, subject);
-}
-
 Vary read_vary(const TomlNode& node, const Study& study) {
-    const TomlTable table(node, "vary", {"key", "values", "range", "formula", "table"});
+    const TomlTable table(node, "vary", {"key", "name", "values", "range", "formula", "table"});
     std::vector<std::string> given;
     for (const std::string& source : sources)
         if (table.find(source) != nullptr) given.push_back(source);
@@ -255,11 +234,12 @@ Vary read_vary(const TomlNode& node, const Study& study) {
     Vary vary;
     vary.location = table.location();
     if (source == "table") {
-        if (const TomlNode* key = table.find("key"))
-            throw InputError(key->key_location, "[[vary]] has a 'key' besides its table",
-                             "remove it: the heading of the table names the keys");
+        for (const char* heading : {"key", "name"})
+            if (const TomlNode* key = table.find(heading))
+                throw InputError(key->key_location, "[[vary]] has a '" + std::string(heading) + "' besides its table",
+                                 "remove it: the heading of the table names the keys");
     } else {
-        vary.keys.push_back({table.need("key", text_not_empty()), ""});
+        vary.keys.push_back(read_key(table));
         check_keys(vary, study);
     }
     const TomlNode& values = *table.find(source);

@@ -11,6 +11,8 @@
 #include "scene/quantity.hpp"
 #include "scene/scene.hpp"
 #include "scene/value.hpp"
+#include "study/plot.hpp"
+#include "study/run_output.hpp"
 #include "study/slurm.hpp"
 #include "study/uses.hpp"
 
@@ -32,8 +34,9 @@ struct VariedValue {
 
 /// A key that varies.
 struct VariedKey {
-    Value<std::string> key;  ///< as for --set: "part.leaflets.bending_stiffness"
-    std::string unit;        ///< of the numbers in results.csv, as the study writes it; "" where they have none
+    Value<std::string> key;   ///< as for --set: "part.leaflets.bending_stiffness"
+    std::string unit;         ///< of the numbers in results.csv, as the study writes it; "" where they have none
+    bool is_of_scene = true;  ///< false: a name of the study's own, for formulas
 };
 
 /// Numbers between two ends, in the key's unit.
@@ -49,10 +52,12 @@ struct Vary {
     std::vector<VariedKey> keys;
     std::vector<std::vector<VariedValue>> rows;  ///< what the keys take together, one for each key
     std::optional<NumberRange> range;            ///< of a Latin hypercube, which has no rows for it
-    std::optional<WrittenText> formula;          ///< in place of rows: of keys above it
+    std::vector<WrittenText> formulas;           ///< in place of rows: of keys above it
+    bool log_range = false;                      ///< the rows are a range of equal ratios
+    bool is_list = false;                        ///< of formulas: the key takes a list of as many values
 
     /// Whether it makes runs of its own; a formula follows those of others.
-    [[nodiscard]] bool is_axis() const { return !formula; }
+    [[nodiscard]] bool is_axis() const { return formulas.empty(); }
 };
 
 /// [[result]]: a measure of the scene, reduced over time to one number of each run.
@@ -72,8 +77,10 @@ struct Result {
 
 /// A study: one scene, the keys that vary, and what is kept of each run.
 struct Study {
-    std::string file;  ///< path of the study as given
-    std::string name;  ///< of its folder for study.toml, else of the file
+    std::string file;     ///< path of the study as given
+    std::string name;     ///< of its folder for study.toml, else of the file
+    std::string title;    ///< of its page; "": its name
+    std::string purpose;  ///< what it is to find out, for its page
     Value<std::string> scene_path;
     Scene scene;  ///< without any of the values that vary
     Value<Combine> combine = Combine::grid;
@@ -82,6 +89,8 @@ struct Study {
     std::vector<Vary> vary;
     std::vector<Result> results;
     Slurm slurm;
+    std::vector<Plot> plots;  ///< none: default_plots
+    Value<LeftOut> left_out;  ///< by each run; not given: by the number of runs, left_out_of
 
     /// All that varies, in the order of the file.
     [[nodiscard]] std::vector<VariedKey> keys() const;

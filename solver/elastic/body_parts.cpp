@@ -60,7 +60,7 @@ std::vector<int> nodes_of(const ParticleSet& set, int body) {
         if (set.body[bond.b] == body && set.body[bond.a] < 0) ids.push_back(bond.a);
     }
     std::ranges::sort(ids);
-    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // Clang 14 has no std::ranges::unique
     return ids;
 }
 

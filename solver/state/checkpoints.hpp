@@ -15,6 +15,7 @@ namespace dmp::solver {
 struct CheckpointOptions {
     std::filesystem::path folder;  ///< of the run; checkpoints are in a subfolder. Empty: none are written
     double every = 600;            ///< wall time between checkpoints [s]; 0: only when the run is stopped
+    bool at_end = true;            ///< one also of a run that reaches its end, which can then be made longer
     CheckpointLabel label;         ///< stored in each
 };
 

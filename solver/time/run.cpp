@@ -85,10 +85,13 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
         std::array<double, 3> requests{options.stop != nullptr && *options.stop ? 1.0 : 0.0, out_of_time ? 1.0 : 0.0,
                                        checkpoints.due() ? 1.0 : 0.0};
         ranks().largest(requests);
-        end.out_of_time = requests[1] > 0;
-        end.interrupted = requests[0] > 0 || end.out_of_time;
+        // Without a checkpoint of these last two steps they would be lost with all before them.
+        const bool may_stop = options.checkpoints.at_end || !depends_on_end;
+        end.out_of_time = may_stop && requests[1] > 0;
+        end.interrupted = may_stop && (requests[0] > 0 || end.out_of_time);
         // A longer run does not pass through a state that depends on the end.
-        if (checkpoints.wanted() && !depends_on_end && (end.interrupted || is_near_end || requests[2] > 0)) save();
+        const bool is_last = is_near_end && options.checkpoints.at_end;
+        if (checkpoints.wanted() && !depends_on_end && (end.interrupted || is_last || requests[2] > 0)) save();
         if (end.interrupted) break;
         if (is_near_end) step = towards_end(step, until);
         depends_on_end = depends_on_end || is_near_end;
@@ -100,7 +103,9 @@ Run::End Run::step_until(Checkpoints& checkpoints, const RunOptions& options, do
             options.progress(progress(until));
         }
     }
-    if (checkpoints.wanted() && !depends_on_end && !end.interrupted && step() > first_step) save();
+    if (checkpoints.wanted() && options.checkpoints.at_end && !depends_on_end && !end.interrupted &&
+        step() > first_step)
+        save();
     // The last state gets a frame, also where none is due.
     write_frame(options.sink);
     end.wall = seconds_since(start);

@@ -11,6 +11,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A tube of 4 x 1 x 1 along x with eight sides, closed, as OBJ.
 std::string tube(double scale = 1) {
@@ -92,7 +93,7 @@ TEST_F(Geometries, ANewSceneOfAStepFileRunsAsItIs) {
     const Outcome run = dmp({"run", "my_pipe", "--until", "0.5 ms", "--set", "particles.spacing=\"0.1 mm\"", "--set",
                              "output.pictures=false", "--threads", "1"});
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("Done"));
+    EXPECT_THAT(run.output, AllOf(HasSubstr("Done"), HasSubstr("smallest to largest\n    largest_speed  ")));
     const Outcome again = dmp({"new", "my_pipe", "--from", "pipe.step"});
     EXPECT_EQ(again.code, 2);
     EXPECT_THAT(again.errors, HasSubstr("there is something of this name already"));
@@ -121,9 +122,11 @@ TEST_F(Geometries, ANewSceneOfTrianglesNeedsTheirUnit) {
     EXPECT_THAT(refused.errors, HasSubstr("4 x 1 x 1 mm"));
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "my_tube"));
     ASSERT_EQ(dmp({"new", "my_tube", "--from", "tube.obj", "--unit", "mm"}).code, 0);
+    folder_.replace("my_tube/scene.toml", "[[measure]]\nname = \"largest_speed\"\nkind = \"largest_speed\"\n", "");
     const Outcome run = dmp({"run", "my_tube", "--until", "0.5 ms", "--set", "particles.spacing=\"0.1 mm\"", "--set",
                              "output.pictures=false", "--threads", "1"});
     EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.output, Not(HasSubstr("smallest to largest"))) << "nothing was measured";
 }
 
 TEST_F(Geometries, ANewSceneOfAGmshGeometryNeedsItsUnit) {
@@ -134,7 +137,7 @@ TEST_F(Geometries, ANewSceneOfAGmshGeometryNeedsItsUnit) {
     EXPECT_EQ(refused.code, 2);
     EXPECT_THAT(refused.errors, AllOf(HasSubstr("is it 30 x "), HasSubstr("--unit")));
     EXPECT_EQ(dmp({"new", "pipe", "--from", "pipe.geo", "--unit", "mm"}).code, 0);
-    EXPECT_THAT(folder_.read("pipe/scene.toml"), HasSubstr("unit = \"0.001 m\""));
+    EXPECT_THAT(folder_.read("pipe/scene.toml"), HasSubstr("unit = \"1 mm\""));
 }
 
 TEST_F(Geometries, ASeamThatARunWeldsMakesAFirstSceneToo) {

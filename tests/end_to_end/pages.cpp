@@ -58,6 +58,29 @@ TEST_F(Pages, AStoppedRunSaysSoUntilItIsComplete) {
     EXPECT_THAT(page(), AllOf(HasSubstr("Complete: 0.1 s simulated"), HasSubstr("<dt>resumed</dt>")));
 }
 
+TEST_F(Pages, AKilledRunGetsItsPageWhenAsked) {
+    ASSERT_EQ(stopped_run("out", {}, 0, SIGKILL).code, 128 + SIGKILL);
+    EXPECT_FALSE(fs::exists(folder_.path() / "out/report.html"));
+    const Outcome outcome = report("out");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(page(), AllOf(HasSubstr("Not complete: killed before its end, or it runs still; its measures end at"),
+                              HasSubstr("inlet_flux [m^3/s]"), HasSubstr("What it said")));
+    ASSERT_EQ(run("out", {"--resume"}).code, 0);
+    EXPECT_THAT(page(), AllOf(HasSubstr("Complete: 0.1 s simulated"), Not(HasSubstr("killed before"))));
+}
+
+TEST_F(Pages, ARunThatDivergesLeavesAPageThatSaysWhy) {
+    const Outcome outcome =
+        run("out", {"--set", "numerics.sound_speed=\"0.01 m/s\"", "--set", "numerics.scheme=\"plain\""});
+    ASSERT_EQ(outcome.code, 3) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("out/report.html   the page of the run"));
+    EXPECT_THAT(page(), AllOf(HasSubstr("<p class=\"state failed\">Failed: ended by an error"),
+                              HasSubstr("<pre class=\"error\">"), HasSubstr("The frames up to there are in out")));
+    const std::string first = page();
+    EXPECT_EQ(report("out").code, 0);
+    EXPECT_EQ(page(), first);
+}
+
 TEST_F(Pages, APageThatCannotBeWrittenIsAWarning) {
     const auto take_its_name = [this] {
         if (fs::exists(folder_.path() / "out/frames/fluid_000003.vtp"))
@@ -77,7 +100,7 @@ TEST_F(Pages, WhatIsNoRunOrIsDamagedIsBadInput) {
         EXPECT_THAT(outcome.errors, text);
     };
     expect("nowhere", AllOf(HasSubstr("nowhere"), HasSubstr("there is no such folder")));
-    expect(".", HasSubstr("there is no summary.json in it"));
+    expect(".", HasSubstr("there is no summary.json in it, and no run.log"));
     ASSERT_EQ(run("out").code, 0);
     remove("out/report.html");
     folder_.replace("out/measures.csv", "\n0.01,", "\n0.01;");

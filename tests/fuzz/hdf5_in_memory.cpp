@@ -39,6 +39,12 @@ namespace dmp {
 using tests::stored_file;
 using tests::StoredDataset;
 
+namespace {
+
+[[noreturn]] void not_of_checkpoints() { throw std::logic_error("checkpoints do not use this part of HDF5"); }
+
+}  // namespace
+
 struct Hdf5Writer::State {};
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file, const Hdf5FileOptions& options) {
@@ -69,11 +75,34 @@ void Hdf5Writer::write_text(const std::string& name, std::string_view text) {
     stored_file()[name] = {Hdf5Type::text, {text.begin(), text.end()}};
 }
 
+// Those of frames, which share the library with checkpoints; checkpoints have no attributes and no lists of texts.
+void Hdf5Writer::write_texts(const std::string& /*name*/, std::span<const std::string> /*texts*/) {
+    not_of_checkpoints();
+}
+void Hdf5Writer::set_attribute(const std::string& /*dataset*/, const std::string& /*name*/, std::string_view /*text*/) {
+    not_of_checkpoints();
+}
+void Hdf5Writer::set_attribute(const std::string& /*dataset*/, const std::string& /*name*/, Hdf5Type /*type*/,
+                               const void* /*number*/) {
+    not_of_checkpoints();
+}
+
 void Hdf5Writer::close() {}
 
 struct Hdf5Reader::State {};
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& /*file*/) {}
+
+const std::vector<std::string>& Hdf5Reader::names() const { not_of_checkpoints(); }
+Hdf5Type Hdf5Reader::type(const std::string& /*name*/) const { not_of_checkpoints(); }
+std::vector<std::string> Hdf5Reader::texts(const std::string& /*name*/) const { not_of_checkpoints(); }
+std::string Hdf5Reader::text_attribute(const std::string& /*dataset*/, const std::string& /*name*/) const {
+    not_of_checkpoints();
+}
+void Hdf5Reader::read_attribute(const std::string& /*dataset*/, const std::string& /*name*/, Hdf5Type /*type*/,
+                                void* /*value*/) const {
+    not_of_checkpoints();
+}
 Hdf5Reader::~Hdf5Reader() = default;
 
 void Hdf5Reader::refuse(const std::string& problem) const {

@@ -91,6 +91,16 @@ TEST(Arguments, RunNeedsOnlyAScene) {
     EXPECT_FALSE(run.dry_run);
 }
 
+TEST(Arguments, RunsLeaveOutWhatIsNamed) {
+    using enum study::RunOutput;
+    EXPECT_THAT(std::get<RunCommand>(read({"run", "x.toml"})).left_out, testing::IsEmpty());
+    const auto run =
+        std::get<RunCommand>(read({"run", "x.toml", "--leave-out", "frames,page", "--leave-out=checkpoint"}));
+    EXPECT_THAT(run.left_out, ElementsAre(frames, page, checkpoint));
+    EXPECT_THAT(error_of({"run", "x.toml", "--leave-out", "film"}).problem(),
+                HasSubstr("'film' is nothing to leave out; there are 'frames', 'pictures', 'page' and 'checkpoint'"));
+}
+
 TEST(Arguments, ParticlesAndFramesGoThroughFiles) {
     const auto run = std::get<RunCommand>(read({"run", "x.toml", "--particles", "x.h5", "--frames", "hdf5"}));
     EXPECT_EQ(run.scene.particles, "x.h5");
@@ -145,6 +155,7 @@ TEST(Arguments, InspectAndNewTakeADrawingAndItsUnit) {
 
 TEST(Arguments, TheReaderOfDrawingsIsNoCommandToSee) {
     EXPECT_TRUE(std::holds_alternative<ReadGeometryCommand>(read({"read-geometry"})));
+    EXPECT_TRUE(std::holds_alternative<StartRunsCommand>(read({"start-runs"})));
     EXPECT_THAT(text_of({"--help"}), testing::Not(HasSubstr("read-geometry")));
 }
 

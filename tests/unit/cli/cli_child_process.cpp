@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Processes of this program: here of the tests themselves.
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <pthread.h>
 #include <sys/wait.h>
@@ -52,6 +54,36 @@ TEST(ChildProcess, SaysHowItEndedAndWhatItSaid) {
     EXPECT_EQ(failing.end()->signal, 0);
     EXPECT_GT(failing.end()->peak_memory, 1e6);
     EXPECT_THAT(read_file(folder.path() / "failing.log"), HasSubstr("GTEST_SHARD_INDEX"));
+}
+
+TEST(ChildProcess, MayBeACopyThatHasNoneOfTheOpenFiles) {
+    const TemporaryFolder folder;
+    const std::filesystem::path other = folder.path() / "other";
+    write_file(other, "");
+    const int file = open(other.c_str(), O_WRONLY);
+    ASSERT_GE(file, 0);
+    int value = 1;
+    ChildProcess copy(
+        [&] {
+            value = 2;
+            std::cout << "said" << std::endl;
+            return ::write(file, "x", 1) < 0 && errno == EBADF ? 17 : 1;
+        },
+        folder.path() / "log");
+    EXPECT_EQ(waited_for(copy).exit_code, 17);
+    EXPECT_EQ(read_file(folder.path() / "log"), "said\n");
+    EXPECT_EQ(value, 1) << "it has memory of its own";
+    close(file);
+}
+
+TEST(ChildProcess, ACopyThatIsKilledLeavesTheOthers) {
+    const TemporaryFolder folder;
+    ChildProcess killed([] { return ::raise(SIGKILL); }, folder.path() / "killed.log");
+    ChildProcess crashing([] { return ::raise(SIGSEGV); }, folder.path() / "crashing.log");
+    ChildProcess fine([] { return 0; }, folder.path() / "fine.log");
+    EXPECT_EQ(waited_for(killed).exit_code, 128 + SIGKILL);
+    EXPECT_EQ(waited_for(crashing).signal, SIGSEGV);
+    EXPECT_EQ(waited_for(fine).exit_code, 0);
 }
 
 TEST(ChildProcess, IsStoppedBySigterm) {

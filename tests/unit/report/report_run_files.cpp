@@ -74,7 +74,28 @@ TEST_F(RunFilesOf, WithoutAFolderOrASummaryThereIsNoRun) {
     EXPECT_THAT(text_thrown<InputError>([&] { static_cast<void>(read_run_files(folder_.path() / "nowhere")); }),
                 AllOf(HasSubstr("nowhere"), HasSubstr("there is no such folder")));
     folder_.remove("summary.json");
-    EXPECT_THAT(error(), AllOf(HasSubstr("out"), HasSubstr("there is no summary.json in it"), HasSubstr("--resume")));
+    folder_.remove("scene.resolved.toml");
+    EXPECT_THAT(error(), AllOf(HasSubstr("out"), HasSubstr("there is no summary.json in it, and no run.log with a "
+                                                           "scene.resolved.toml of a run that was ended before")));
+}
+
+TEST_F(RunFilesOf, TheLogHasWarningsAndErrorsOfSeveralLines) {
+    const LoggedRun log = logged_run(
+        "2026-11-26 23:34:03 UTC  dmp 0.1.0\ndmp run valve\n\nwarning: cycle.png: blank\n  last_frame.png: blank\n"
+        "warning: other\nerror: particle 7 flew away\n  Look at it.\n  And again.\n");
+    EXPECT_THAT(log.warnings, ElementsAre("cycle.png: blank\nlast_frame.png: blank", "other"));
+    EXPECT_EQ(log.error, "particle 7 flew away\nLook at it.\nAnd again.");
+    EXPECT_EQ(logged_run("error: gone\n2026-11-26 23:34:03 UTC  dmp 0.1.0\ndmp run valve --resume\n").error, "")
+        << "the run goes on";
+}
+
+TEST_F(RunFilesOf, WithoutASummaryTellTheLog) {
+    folder_.remove("summary.json");
+    folder_.write("measures.csv", "time [s],flux [m^3/s]\n0,1\n0.5");
+    const RunFiles run = folder_.read();
+    EXPECT_TRUE(run.has_no_end());
+    EXPECT_THAT(run.log_text, HasSubstr("dmp run valve --resume"));
+    EXPECT_THAT(run.notes, testing::Contains(HasSubstr("measures.csv is damaged"))) << "by the kill";
 }
 
 TEST_F(RunFilesOf, DamageIsNamedWithItsPlace) {

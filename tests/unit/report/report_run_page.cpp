@@ -68,6 +68,27 @@ TEST_F(RunPage, OfAnInterruptedRunSaysSo) {
     EXPECT_THAT(text, HasSubstr("Not kept in summary.json"));
 }
 
+TEST_F(RunPage, OfAKilledRunSaysSoAndWhatItHasMeasured) {
+    folder_.remove("summary.json");
+    const std::string text = page();
+    EXPECT_THAT(text,
+                HasSubstr("<p class=\"state interrupted\">Not complete: killed before its end, or it runs still; its "
+                          "measures end at 0.5 s</p>"));
+    EXPECT_THAT(text, AllOf(HasSubstr("with --resume goes on from its last checkpoint"), HasSubstr("flux [m^3/s]"),
+                            HasSubstr("What it said"), HasSubstr("warning at 0.1 s: too &lt;fast&gt;"),
+                            HasSubstr("<dt>dmp version</dt><dd>0.1.1</dd>"), Not(HasSubstr("What was conserved"))));
+}
+
+TEST_F(RunPage, OfARunThatDivergedSaysWhy) {
+    folder_.remove("summary.json");
+    folder_.write(
+        "run.log",
+        "2026-11-26 23:34:03 UTC  dmp 0.1.0\ndmp run valve\n\nerror: particle 12 <flew> away\n  Look at it.\n");
+    EXPECT_THAT(page(),
+                AllOf(HasSubstr("<p class=\"state failed\">Failed: ended by an error; its measures end at 0.5 s"),
+                      HasSubstr("<pre class=\"error\">particle 12 &lt;flew&gt; away\nLook at it.</pre>")));
+}
+
 TEST_F(RunPage, WithoutMeasuresNeedsNoScript) {
     folder_.remove("measures.csv");
     const std::string text = page();

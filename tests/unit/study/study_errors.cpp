@@ -184,6 +184,24 @@ INSTANTIATE_TEST_SUITE_P(
         {"result_twice", "name = \"reached\"", "name = \"opening\"",
          "study.toml:18:8: there are two results 'opening'\n"
          "  give each result a name of its own: it is a column of results.csv"},
+        {"name_of_a_unit", "key = \"part.leaflets.bending_stiffness\"", "name = \"mm\"",
+         "study.toml:4:8: 'mm' has a meaning in formulas already\n"
+         "  choose another name: none of a unit, a function, t, x, y, z or pi"},
+        {"key_and_name", "key = \"particles.spacing\"", "key = \"particles.spacing\"\nname = \"fineness\"",
+         "study.toml:9:1: [[vary]] has a 'key' and a 'name', expected one of them\n"
+         "  give 'key' for a key of the scene, 'name' for a value that formulas below it take"},
+        {"name_twice", "key = \"particles.spacing\"", "name = \"a\"\nvalues = [1, 2]\n[[vary]]\nname = \"a\"",
+         "study.toml:11:8: the key 'a' is varied twice\n"
+         "  give each key one [[vary]], or one column of a table"},
+        {"empty_list_of_formulas", "range = {", "formula = []\n#",
+         "study.toml:9:11: vary.formula: the list is empty\n"
+         "  write a formula for each value, such as formula = [\"speed*cos(angle)\", 0]"},
+        {"leaves_out_what_there_is_not", "scene = \"scene.toml\"", "scene = \"scene.toml\"\nleave_out = [\"pages\"]",
+         "study.toml:2:14: leave_out: found \"pages\", expected one of 'frames', 'pictures', 'page' and 'checkpoint'\n"
+         "  did you mean \"page\"?"},
+        {"leaves_out_no_list", "scene = \"scene.toml\"", "scene = \"scene.toml\"\nleave_out = \"page\"",
+         "study.toml:2:13: leave_out: found \"page\", expected a list of outputs\n"
+         "  write for example leave_out = [\"pictures\", \"page\"]"},
         {"reserved_name", "name = \"opening\"", "name = \"error\"",
          "study.toml:12:8: a result may not have the name 'error'\n"
          "  give another name: results.csv has a column of this one"},

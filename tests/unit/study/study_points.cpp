@@ -111,6 +111,44 @@ formula = "part.leaflets.bending_stiffness / (particles.spacing * contact.range)
     EXPECT_EQ(study.keys()[3].unit, "N");
 }
 
+TEST(Points, NamesOfTheStudysOwnAreForFormulas) {
+    const Study study = study_of(R"(scene = "scene.toml"
+[[vary]]
+name = "factor"
+values = [2, 3]
+[[vary]]
+name = "width"
+range = { from = "1 mm", to = "2 mm", steps = 2 }
+[[vary]]
+key = "particles.spacing"
+formula = "width / factor / 10"
+)");
+    const Points points(study);
+    ASSERT_EQ(points.size(), 4U);
+    const Point last = points.at(3);
+    EXPECT_EQ(last.values[0].cell, "3");
+    EXPECT_EQ(last.values[1].cell, "2");
+    EXPECT_EQ(study.keys()[1].unit, "mm");
+    EXPECT_DOUBLE_EQ(last.values[2].quantity->si, 2e-3 / 30);
+    const std::vector<std::string> set = overrides(study.keys(), last);
+    ASSERT_EQ(set.size(), 1U) << "the scene knows nothing of names";
+    EXPECT_EQ(set[0].substr(0, 18), "particles.spacing=");
+    EXPECT_NE(points.at(0).name.substr(5), points.at(1).name.substr(5));
+}
+
+TEST(Points, AListMayHaveAFormulaForEachValue) {
+    const Study study = study_of(R"(scene = "scene.toml"
+[[vary]]
+name = "angle"
+values = ["0 deg", "90 deg"]
+[[vary]]
+key = "flow.acceleration"
+formula = ["sin(angle) * 1 m/s^2", "-9.81 m/s^2"]
+)");
+    EXPECT_EQ(Points(study).at(0).values[1].toml, R"(["0 m*s^-2", "-9.81 m*s^-2"])");
+    EXPECT_EQ(Points(study).at(1).values[1].cell, R"(["1 m*s^-2", "-9.81 m*s^-2"])");
+}
+
 TEST(Points, ABareZeroHasTheUnitOfTheOthers) {
     const Study study = study_of(R"(scene = "scene.toml"
 [[vary]]

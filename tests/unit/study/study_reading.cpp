@@ -102,6 +102,15 @@ TEST(ReadStudy, ATableVariesItsKeysTogether) {
     EXPECT_EQ(study.vary[0].rows[1][1].toml, "\"hexagonal\"");
 }
 
+TEST(ReadStudy, MaySayWhatItsRunsLeaveOut) {
+    using enum RunOutput;
+    EXPECT_FALSE(study_of(good_study).left_out.given());
+    EXPECT_EQ(*study_of("leave_out = [\"page\", \"frames\"]\n" + good_study).left_out, (LeftOut{frames, page}));
+    const Study none = study_of("leave_out = []\n" + good_study);
+    EXPECT_TRUE(none.left_out.given());
+    EXPECT_EQ(*none.left_out, LeftOut{});
+}
+
 TEST(ReadStudy, LevelsAreOfTheMeasuresQuantity) {
     const Study study = study_of(good_study);
     EXPECT_EQ(level_in(study.results[1], "m^3/s"), 2e-6);
