@@ -6,7 +6,6 @@
 #include <functional>
 #include <vector>
 
-#include "study/points.hpp"
 #include "study/toml_table.hpp"
 
 namespace dmp::study {
@@ -14,7 +13,6 @@ namespace dmp::study {
 namespace {
 
 constexpr double shortest_limit = 60, usual_margin = 120;  // [s]
-constexpr int most_ranks = 1'000'000, most_threads = 10'000;
 
 /// What job scripts take as it stands: no spaces, line breaks or quotes.
 ValueType<std::string> slurm_word(const std::string& what) {
@@ -41,7 +39,7 @@ ValueType<std::string> slurm_memory() {
                 const auto digits = text.find_first_not_of("0123456789");
                 const bool good = digits != 0 && digits == text.size() - 1 &&
                                   std::string_view("KMGT").find(text.back()) != std::string_view::npos;
-                if (!good) throw wrong_kind(node, path, what);
+                if (!good) throw wrong_kind(node, path, what, "write a number and K, M, G or T");
                 return text;
             },
             [](const std::string& text) { return toml_quoted(text); }};
@@ -67,16 +65,19 @@ const std::vector<SlurmKey>& slurm_keys() {
         key("qos", slurm_word("the name of a quality of service"), &Slurm::qos),
         key("constraint", slurm_word("features of nodes, such as \"avx512\""), &Slurm::constraint),
         key("memory", slurm_memory(), &Slurm::memory),
-        key("time", quantity("2 h", at_least(shortest_limit)), &Slurm::time),
+        key("time", quantity("2 h", positive), &Slurm::time),
         key("stop_before", quantity("2 min", positive), &Slurm::stop_before),
-        key("ranks", integer(between(1, most_ranks)), &Slurm::ranks),
-        key("threads", integer(between(1, most_threads)), &Slurm::threads),
-        key("runs_per_job", integer(between(1, most_runs)), &Slurm::runs_per_job),
+        key("ranks", integer(at_least(1)), &Slurm::ranks),
+        key("threads", integer(at_least(1)), &Slurm::threads),
+        key("runs_per_job", integer(at_least(1)), &Slurm::runs_per_job),
         key("launcher", one_of<Launcher>(), &Slurm::launcher)};
     return keys;
 }
 
 void check(const Slurm& slurm) {
+    if (slurm.time.given() && *slurm.time < shortest_limit)
+        throw InputError(slurm.time.location, "slurm.time is less than a minute, the shortest limit that Slurm has",
+                         "give \"1 min\" or more");
     if (!slurm.stop_before.given() || !slurm.time.given() || *slurm.stop_before < *slurm.time) return;
     throw InputError(slurm.stop_before.location, "slurm.stop_before is not shorter than slurm.time",
                      "give the time that a checkpoint needs, such as \"2 min\"");

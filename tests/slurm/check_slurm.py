@@ -46,6 +46,9 @@ class Sweep:
         self.process = subprocess.Popen(words, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=self.said,
                                         stderr=subprocess.STDOUT)
 
+    def has_said(self, words):
+        return words in os.pread(self.said.fileno(), 1 << 20, 0).decode()
+
     def end(self):
         """Its exit code, and what it has said."""
         code = self.process.wait(MOST_SECONDS)
@@ -250,11 +253,12 @@ class Jobs(unittest.TestCase):
             self.wait_until(lambda: len(self.slurm.queue()) == 6, "nothing is handed in")
             scene = self.folder / "scene.toml"
             scene.write_text(scene.read_text().replace("1056 kg/m^3", "1050 kg/m^3"))
+            words = "waits for something that does not come by itself: PartitionDown"
+            self.wait_until(lambda: sweep.has_said(words), "it does not say what the job waits for")
         finally:
             self.slurm.call("scontrol", "update", "PartitionName=main", "State=UP")
         code, said = sweep.end()
         self.assertEqual(code, 2, said)
-        self.assertIn("waits for something that does not come by itself: PartitionDown", said)
         for row in self.rows("out"):
             self.assertIn("run " + row["run"][:4] + " of the study is ", row["error"])
             self.assertEqual(row["exit_code"], "2")
