@@ -16,6 +16,7 @@
 #include "cli/sweep_table.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "report/html.hpp"
 #include "report/study_files.hpp"
 #include "report/write_report.hpp"
 #include "study/read_plot.hpp"
@@ -34,11 +35,12 @@ constexpr std::size_t most_values_listed = 12;
 std::string values_text(const study::ValuesTaken& taken) {
     std::string text;
     if (taken.count <= most_values_listed && taken.count == taken.values.size()) {
-        for (const study::VariedValue& value : taken.values) text += (text.empty() ? "" : ", ") + value.cell;
+        for (const study::VariedValue& value : taken.values)
+            text += (text.empty() ? "" : ", ") + short_cell(value.cell);
     } else if (taken.are_numbers()) {
         const auto [low, high] =
             std::ranges::minmax(taken.values, {}, [](const study::VariedValue& value) { return value.quantity->si; });
-        text = fmt::format("{} values from {} to {}", taken.count, low.cell, high.cell);
+        text = fmt::format("{} values from {} to {}", taken.count, short_cell(low.cell), short_cell(high.cell));
     } else {
         text = fmt::format("{} values: {}, {}, ...", taken.count, taken.values[0].cell, taken.values[1].cell);
     }

@@ -1,6 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/html.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -48,6 +49,12 @@ std::string number_text(double value) { return std::isfinite(value) ? fmt::forma
 
 std::string number_text(double value, std::string_view unit) {
     return std::isfinite(value) ? fmt::format("{:.6g} {}", value, unit) : "not known";
+}
+
+std::string short_cell(const std::string& cell) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    return error == std::errc() && end == cell.data() + cell.size() && std::isfinite(value) ? number_text(value) : cell;
 }
 
 std::string wall_time_text(double seconds) {

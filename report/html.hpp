@@ -20,6 +20,9 @@ namespace dmp::report {
 /// The same with a unit.
 [[nodiscard]] std::string number_text(double value, std::string_view unit);
 
+/// The cell of a table as a page shows it: a number with six digits, another text as it is.
+[[nodiscard]] std::string short_cell(const std::string& cell);
+
 /// "26.3 s", "4.2 min", "11.5 h".
 [[nodiscard]] std::string wall_time_text(double seconds);
 

@@ -81,7 +81,8 @@ std::string values_text(const StudyFiles& study, const StudyRow& row) {
         const auto differs = [&](const StudyRow& other) { return other.values[k] != study.rows.front().values[k]; };
         if (std::ranges::none_of(study.rows, differs)) continue;
         const StudyFacts::Key& key = study.facts.keys[k];
-        text += (text.empty() ? "" : ", ") + key.name + " " + row.values[k] + (key.unit.empty() ? "" : " " + key.unit);
+        text += (text.empty() ? "" : ", ") + key.name + " " + short_cell(row.values[k]) +
+                (key.unit.empty() ? "" : " " + key.unit);
     }
     return text;
 }

@@ -44,7 +44,9 @@ function studyPlots(data, figures) {
     const names = (keys) => keys.map((key) => key.name).join(", ");
     const said = [];
     if (shown.treatment === "mean") said.push("Points: each run. Lines: the mean over " + names(shown.seeds) + ".");
-    if (shown.rest.length) said.push("Points: each run; no lines, as these vary, too: " + names(shown.rest) + ". Choose one value of each above to get lines.");
+    if (shown.rest.length && !shown.key.isNumeric) said.push("Points: each run; these vary, too: " + names(shown.rest) + ".");
+    else if (shown.rest.length) said.push("Points: each run; no lines, as these vary, too: " + names(shown.rest) + "." +
+      (data.is_scattered ? "" : " Choose one value of each above to get lines."));
     else if (data.is_scattered) said.push("Points: each run; no lines, as all keys differ from run to run.");
     if (shown.without) said.push(shown.without + (shown.without === 1 ? " run has" : " runs have") + " no value here.");
     if (shown.offAxis) said.push(shown.offAxis + (shown.offAxis === 1 ? " value is" : " values are") + " not above 0 and not shown on the logarithmic axis.");
@@ -150,8 +152,8 @@ function studyPlots(data, figures) {
     place.append(told.join(", "));
   }
 
-  function nearest(plot, items, left, top) {
-    let best = -1, least = 40 * 40;
+  function nearest(plot, items, left, top, most) {
+    let best = -1, least = most * most;
     items.forEach((item, k) => {
       const away = (plot.valToPos(item.x, "x") - left) ** 2 + (plot.valToPos(item.y, "y") - top) ** 2;
       if (away <= least) { least = away; best = k; }
@@ -198,14 +200,16 @@ function studyPlots(data, figures) {
     };
     let pressed = null;
     own.over.addEventListener("mousemove", (event) => {
-      const at = nearest(own, items, event.offsetX, event.offsetY);
+      const at = nearest(own, items, event.offsetX, event.offsetY, 40);
       if (at >= 0) state.go(at);
     });
     own.over.addEventListener("mousedown", (event) => { pressed = [event.clientX, event.clientY]; });
     own.over.addEventListener("click", (event) => {
       if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 3) return;
-      state.go(nearest(own, items, event.offsetX, event.offsetY));
-      state.open();
+      const at = nearest(own, items, event.offsetX, event.offsetY, 15);
+      if (at < 0) return;
+      state.go(at);
+      if (event.pointerType !== "touch") state.open();  // a finger shows first; the run's name is a link then
     });
     own.hooks.setScale = [() => { ring.hidden = true; }];
     own.hooks.setSize = [() => { ring.hidden = true; }];

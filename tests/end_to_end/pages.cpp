@@ -71,7 +71,7 @@ TEST_F(Pages, AKilledRunGetsItsPageWhenAsked) {
 
 TEST_F(Pages, ARunThatDivergesLeavesAPageThatSaysWhy) {
     const Outcome outcome =
-        run("out", {"--set", "numerics.sound_speed=\"0.01 m/s\"", "--set", "numerics.scheme=\"plain\""});
+        run("out", {"--set", "flow.pressure_gradient=[\"-1056 Pa/m * sqrt(0.0151 - t / 1 s)\", 0]"});
     ASSERT_EQ(outcome.code, 3) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("out/report.html   the page of the run"));
     EXPECT_THAT(page(), AllOf(HasSubstr("<p class=\"state failed\">Failed: ended by an error"),

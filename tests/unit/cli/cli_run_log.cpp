@@ -49,6 +49,12 @@ TEST(RunLog, HasALineEveryTwoMinutes) {
     EXPECT_THAT(text, HasSubstr(", 4 min 40 s left\n")) << "0.01 s a second, 2.8 s of 4 s left";
 }
 
+TEST(RunLog, AWarningOfSeveralLinesStaysTogether) {
+    const TemporaryFolder folder;
+    RunLog(folder.path(), "dmp run x").warn(": first\nsecond\nthird");
+    EXPECT_THAT(read_file(folder.path() / run_log_name), testing::EndsWith("warning: first\n  second\n  third\n"));
+}
+
 TEST(RunLog, GrowsWithEachRunWithoutColours) {
     const TemporaryFolder folder;
     RunLog(folder.path(), "dmp run x").add("\033[1mA valve\033[0m\n");

@@ -31,6 +31,10 @@ TEST(Html, Base64IsThatOfTheStandard) {  // RFC 4648, section 10
 TEST(Html, NumbersThatAreNoneAreNotKnown) {
     EXPECT_EQ(number_text(1.0 / 3, "m"), "0.333333 m");
     EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN(), "m"), "not known");
+    EXPECT_EQ(short_cell("1.77827941004e-06"), "1.77828e-06");
+    EXPECT_EQ(short_cell("hexagonal"), "hexagonal");
+    EXPECT_EQ(short_cell("2 mm"), "2 mm");
+    EXPECT_EQ(short_cell("nan"), "nan");
     EXPECT_EQ(wall_time_text(26.32), "26.3 s");
     EXPECT_EQ(wall_time_text(1800), "30.0 min");
     EXPECT_EQ(wall_time_text(36000), "10.0 h");
