@@ -11,7 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/hex_text.hpp"
 #include "base/length_text.hpp"
+#include "base/text_hash.hpp"
 #include "geometry/crossing_pieces.hpp"
 #include "geometry/geometry_file.hpp"
 #include "geometry/number_text.hpp"
@@ -79,6 +81,9 @@ std::string plain_name(const std::string& name) {
     }
     plain.erase(0, std::min(plain.find_first_not_of('_'), plain.size()));
     if (!plain.empty() && std::isdigit(static_cast<unsigned char>(plain[0])) != 0) plain.insert(0, "part_");
+    // Names stand in messages and tables; long ones stay distinct.
+    constexpr std::size_t longest = 100;
+    if (plain.size() > longest) plain = plain.substr(0, longest - 17) + "_" + hex_text(text_hash(name));
     return plain;
 }
 

@@ -1,7 +1,9 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +18,13 @@ struct StepLimit {
     double dt = 0;        ///< [s]
     std::string formula;  ///< how it is computed
 };
+
+/// Steps of dt [s] that a duration [s] takes; of more than can be counted the largest number.
+[[nodiscard]] inline long steps_of(double duration, double dt) {
+    const double steps = std::ceil(duration / dt);
+    constexpr long most = std::numeric_limits<long>::max();
+    return steps < static_cast<double>(most) ? static_cast<long>(steps) : most;
+}
 
 /// A model that the scene uses, and why.
 struct ModelUse {

@@ -214,7 +214,7 @@ Plan FluidRun::plan() const {
     const StepLimit ruling = ruling_limit(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
-    plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
+    plan.steps = steps_of(scene_.run.duration, plan.dt);
     const std::optional<Warning> better_implicit = viscosity_better_implicit(scene_, plan.limits);
     plan.spring_substeps = fluid_.springs().substeps(plan.dt);
     if (settings_.viscosity.implicit && scales_.kinematic_viscosity > 0) {

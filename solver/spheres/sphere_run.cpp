@@ -139,7 +139,7 @@ Plan SphereRun::plan() const {
     const StepLimit ruling = ruling_of(plan.limits);
     plan.dt = ruling.dt;
     plan.ruling_limit = ruling.model;
-    plan.steps = static_cast<long>(std::ceil(scene_.run.duration / plan.dt));
+    plan.steps = steps_of(scene_.run.duration, plan.dt);
     plan.models = sphere_models(scene_, setup_, space_);
     if (const auto warning = by_hand_.inaccurate_at(fastest_)) plan.warnings.push_back(*warning);
     for (const Field field : group_.declared()) {

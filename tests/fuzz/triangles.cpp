@@ -3,6 +3,7 @@
 // that says what to do. The format is the build's DMP_FORMAT.
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
@@ -13,8 +14,10 @@
 
 namespace {
 
-void need(bool holds) {
-    if (!holds) std::abort();
+void need(bool holds, int line = __builtin_LINE()) {
+    if (holds) return;
+    std::fprintf(stderr, "line %d does not hold\n", line);
+    std::abort();
 }
 
 void check(const dmp::geometry::TriangleSurface& surface) {

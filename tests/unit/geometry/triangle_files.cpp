@@ -361,6 +361,10 @@ TEST(PlainName, IsWhatScenesAllow) {
     EXPECT_EQ(plain_name("a__b_"), "a__b_");
     EXPECT_EQ(plain_name("Body 1 (left)"), "Body_1_left");
     EXPECT_EQ(plain_name("3d-print.v2"), "part_3d_print_v2");
+    const std::string hundred(100, 'a');
+    EXPECT_EQ(plain_name(hundred), hundred);
+    EXPECT_EQ(plain_name(hundred + "b").size(), 100U);
+    EXPECT_NE(plain_name(hundred + "b"), plain_name(hundred + "c"));
     EXPECT_EQ(plain_name("_hidden"), "hidden");
     EXPECT_EQ(plain_name("gr\xc3\xb6\xc3\x9f"), "gr");
     EXPECT_EQ(plain_name("???"), "");
