@@ -34,7 +34,7 @@ TEST(StudyFactsOf, NameKeysResultsAndPlotsInWords) {
     EXPECT_EQ(facts.keys[1].unit, "mm");
     ASSERT_THAT(facts.results, SizeIs(2));
     EXPECT_EQ(facts.results[0].meaning, "maximum of tip_gap, from 2 s until the end");
-    EXPECT_EQ(facts.results[1].meaning, "first_crossing of flux_in, level 2e-06 m^3*s^-1, over the whole run");
+    EXPECT_EQ(facts.results[1].meaning, "first_crossing of flux_in, level 2e-06 m^3/s, over the whole run");
     EXPECT_TRUE(facts.default_plots);
     ASSERT_THAT(facts.plots, SizeIs(2));
     EXPECT_EQ(facts.plots[0].key, "particles.spacing");
@@ -80,7 +80,7 @@ TEST(StudyFactsOf, LeaveOutPointsOfAnotherQuantityAsSoonAsARunTellsIt) {
     EXPECT_EQ(problem(""), "") << "nobody knows yet";
     EXPECT_EQ(problem("run,particles.spacing [mm],deep [Pa],exit_code,error\n"), "");
     EXPECT_EQ(problem("run,particles.spacing [mm],deep [m/s],exit_code,error\n"),
-              "they are a pressure, the result is a velocity");
+              "they are a pressure, the result is a speed");
 }
 
 TEST(SweepPage, HasEachStartInItsLog) {
