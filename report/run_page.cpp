@@ -59,7 +59,9 @@ std::pair<std::string, std::string> state_of(const RunFiles& run) {
 std::string how_it_failed(const RunFiles& run) {
     if (!run.has_no_end()) return "";
     if (run.log.error.empty())
-        return "<p>It has left no summary. The same command with --resume goes on from its last checkpoint.</p>\n";
+        return "<p>It has left no summary. Where it has a checkpoint, the same command with --resume goes on from it; "
+               "else "
+               "--overwrite starts it again.</p>\n";
     return "<pre class=\"error\">" + escaped(run.log.error) + "</pre>\n";
 }
 

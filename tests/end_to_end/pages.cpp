@@ -65,7 +65,7 @@ TEST_F(Pages, AKilledRunGetsItsPageWhenAsked) {
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(page(), AllOf(HasSubstr("Not complete: killed before its end, or it runs still; its measures end at"),
                               HasSubstr("inlet_flux [m^3/s]"), HasSubstr("What it said")));
-    ASSERT_EQ(run("out", {"--resume"}).code, 0);
+    ASSERT_EQ(run("out", {"--overwrite"}).code, 0);
     EXPECT_THAT(page(), AllOf(HasSubstr("Complete: 0.1 s simulated"), Not(HasSubstr("killed before"))));
 }
 
