@@ -104,8 +104,8 @@ struct Scene {
         Value<bool> pictures = true;
         Value<FluidField> picture_field = FluidField::velocity;
         /// Fields of elastic solids in the frames; strain and force are per bond.
-        std::vector<SolidField> solid_fields{SolidField::velocity, SolidField::displacement, SolidField::strain,
-                                             SolidField::force};
+        std::vector<SolidField> solid_fields{SolidField::velocity,  SolidField::displacement, SolidField::stress,
+                                             SolidField::von_mises, SolidField::strain,       SolidField::force};
         Value<double> average_from = 0.0;  ///< when time averages begin [s]
     } output;
 

@@ -306,7 +306,7 @@ std::vector<Key<Output>> output_keys() {
         {"pictures", &Output::pictures, boolean(), "true", "Whether pictures are made."},
         {"picture_field", &Output::picture_field, one_of<FluidField>(), "velocity", "Field shown in the pictures."},
         {"solid_fields", &Output::solid_fields, list_of<SolidField>(),
-         "['velocity', 'displacement', 'strain', 'force']",
+         "['velocity', 'displacement', 'stress', 'von_mises', 'strain', 'force']",
          "Fields of elastic solids in the frames; strain and force are per bond (docs/results.md)."},
         {"average_from", &Output::average_from, quantity("1 s", not_negative), "0 s",
          "Time at which time averages (mean_displacement) begin."},

@@ -148,7 +148,8 @@ TEST(ReadScene, every_default) {
     EXPECT_EQ(*scene.numerics.mach_number, 0.1);
     EXPECT_EQ(*scene.numerics.mach_number, *fresh.numerics.mach_number);
     EXPECT_THAT(scene.output.solid_fields,
-                ElementsAre(SolidField::velocity, SolidField::displacement, SolidField::strain, SolidField::force));
+                ElementsAre(SolidField::velocity, SolidField::displacement, SolidField::stress, SolidField::von_mises,
+                            SolidField::strain, SolidField::force));
     EXPECT_EQ(scene.output.solid_fields, fresh.output.solid_fields);
     EXPECT_EQ(*scene.output.average_from, 0);
     EXPECT_EQ(*scene.output.average_from, *fresh.output.average_from);

@@ -123,7 +123,8 @@ TEST(SceneReference, has_one_line_a_key_in_the_order_of_a_scene) {
         HasSubstr(
             "| `output.solid_fields` | a list of any of 'velocity', 'displacement', 'mean_displacement', 'stress', "
             "'von_mises', 'strain' and 'force' | "
-            "[\"velocity\", \"displacement\", \"strain\", \"force\"] | Fields of elastic solids in the frames; strain "
+            "[\"velocity\", \"displacement\", \"stress\", \"von_mises\", \"strain\", \"force\"] | Fields of elastic "
+            "solids in the frames; strain "
             "and force are per bond (docs/results.md). |\n"));
 }
 

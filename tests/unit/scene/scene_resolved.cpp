@@ -161,7 +161,7 @@ fields = ["velocity", "pressure", "shear_stress"]
 measure_every = "auto"
 pictures = true
 picture_field = "velocity"
-solid_fields = ["velocity", "displacement", "strain", "force"]
+solid_fields = ["velocity", "displacement", "stress", "von_mises", "strain", "force"]
 average_from = "0 s"
 
 [[part]]
