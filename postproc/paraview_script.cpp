@@ -44,7 +44,7 @@ flat = sides[2] < spacing / 100 and not spheres
 across = sides.index(min(sides))  # in 3-D: what is looked along
 
 
-def link_camera(source):
+def largest_values(source):
     """For each field of particles: its unit, and the value that a thousandth of them exceeds in one of five frames."""
     fields = {}
     for time in sorted({times[k * (len(times) - 1) // 4] for k in range(5)}):
@@ -64,8 +64,8 @@ def link_camera(source):
     return fields
 
 
-moving_fields = link_camera(fluid or spheres) if fluid or spheres else {}
-solid_fields = link_camera(solid) if solid else {}
+moving_fields = largest_values(fluid or spheres) if fluid or spheres else {}
+solid_fields = largest_values(solid) if solid else {}
 
 
 def half(source):
