@@ -25,7 +25,8 @@ std::string progress_text(const SweepCounts& counts, double seconds_left) {
         fmt::format("{:3} %  {} of {} done, {} running", counts.runs == 0 ? 100 : 100 * ended / counts.runs,
                     count_text(counts.done), count_text(counts.runs), count_text(counts.running));
     if (counts.failed > 0) text += ", " + count_text(counts.failed) + " failed";
-    if (std::isfinite(seconds_left)) text += "  " + duration_text(seconds_left) + " left";
+    // None are left, by this estimate, where all that run have taken longer than the others.
+    if (std::isfinite(seconds_left) && seconds_left > 0) text += "  " + duration_text(seconds_left) + " left";
     return text;
 }
 

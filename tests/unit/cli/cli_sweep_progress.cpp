@@ -18,7 +18,7 @@ TEST(SweepProgress, SaysHowManyAreDoneAndWhatIsLeft) {
     counts = {.runs = 1200, .done = 305, .failed = 5, .running = 2};
     EXPECT_EQ(counts.left(), 890U);
     EXPECT_EQ(progress_text(counts, 4450), " 25 %  305 of 1 200 done, 2 running, 5 failed  1 h 14 min left");
-    EXPECT_EQ(progress_text({.runs = 0}, 0), "100 %  0 of 0 done, 0 running  0 us left");
+    EXPECT_EQ(progress_text({.runs = 0}, 0), "100 %  0 of 0 done, 0 running");
 }
 
 TEST(SweepProgress, WhatRunningRunsHaveDoneIsNoLongerLeft) {
