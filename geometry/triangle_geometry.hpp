@@ -25,8 +25,8 @@ void add_soup(Geometry& geometry, TriangleSoup soup);
 InputError missing_unit(const GeometryOptions& options, const Box& box);
 
 /// A name as scenes have it, of letters, digits and '_': "Body 1 (left)" is "Body_1_left". Empty where nothing is left,
-/// or where programs have written a remark in its place ("Created by Gmsh"). At most 100 characters: the end of a longer
-/// one is a hash of the whole.
+/// or where programs have written a remark in its place ("Created by Gmsh"). At most 100 characters: the end of a
+/// longer one is a hash of the whole.
 [[nodiscard]] std::string plain_name(const std::string& name);
 /// The plain name of a file without its folder and ending; "body" where nothing is left.
 [[nodiscard]] std::string name_of_file(const std::string& file);
