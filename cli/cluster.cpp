@@ -31,6 +31,8 @@ std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& /*fold
            "Leave out --frames vtk; on a workstation 'dmp convert DIR' makes them of the frames in HDF5.");
 }
 
+std::unique_ptr<FrameSource> stored_paraview_frames(const std::filesystem::path& /*folder*/) { return nullptr; }
+
 /// Only a run with ParaView's files asks for pictures.
 Pictures draw_pictures(const std::filesystem::path& /*folder*/, const PictureOptions& /*options*/) { return {}; }
 

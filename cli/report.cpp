@@ -7,6 +7,7 @@
 #include "cli/sweep_folder.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
+#include "cli/workstation.hpp"
 #include "report/write_report.hpp"
 
 namespace dmp::cli {
@@ -17,7 +18,7 @@ int execute(const ReportCommand& command) {
     if (sweep_contents_of(folder).kind == SweepContents::Kind::study)
         write_study_report(folder);
     else
-        write_run_report(folder);
+        write_run_report(folder, stored_paraview_frames);
     print((folder / report_file_name).string() + "\n");
     return exit_done;
 }

@@ -94,7 +94,7 @@ Pictures draw(const RunCommand& command, const Scene& scene, const fs::path& fol
 /// Whether it was written. Of a run that is done, a page that cannot be written is no error.
 bool write_page(const fs::path& folder, RunLog& log) {
     try {
-        write_run_report(folder);
+        write_run_report(folder, stored_paraview_frames);
         return true;
     } catch (const Error& error) {
         log.warn(fmt::format(": the run's page {} was not written: {}", report_file_name, error.problem()));

@@ -7,6 +7,7 @@
 #include "cli/mesh_geometry.hpp"
 #include "cli/uses.hpp"
 #include "geometry/confinement.hpp"
+#include "postproc/vtk_frames.hpp"
 #include "postproc/vtk_sink.hpp"
 
 namespace dmp::cli {
@@ -43,6 +44,10 @@ std::optional<Finding> geometry_confinement() {
 
 std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label) {
     return std::make_unique<VtkSink>(folder, label);
+}
+
+std::unique_ptr<FrameSource> stored_paraview_frames(const std::filesystem::path& folder) {
+    return std::make_unique<VtkFrames>(folder);
 }
 
 Pictures draw_pictures(const std::filesystem::path& folder, const PictureOptions& options) {

@@ -11,6 +11,7 @@
 #include "cli/uses.hpp"
 #include "postproc/pictures.hpp"
 #include "solver/results/frame.hpp"
+#include "solver/results/frame_source.hpp"
 #include "solver/results/run_label.hpp"
 
 namespace dmp::cli {
@@ -29,6 +30,9 @@ namespace dmp::cli {
 
 /// Frames as ParaView opens them. Throws InputError when the folder cannot be made or written to.
 [[nodiscard]] std::unique_ptr<FrameSeries> paraview_frames(const std::filesystem::path& folder, const RunLabel& label);
+
+/// Those that a run's folder has; null: this dmp cannot read them. Throws InputError where a list of them is damaged.
+[[nodiscard]] std::unique_ptr<FrameSource> stored_paraview_frames(const std::filesystem::path& folder);
 
 /// Pictures of a run that left ParaView's files.
 [[nodiscard]] Pictures draw_pictures(const std::filesystem::path& folder, const PictureOptions& options);

@@ -62,23 +62,13 @@ ParticleLayer layer_of_spheres(const FrameGroup& spheres, const std::string& fie
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
-    fluid_ = read_series(folder_ / "fluid.pvd");
-    solid_ = read_series(folder_ / "solid.pvd");
-    spheres_ = read_series(folder_ / "spheres.pvd");
-    moving_walls_ = read_series(folder_ / "moving_walls.pvd");
-    for (const auto* series : {&fluid_, &solid_, &spheres_})
-        for (const SeriesEntry& entry : *series) times_.push_back(entry.time);
-    std::sort(times_.begin(), times_.end());
-    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
-    if (times_.empty())
+RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)), files_(folder_) {
+    if (files_.times().empty())
         throw InputError("'" + folder_.string() + "' contains no frames (no fluid.pvd, solid.pvd or spheres.pvd)",
                          "Give the output folder of a run.");
-    title_ = read_frame((!fluid_.empty() ? fluid_ : !solid_.empty() ? solid_ : spheres_).back().file, "any").title;
-    if (fs::exists(folder_ / "walls.vtp")) {
-        walls_ = std::move(read_frame(folder_ / "walls.vtp", "walls").frame.groups[0]);
-        turn(*walls_);
-    }
+    title_ = files_.title();
+    walls_ = files_.walls();
+    if (walls_) turn(*walls_);
 
     const RunFrame first = read(0);
     const RunFrame last = frames() > 1 ? read(frames() - 1) : first;
@@ -112,21 +102,18 @@ void RunFolder::turn(FrameGroup& group) const {
 }
 
 RunFrame RunFolder::read(std::size_t frame) const {
+    Frame stored = files_.read(frame);
     RunFrame result;
-    result.time = times_.at(frame);
-    const auto take = [&](const std::vector<SeriesEntry>& series, const char* name, std::optional<FrameGroup>& group) {
-        const auto entry = std::find_if(series.begin(), series.end(),
-                                        [&](const SeriesEntry& candidate) { return candidate.time == result.time; });
-        if (entry == series.end()) return;
-        FrameFile file = read_frame(entry->file, name);
-        result.spacing = file.frame.spacing;
-        group = std::move(file.frame.groups[0]);
-        turn(*group);
-    };
-    take(fluid_, "fluid", result.fluid);
-    take(solid_, "solid", result.solid);
-    take(spheres_, "spheres", result.spheres);
-    take(moving_walls_, "moving_walls", result.moving_walls);
+    result.time = stored.time;
+    result.spacing = stored.spacing;
+    for (FrameGroup& group : stored.groups) {
+        turn(group);
+        std::optional<FrameGroup>& place = group.name == "fluid"     ? result.fluid
+                                           : group.name == "solid"   ? result.solid
+                                           : group.name == "spheres" ? result.spheres
+                                                                     : result.moving_walls;
+        place = std::move(group);
+    }
     leave_out_bonds_round_borders(result);
     return result;
 }

@@ -9,8 +9,8 @@
 #include "base/vec.hpp"
 #include "postproc/colour_map.hpp"
 #include "postproc/particle_view.hpp"
-#include "postproc/read_frames.hpp"
 #include "postproc/uses.hpp"
+#include "postproc/vtk_frames.hpp"
 #include "solver/results/frame.hpp"
 
 namespace dmp::postproc {
@@ -34,14 +34,14 @@ class RunFolder {
     explicit RunFolder(std::filesystem::path folder);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-    [[nodiscard]] std::size_t frames() const { return times_.size(); }
+    [[nodiscard]] std::size_t frames() const { return files_.times().size(); }
     [[nodiscard]] RunFrame read(std::size_t frame) const;
     [[nodiscard]] const std::optional<FrameGroup>& walls() const { return walls_; }
     [[nodiscard]] const std::string& title() const { return title_; }
-    [[nodiscard]] double end_time() const { return times_.back(); }
+    [[nodiscard]] double end_time() const { return files_.times().back(); }
     /// False if particles are more than a few spacings apart in z.
     [[nodiscard]] bool flat() const { return flat_; }
-    [[nodiscard]] bool of_spheres() const { return !spheres_.empty(); }
+    [[nodiscard]] bool of_spheres() const { return files_.of_spheres(); }
     /// The area shown in pictures: the walls and the particles of the first and last frame, excluding particles of
     /// the last frame that are far away [m].
     [[nodiscard]] const Box& area() const { return area_; }
@@ -50,8 +50,7 @@ class RunFolder {
     std::filesystem::path folder_;
     void turn(FrameGroup& group) const;
 
-    std::vector<SeriesEntry> fluid_, solid_, spheres_, moving_walls_;
-    std::vector<double> times_;
+    VtkFrames files_;
     std::optional<FrameGroup> walls_;
     std::string title_;
     Box area_;

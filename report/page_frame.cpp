@@ -8,8 +8,22 @@
 
 namespace dmp::report {
 
-std::string page_text(const std::string& title, const std::string& content, const std::string& data,
-                      std::string_view scripts) {
+namespace {
+
+/// A script with the licence that goes with it.
+std::string licensed(std::string_view licence, std::string_view script) {
+    return "/*\n" + std::string(licence) + "*/\n" + std::string(script) + "\n";
+}
+
+std::string script_element(std::string_view script) { return "<script>\n" + std::string(script) + "</script>\n"; }
+
+}  // namespace
+
+std::string plotting_library() { return licensed(uplot_licence, uplot_script); }
+
+std::string drawing_library() { return licensed(three_licence, three_script); }
+
+std::string page_text(const std::string& title, const std::string& content, const PageScripts& run) {
     std::string text =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
@@ -18,10 +32,11 @@ std::string page_text(const std::string& title, const std::string& content, cons
         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>";
     text += escaped(title) + "</title>\n<style>\n" + std::string(uplot_style) + "\n" + std::string(page_style) +
             "</style>\n</head>\n<body>\n<main>\n" + content + "</main>\n";
-    if (!data.empty())  // the licence goes with the program
-        text += "<script type=\"application/json\" id=\"page-data\">" + data + "</script>\n<script>\n/*\n" +
-                std::string(uplot_licence) + "*/\n" + std::string(uplot_script) + "\n</script>\n<script>\n" +
-                std::string(axes_script) + std::string(scripts) + "</script>\n";
+    if (run.data.empty()) return text + "</body>\n</html>\n";
+    for (const auto& [id, json] : run.data)
+        text += "<script type=\"application/json\" id=\"" + id + "\">" + json + "</script>\n";
+    text += script_element(axes_script);
+    for (const std::string& script : run.scripts) text += script_element(script);
     return text + "</body>\n</html>\n";
 }
 

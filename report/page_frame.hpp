@@ -8,10 +8,19 @@
 
 namespace dmp::report {
 
-/// A page: `content` is what <main> holds. `data`: JSON without "<" that `scripts` read from the element "page-data";
-/// "": no scripts. uPlot and its licence are put before them.
-[[nodiscard]] std::string page_text(const std::string& title, const std::string& content, const std::string& data,
-                                    std::string_view scripts);
+/// What a page runs: each script in an element of its own, after the data that they read and what all pages have in common.
+struct PageScripts {
+    std::vector<std::pair<std::string, std::string>> data;  ///< ids of elements, and JSON without "<"
+    std::vector<std::string> scripts;
+};
+
+/// uPlot with its licence, for the scripts that draw plots.
+[[nodiscard]] std::string plotting_library();
+/// three.js with its licence, for the script that draws particles.
+[[nodiscard]] std::string drawing_library();
+
+/// A page: `content` is what <main> holds. Without data it has no scripts.
+[[nodiscard]] std::string page_text(const std::string& title, const std::string& content, const PageScripts& run);
 
 /// JSON as it can stand in a <script>.
 [[nodiscard]] std::string without_markup(std::string json);

@@ -12,6 +12,8 @@
 #include "postproc/paraview_script.hpp"
 #include "postproc/pictures.hpp"
 #include "postproc/tables.hpp"
+#include "report/hdf5_frames.hpp"
+#include "report/particle_section.hpp"
 #include "solver/output/frame_index.hpp"
 
 namespace dmp::report {
@@ -78,18 +80,34 @@ void read_measures(RunFiles& run) {
     run.measures = std::move(series);
 }
 
-long count_frames(const fs::path& folder) {
-    if (fs::is_regular_file(folder / frame_index_name)) return static_cast<long>(read_frame_index(folder).size());
-    long most = 0;
-    for (const char* name : {"fluid.pvd", "solid.pvd", "spheres.pvd"}) {
-        if (!fs::is_regular_file(folder / name)) continue;
-        const std::string text = read_file(folder / name);
-        long found = 0;
-        for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1))
-            ++found;
-        most = std::max(most, found);
+bool has_paraview_frames(const fs::path& folder) {
+    return std::ranges::any_of(std::array{"fluid.pvd", "solid.pvd", "spheres.pvd"},
+                               [&](const char* name) { return fs::is_regular_file(folder / name); });
+}
+
+/// The frames that the run has left; null where there are none, or none that can be read, with a note.
+std::unique_ptr<FrameSource> open_frames(RunFiles& run, const OpenParaviewFrames& open_paraview) {
+    try {
+        if (fs::is_regular_file(run.folder / frame_index_name)) return std::make_unique<Hdf5Frames>(run.folder);
+        if (!has_paraview_frames(run.folder)) return nullptr;
+        auto found = open_paraview(run.folder);
+        if (!found)
+            run.notes.emplace_back(
+                "the particles are left out: the frames are ParaView files, and this dmp was built for clusters, without VTK; dmp "
+                "report on a workstation shows them");
+        return found;
+    } catch (const InputError& error) {
+        run.notes.push_back("the particles are left out: " + error.problem() + " (" + error.where().text() + ")");
+        return nullptr;
     }
-    return most;
+}
+
+void read_particles(RunFiles& run, const OpenParaviewFrames& open_paraview) {
+    const auto frames = open_frames(run, open_paraview);
+    if (!frames) return;
+    run.frames = static_cast<long>(frames->times().size());
+    run.particles = read_shown_particles(*frames, bytes_for_particles(run));
+    run.notes.insert(run.notes.end(), run.particles.notes.begin(), run.particles.notes.end());
 }
 
 }  // namespace
@@ -132,7 +150,7 @@ LoggedRun logged_run(std::string_view text) {
 
 JsonValue RunFiles::facts() const { return {&summary, folder / summary_file_name}; }
 
-RunFiles read_run_files(const fs::path& folder) {
+RunFiles read_run_files(const fs::path& folder, const OpenParaviewFrames& open_paraview) {
     const SourceLocation where{folder.string(), 0, 0};
     if (!fs::is_directory(folder))
         throw InputError(where, "there is no such folder", "Name the folder that a run left, e.g. out/vein_valve.");
@@ -152,7 +170,7 @@ RunFiles read_run_files(const fs::path& folder) {
     run.resolved_scene = text_of(folder / resolved_scene_file, "the scene as it was run is missing", run.notes);
     read_measures(run);
     read_pictures(run);
-    run.frames = count_frames(folder);
+    read_particles(run, open_paraview);
     run.has_paraview_script = fs::is_regular_file(folder / paraview_script_name);
     return run;
 }

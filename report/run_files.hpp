@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +12,7 @@
 
 #include "report/json_value.hpp"
 #include "report/picture.hpp"
+#include "report/shown_particles.hpp"
 #include "report/uses.hpp"
 #include "solver/results/run_summary.hpp"
 
@@ -38,7 +41,8 @@ struct RunFiles {
     std::string resolved_scene;
     std::optional<MeasureSeries> measures;
     std::vector<Picture> pictures;
-    long frames = 0;  ///< in the index of the frames or, for ParaView, in the longest .pvd file
+    ShownParticles particles;  ///< no times: there are no frames, or none can be read
+    long frames = 0;           ///< of those that can be read
     bool has_paraview_script = false;
     std::vector<std::string> notes;  ///< files that are not there, or cannot be shown
 
@@ -48,9 +52,13 @@ struct RunFiles {
 };
 
 /// The most that the pictures of a page may take [bytes]; those beyond are named instead.
-inline constexpr std::size_t most_picture_bytes = 3'000'000;
+inline constexpr std::size_t most_picture_bytes = 2'500'000;
 
-/// Throws InputError where the folder is missing or no run has begun in it, or a file is damaged.
-[[nodiscard]] RunFiles read_run_files(const std::filesystem::path& folder);
+/// Opens the frames that a folder has in ParaView's files: postproc does, which clusters lack. Null: this dmp cannot. Throws InputError.
+using OpenParaviewFrames = std::function<std::unique_ptr<FrameSource>(const std::filesystem::path&)>;
+
+/// Throws InputError where the folder is missing or no run has begun in it, or a file is damaged; of damaged frames
+/// there is a note.
+[[nodiscard]] RunFiles read_run_files(const std::filesystem::path& folder, const OpenParaviewFrames& open_paraview);
 
 }  // namespace dmp::report

@@ -11,6 +11,8 @@
 #include "report/embedded.hpp"
 #include "report/html.hpp"
 #include "report/page_frame.hpp"
+#include "report/particle_data.hpp"
+#include "report/particle_section.hpp"
 #include "report/plots.hpp"
 
 namespace dmp::report {
@@ -196,12 +198,28 @@ std::string reproduce_section(const RunFiles& run) {
 /// Of a run that has left no summary there is nothing else to tell.
 std::string sections_without_summary(const RunFiles& run) {
     return navigation({{"pictures", "Pictures"},
+                       {"particles", "Particles"},
                        {"measures", "Measures"},
                        {"log", "What it said"},
                        {"reproduce", "How to run it again"}}) +
-           pictures_section(run) + measures_section(run) +
+           pictures_section(run) + particle_section(run) + measures_section(run) +
            section("log", "What it said", "<pre><code>" + escaped(run.log_text) + "</code></pre>\n") +
            reproduce_section(run);
+}
+
+PageScripts scripts_of(const RunFiles& run) {
+    PageScripts found;
+    if (run.measures && !run.measures->rows.empty()) {
+        found.data.emplace_back("page-data", plot_data(*run.measures));
+        found.scripts.push_back(plotting_library());
+        found.scripts.emplace_back(page_script);
+    }
+    if (!run.particles.times.empty() && !run.particles.groups.empty()) {
+        found.data.emplace_back("particle-data", particle_data(run.particles));
+        found.scripts.push_back(drawing_library());
+        found.scripts.emplace_back(particle_script);
+    }
+    return found;
 }
 
 }  // namespace
@@ -213,16 +231,16 @@ std::string run_page(const RunFiles& run) {
         text += sections_without_summary(run);
     } else {
         text += navigation({{"pictures", "Pictures"},
+                            {"particles", "Particles"},
                             {"measures", "Measures"},
                             {"what", "What was run"},
                             {"conservation", "What was conserved"},
                             {"time", "Time"},
                             {"reproduce", "How to run it again"}});
-        text += pictures_section(run) + measures_section(run) + what_was_run(run) + conservation_section(run) +
+        text += pictures_section(run) + particle_section(run) + measures_section(run) + what_was_run(run) + conservation_section(run) +
                 time_section(run) + reproduce_section(run);
     }
-    const bool has_plots = run.measures && !run.measures->rows.empty();
-    return page_text(title_of(run), text, has_plots ? plot_data(*run.measures) : "", page_script);
+    return page_text(title_of(run), text, scripts_of(run));
 }
 
 }  // namespace dmp::report

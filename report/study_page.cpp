@@ -184,7 +184,10 @@ std::string study_page(const StudyFiles& study) {
                              what_was_studied(study) + study_plots_section(study) + runs_section(study) +
                              failures_section(study) + pictures_section(study) + time_section(study) +
                              reproduce_section(study);
-    return page_text(title_of(study), text, study.rows.empty() ? "" : study_data(study), study_script);
+    PageScripts run;
+    if (!study.rows.empty())
+        run = {{{"page-data", study_data(study)}}, {plotting_library(), std::string(study_script)}};
+    return page_text(title_of(study), text, run);
 }
 
 }  // namespace dmp::report
