@@ -47,8 +47,8 @@ std::vector<std::uint64_t> places(const FrameGroup& group, const std::vector<std
     for (const std::size_t i : particles) {
         std::uint64_t key = 0;
         for (std::size_t axis = 0; axis < 3 && is_finite(i); ++axis)
-            key |= spread(static_cast<std::uint64_t>(scale * (static_cast<double>(group.position[3 * i + axis]) -
-                                                              static_cast<double>(low[axis]))))
+            key |= spread(static_cast<std::uint64_t>(
+                       scale * (static_cast<double>(group.position[3 * i + axis]) - static_cast<double>(low[axis]))))
                    << axis;
         keys.push_back(key);
     }

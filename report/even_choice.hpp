@@ -10,8 +10,8 @@
 
 namespace dmp::report {
 
-/// Every n-th particle, evenly spread, the same ones in all frames: those that a frame is the first to have are put in the
-/// order of their place along a Morton curve (Morton, 1966), and every n-th of them is chosen for good.
+/// Every n-th particle, evenly spread, the same ones in all frames: those that a frame is the first to have are put in
+/// the order of their place along a Morton curve (Morton, 1966), and every n-th of them is chosen for good.
 class EvenChoice {
   public:
     /// `every` is at least 1.
@@ -22,7 +22,7 @@ class EvenChoice {
 
   private:
     std::size_t every_;
-    std::size_t met_ = 0;              ///< particles so far
+    std::size_t met_ = 0;                          ///< particles so far
     std::vector<std::int64_t> chosen_, left_out_;  ///< ids, sorted
 };
 

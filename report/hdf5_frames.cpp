@@ -7,8 +7,7 @@
 
 namespace dmp::report {
 
-Hdf5Frames::Hdf5Frames(std::filesystem::path folder)
-    : folder_(std::move(folder)), entries_(read_frame_index(folder_)) {
+Hdf5Frames::Hdf5Frames(std::filesystem::path folder) : folder_(std::move(folder)), entries_(read_frame_index(folder_)) {
     for (const FrameEntry& entry : entries_) times_.push_back(entry.time);
 }
 

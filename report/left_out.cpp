@@ -64,9 +64,10 @@ void leave_out_far(ShownParticles& particles) {
         }
     }
     if (left_out > 0)
-        particles.notes.push_back(fmt::format(
-            "{} of the particles shown, counted in each of {} frames, have no place or one far from all others and are left out there",
-            left_out, in_frames));
+        particles.notes.push_back(
+            fmt::format("{} of the particles shown, counted in each of {} frames, have no place or one far from all "
+                        "others and are left out there",
+                        left_out, in_frames));
 }
 
 }  // namespace dmp::report

@@ -8,7 +8,8 @@
 
 namespace dmp::report {
 
-/// What a page runs: each script in an element of its own, after the data that they read and what all pages have in common.
+/// What a page runs: each script in an element of its own, after the data that they read and what all pages have in
+/// common.
 struct PageScripts {
     std::vector<std::pair<std::string, std::string>> data;  ///< ids of elements, and JSON without "<"
     std::vector<std::string> scripts;

@@ -48,10 +48,10 @@ std::string colours(const ColourMap& map) {
     return base64(bytes);
 }
 
-/// How large particles are drawn, so that they leave no gaps where they are shown [spacings]: in a square lattice discs of half a
-/// diagonal; a moving liquid is less regular. Spheres of a lattice in space overlap.
+/// How large particles are drawn, so that they leave no gaps where they are shown [spacings]: in a square lattice discs
+/// of half a diagonal; a moving liquid is less regular. Spheres of a lattice in space overlap.
 double drawn_radius(const ShownGroup& group, bool flat) {
-    const double whole = !flat || group.name == "solid" ? 0.6 : group.name == "fluid" ? 0.95 : 0.72;
+    const double whole = !flat ? 0.6 : group.name == "fluid" ? 0.95 : 0.72;
     return whole * std::pow(static_cast<double>(group.every), flat ? 0.5 : 1.0 / 3);
 }
 
@@ -103,12 +103,8 @@ Json json_of(const ShownGroup& group, double spacing, const Bounds& bounds, bool
     const double largest = largest_radius(group);
     Json times = Json::array();
     for (const GroupAtTime& at : group.at) times.push_back(json_of(at, ranges, largest, bounds, flat));
-    return {{"name", group.name},
-            {"every", group.every},
-            {"radius", spacing * drawn_radius(group, flat)},
-            {"largest", largest},
-            {"triangles", base64(corners)},
-            {"fields", fields},
+    return {{"name", group.name}, {"every", group.every},         {"radius", spacing * drawn_radius(group, flat)},
+            {"largest", largest}, {"triangles", base64(corners)}, {"fields", fields},
             {"at", times}};
 }
 

@@ -14,9 +14,9 @@ namespace dmp::report {
 ///                  "fields": [{"name", "unit", "low", "high", "diverging"}],
 ///                  "at": [{"place": 16 bits, "radius": 16 bits, "values": [8 bits]}]}]}
 ///
-/// A place has two axes where the particles are flat, else three, from low to high; a radius goes from 0 to "largest". A
-/// value is the number of its colour; colours are red, green, blue, 8 bits each. Groups are in the order in which those
-/// of a flat scene cover each other.
+/// A place has two axes where the particles are flat, else three, from low to high; a radius goes from 0 to "largest".
+/// A value is the number of its colour; colours are red, green, blue, 8 bits each. Groups are in the order in which
+/// those of a flat scene cover each other.
 [[nodiscard]] std::string particle_data(const ShownParticles& particles);
 
 }  // namespace dmp::report

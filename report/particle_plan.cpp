@@ -28,8 +28,10 @@ ParticlePlan plan_particles(const ParticleBytes& all, std::size_t frames_of_run,
 
 std::vector<std::size_t> evenly_spaced(std::size_t frames, std::size_t frames_of_run) {
     std::vector<std::size_t> numbers;
-    for (std::size_t k = 0; k < std::min(frames, frames_of_run); ++k)
-        numbers.push_back(frames == 1 ? frames_of_run - 1 : (k * (frames_of_run - 1) + (frames - 1) / 2) / (frames - 1));
+    frames = std::min(frames, frames_of_run);
+    for (std::size_t k = 0; k < frames; ++k)
+        numbers.push_back(frames == 1 ? frames_of_run - 1
+                                      : (k * (frames_of_run - 1) + (frames - 1) / 2) / (frames - 1));
     return numbers;
 }
 

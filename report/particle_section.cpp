@@ -17,14 +17,19 @@ namespace {
 /// "every 4th": 1st and 2nd do not end in th, 11th and 12th do.
 std::string ordinal(std::size_t n) {
     const std::size_t ones = n % 10, teens = n / 10 % 10;
-    return fmt::format("{}{}", n, teens == 1 || ones > 3 || ones == 0 ? "th" : ones == 1 ? "st" : ones == 2 ? "nd" : "rd");
+    return fmt::format("{}{}", n,
+                       teens == 1 || ones > 3 || ones == 0 ? "th"
+                       : ones == 1                         ? "st"
+                       : ones == 2                         ? "nd"
+                                                           : "rd");
 }
 
 /// What of the frames is shown.
 std::string extent_text(const ShownParticles& particles) {
-    std::string text = particles.times.size() < particles.frames_of_run
-                           ? fmt::format("{} of the {} frames are shown", particles.times.size(), particles.frames_of_run)
-                           : fmt::format("All {} frames are shown", particles.frames_of_run);
+    std::string text =
+        particles.times.size() < particles.frames_of_run
+            ? fmt::format("{} of the {} frames are shown", particles.times.size(), particles.frames_of_run)
+            : fmt::format("All {} frames are shown", particles.frames_of_run);
     if (particles.frames_of_run == 1) text = "The one frame is shown";
     std::set<std::size_t> strides;
     for (const ShownGroup& group : particles.groups) strides.insert(group.every);

@@ -16,12 +16,13 @@ std::uint16_t step_of(double value, double low, double high) {
 ColourRange colour_range(std::vector<float>& values, bool is_signed) {
     std::erase_if(values, [](float value) { return !std::isfinite(value); });
     if (values.empty()) return {};
-    const auto percentile = [&](std::size_t p) {
-        const auto nth = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * p / 100);
+    const auto smallest_but = [&](std::size_t n) {
+        const auto nth = values.begin() + static_cast<std::ptrdiff_t>(n);
         std::ranges::nth_element(values, nth);
         return static_cast<double>(*nth);
     };
-    ColourRange range{percentile(1), percentile(99), false, true};
+    const std::size_t outside = (values.size() - 1) / 100;
+    ColourRange range{smallest_but(outside), smallest_but(values.size() - 1 - outside), false, true};
     range.diverging = is_signed || (range.low < 0 && range.high > 0);
     if (range.diverging) {
         range.high = std::max(std::abs(range.low), std::abs(range.high));
@@ -37,7 +38,8 @@ ColourRange colour_range(std::vector<float>& values, bool is_signed) {
 std::uint8_t colour_of(double value, const ColourRange& range) {
     constexpr int last = colours_of_range - 1;
     if (std::isnan(value)) return colour_of_nan;
-    if (range.high <= range.low) return static_cast<std::uint8_t>(value < range.low ? 0 : value > range.high ? last : last / 2);
+    if (range.high <= range.low)
+        return static_cast<std::uint8_t>(value < range.low ? 0 : value > range.high ? last : last / 2);
     const double share = std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
     return static_cast<std::uint8_t>(std::lround(share * last));
 }

@@ -7,8 +7,8 @@
 
 namespace dmp::report {
 
-/// A value from low to high as a number of 16 bits, the nearest of 65536 even steps; 0 where low and high are the same. Throws
-/// std::invalid_argument for a value outside.
+/// A value from low to high as a number of 16 bits, the nearest of 65536 even steps; 0 where low and high are the same.
+/// Throws std::invalid_argument for a value outside.
 [[nodiscard]] std::uint16_t step_of(double value, double low, double high);
 
 /// The values that the colours of a field run over.
@@ -18,8 +18,8 @@ struct ColourRange {
     bool any = false;        ///< false: there are no values
 };
 
-/// From the 1st to the 99th percentile of the finite values; from 0 where what is below is less than a third of the range, and even
-/// around 0 where there are both signs or `is_signed`. `values` are put in another order.
+/// From the 1st to the 99th percentile of the finite values; from 0 where what is below is less than a third of the
+/// range, and even around 0 where there are both signs or `is_signed`. `values` are put in another order.
 [[nodiscard]] ColourRange colour_range(std::vector<float>& values, bool is_signed);
 
 /// Colours of a range, and the number that stands for a value that is none.

@@ -93,7 +93,8 @@ std::unique_ptr<FrameSource> open_frames(RunFiles& run, const OpenParaviewFrames
         auto found = open_paraview(run.folder);
         if (!found)
             run.notes.emplace_back(
-                "the particles are left out: the frames are ParaView files, and this dmp was built for clusters, without VTK; dmp "
+                "the particles are left out: the frames are ParaView files, and this dmp was built for clusters, "
+                "without VTK; dmp "
                 "report on a workstation shows them");
         return found;
     } catch (const InputError& error) {

@@ -54,7 +54,8 @@ struct RunFiles {
 /// The most that the pictures of a page may take [bytes]; those beyond are named instead.
 inline constexpr std::size_t most_picture_bytes = 2'500'000;
 
-/// Opens the frames that a folder has in ParaView's files: postproc does, which clusters lack. Null: this dmp cannot. Throws InputError.
+/// Opens the frames that a folder has in ParaView's files: postproc does, which clusters lack. Null: this dmp cannot.
+/// Throws InputError.
 using OpenParaviewFrames = std::function<std::unique_ptr<FrameSource>(const std::filesystem::path&)>;
 
 /// Throws InputError where the folder is missing or no run has begun in it, or a file is damaged; of damaged frames

@@ -237,8 +237,8 @@ std::string run_page(const RunFiles& run) {
                             {"conservation", "What was conserved"},
                             {"time", "Time"},
                             {"reproduce", "How to run it again"}});
-        text += pictures_section(run) + particle_section(run) + measures_section(run) + what_was_run(run) + conservation_section(run) +
-                time_section(run) + reproduce_section(run);
+        text += pictures_section(run) + particle_section(run) + measures_section(run) + what_was_run(run) +
+                conservation_section(run) + time_section(run) + reproduce_section(run);
     }
     return page_text(title_of(run), text, scripts_of(run));
 }

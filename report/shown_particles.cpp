@@ -138,10 +138,11 @@ class Reading {
         const std::size_t needed =
             frames * 3 * sizeof(std::uint16_t) * group.size() + sizeof(std::int32_t) * group.triangles.size();
         if (group.triangles.empty() || needed <= bytes_ / 4) return true;
-        shown_.notes.push_back(fmt::format("the surface of the {} is left out of the particles: its {} triangles would take {:.1f} MB "
-                                           "of the page",
-                                           group.name == "walls" ? "walls" : "moving walls", group.triangles.size() / 3,
-                                           static_cast<double>(needed) / 1e6));
+        shown_.notes.push_back(
+            fmt::format("the surface of the {} is left out of the particles: its {} triangles would take {:.1f} MB "
+                        "of the page",
+                        group.name == "walls" ? "walls" : "moving walls", group.triangles.size() / 3,
+                        static_cast<double>(needed) / 1e6));
         return false;
     }
 

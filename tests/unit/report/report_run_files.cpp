@@ -67,11 +67,28 @@ TEST_F(RunFilesOf, PicturesThatAreNoneOrTooLargeAreNoted) {
     const RunFiles run = folder_.read();
     EXPECT_THAT(run.pictures, IsEmpty());
     EXPECT_THAT(run.notes, ElementsAre("last_frame.png is not a whole PNG file and is left out",
-                                       HasSubstr("measures.png (3.0 MB) is left out")));
+                                       HasSubstr("measures.png (2.5 MB) is left out")));
+}
+
+TEST_F(RunFilesOf, FramesThatCannotBeReadAreNoted) {
+    EXPECT_THAT(folder_.read().particles.times, ElementsAre(0, 0.5));
+    const auto notes = [&](const OpenParaviewFrames& open) { return read_run_files(folder_.path(), open).notes; };
+    EXPECT_THAT(notes([](const auto&) { return nullptr; }), ElementsAre(HasSubstr("this dmp was built for clusters")));
+    EXPECT_THAT(notes([](const auto& folder) -> std::unique_ptr<FrameSource> {
+                    throw InputError(SourceLocation{(folder / "fluid.pvd").string(), 0, 0}, "is damaged", "");
+                }),
+                ElementsAre(HasSubstr("the particles are left out: is damaged")));
+    folder_.write("frames.json", "{");
+    EXPECT_THAT(folder_.read().notes, ElementsAre(HasSubstr("not an index of frames")));
+    folder_.write("frames.json", R"({"frames": [{"file": "frames/frame_000000.h5", "time": 0.25, "step": 1}]})");
+    const RunFiles run = folder_.read();
+    EXPECT_THAT(run.particles.times, IsEmpty());
+    EXPECT_THAT(run.notes, ElementsAre(HasSubstr("walls"), HasSubstr("the frame at 0.25 s is left out")));
 }
 
 TEST_F(RunFilesOf, WithoutAFolderOrASummaryThereIsNoRun) {
-    EXPECT_THAT(text_thrown<InputError>([&] { static_cast<void>(read_run_files(folder_.path() / "nowhere")); }),
+    EXPECT_THAT(text_thrown<InputError>(
+                    [&] { static_cast<void>(read_run_files(folder_.path() / "nowhere", RunFolder::made_frames)); }),
                 AllOf(HasSubstr("nowhere"), HasSubstr("there is no such folder")));
     folder_.remove("summary.json");
     folder_.remove("scene.resolved.toml");

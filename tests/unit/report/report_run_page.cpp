@@ -91,21 +91,40 @@ TEST_F(RunPage, OfARunThatDivergedSaysWhy) {
 
 TEST_F(RunPage, WithoutMeasuresNeedsNoScript) {
     folder_.remove("measures.csv");
+    folder_.remove("fluid.pvd");
     const std::string text = page();
     EXPECT_THAT(text, Not(HasSubstr("<script")));
+    EXPECT_THAT(text, HasSubstr("No frames are there of which particles could be shown."));
     EXPECT_THAT(text, HasSubstr("measures.csv is not in the folder"));
+}
+
+TEST_F(RunPage, ShowsParticlesWithoutMeasures) {
+    EXPECT_THAT(page(), AllOf(HasSubstr("id=\"particle-data\">{\"flat\":true"),
+                              HasSubstr("All 2 frames are shown with all their particles."), HasSubstr("var THREE="),
+                              HasSubstr("Copyright © 2010-2026 three.js authors")));
+    folder_.remove("measures.csv");
+    EXPECT_THAT(page(), AllOf(HasSubstr("particle-data"), HasSubstr("var THREE="), Not(HasSubstr("var uPlot=")),
+                              Not(HasSubstr("page-data"))));
+}
+
+TEST_F(RunPage, SaysHowManyParticlesAreShown) {
+    RunFiles run = folder_.read();
+    run.particles.frames_of_run = 300;
+    run.particles.groups[0].every = 12;
+    EXPECT_THAT(run_page(run),
+                HasSubstr("2 of the 300 frames are shown; of fluid every 12th particle, the same ones in all frames."));
 }
 
 TEST_F(RunPage, AValueOfAnotherTypeIsAnError) {
     folder_.write("summary.json", R"({"conserved": {"start": {"mass": "heavy"}}})");
     EXPECT_THAT(text_thrown<InputError>([&] { static_cast<void>(page()); }),
                 AllOf(HasSubstr("summary.json"), HasSubstr("'conserved.start.mass' is not a number")));
-    EXPECT_THROW(write_run_report(folder_.path()), InputError);
+    EXPECT_THROW(write_run_report(folder_.path(), RunFolder::made_frames), InputError);
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / report_file_name));
 }
 
 TEST_F(RunPage, IsWrittenBesideTheRun) {
-    write_run_report(folder_.path());
+    write_run_report(folder_.path(), RunFolder::made_frames);
     EXPECT_EQ(read_file(folder_.path() / "report.html"), page());
 }
 

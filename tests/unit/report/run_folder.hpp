@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "base/safe_file.hpp"
 #include "report/run_files.hpp"
 #include "tests/modules.hpp"
+#include "tests/unit/report/made_frames.hpp"
 #include "tests/unit/temporary_files.hpp"
 
 namespace dmp::tests {
@@ -59,7 +61,11 @@ class RunFolder {
     void write(const std::string& name, const std::string& text) const { write_file(path() / name, text); }
     void remove(const std::string& name) const { std::filesystem::remove(path() / name); }
     [[nodiscard]] std::filesystem::path path() const { return folder_.path() / "out"; }
-    [[nodiscard]] RunFiles read() const { return read_run_files(path()); }
+    [[nodiscard]] RunFiles read() const { return read_run_files(path(), made_frames); }
+    /// In place of ParaView's.
+    [[nodiscard]] static std::unique_ptr<FrameSource> made_frames(const std::filesystem::path& /*folder*/) {
+        return std::make_unique<MadeFrames>(two_frames());
+    }
 
   private:
     TemporaryFolder folder_;
