@@ -49,7 +49,7 @@ std::string colours(const ColourMap& map) {
 }
 
 /// How large particles are drawn, so that they leave no gaps where they are shown [spacings]: in a square lattice discs
-/// of half a diagonal; a moving liquid is less regular. Spheres of a lattice in space overlap.
+/// of half a diagonal; a moving liquid is less regular. Spheres of a lattice overlap in 3-D.
 double drawn_radius(const ShownGroup& group, bool flat) {
     const double whole = !flat ? 0.6 : group.name == "fluid" ? 0.95 : 0.72;
     return whole * std::pow(static_cast<double>(group.every), flat ? 0.5 : 1.0 / 3);

@@ -28,7 +28,7 @@ DRAWN = """[...document.querySelectorAll('.plot canvas')].map(canvas => {
 # The particles at the first or the last time: how many pixels have a colour, a number that changes with the picture, the time.
 PARTICLES = """new Promise(done => {
   const view = document.getElementById('particle-view'), slider = view.querySelector('.particle-time input');
-  const at = %s;
+  const at = WHICH;
   if (at != null) {
     slider.value = at < 0 ? slider.max : at;
     slider.dispatchEvent(new Event('input'));
@@ -54,7 +54,7 @@ class Pages(unittest.TestCase):
         """`at`: the number of a frame, -1: the last, None: as it is, drawn again."""
         redraw = "window.dispatchEvent(new Event('resize'))" if at is None else "0"
         self.browser.value(redraw)
-        return self.browser.value(PARTICLES % ("null" if at is None else at))
+        return self.browser.value(PARTICLES.replace("WHICH", "null" if at is None else str(at)))
 
     def check_particles(self, first, last):
         before = self.particles(0)

@@ -220,7 +220,7 @@ TEST(ParticleData, DrawsThinnedParticlesLarger) {
     ShownParticles shown = read_shown_particles(two_frames(), plenty);
     shown.groups[0].every = 4;
     const auto json = nlohmann::json::parse(particle_data(shown));
-    EXPECT_NEAR(json["groups"][0]["radius"], 2 * 0.95 * 0.5, 1e-12) << "in the plane: four times the area each";
+    EXPECT_NEAR(json["groups"][0]["radius"], 2 * 0.95 * 0.5, 1e-12) << "in 2-D: four times the area each";
 }
 
 }  // namespace
