@@ -143,7 +143,7 @@ struct NewCommand {
 struct ReadGeometryCommand {};
 inline constexpr const char* read_geometry_command = "read-geometry";
 
-/// What `dmp sweep` starts itself with to start runs (cli/run_starter.hpp); no help tells of it.
+/// What `dmp sweep` starts itself with to start runs (cli/sweep/run_starter.hpp); no help tells of it.
 struct StartRunsCommand {};
 inline constexpr const char* start_runs_command = "start-runs";
 

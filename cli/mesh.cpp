@@ -14,6 +14,7 @@
 #include "cli/rest_test.hpp"
 #include "cli/results_folder.hpp"
 #include "cli/scene_as_run.hpp"
+#include "cli/scene_name.hpp"
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"

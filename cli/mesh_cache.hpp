@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/prepare.hpp"
+#include "cli/particles_with_origin.hpp"
+#include "cli/uses.hpp"
+#include "scene/scene.hpp"
 
 namespace dmp::cli {
 

@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/geometry_size.hpp"
+#include "cli/scene_name.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/commands.hpp"
-#include "cli/prepare.hpp"
+#include "cli/particles_with_origin.hpp"
 #include "cli/uses.hpp"
 #include "geometry/geometry.hpp"
 #include "mesher/inspect.hpp"

@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/length_text.hpp"
 #include "cli/particle_input.hpp"
+#include "cli/scene_name.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "cli/uses.hpp"
@@ -51,13 +52,6 @@ Prepared prepare(Scene scene, const SceneChoice& choice, const Ranks& ranks) {
 int threads_for(const Scene& scene, int asked) { return asked > 0 ? asked : *scene.run.threads; }
 
 RunLabel label_of(const Scene& scene) { return {scene.title, scene.hash, build_facts().version}; }
-
-std::string scene_name(const Scene& scene) {
-    const std::filesystem::path file = std::filesystem::absolute(scene.file).lexically_normal();
-    if (file.filename() != "scene.toml") return file.stem().string();
-    const std::string folder = file.parent_path().filename().string();
-    return folder.empty() ? "scene" : folder;
-}
 
 std::string heading(const Prepared& prepared) {
     const Scene& scene = prepared.scene;

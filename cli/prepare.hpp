@@ -3,10 +3,9 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/particles_with_origin.hpp"
 #include "cli/uses.hpp"
 #include "particles/particle_set.hpp"
 #include "scene/scene.hpp"
@@ -14,20 +13,6 @@
 #include "solver/results/run_label.hpp"
 
 namespace dmp::cli {
-
-/// Where particles come from, and what is worth knowing of how they were made.
-struct Origin {
-    std::string what;  ///< "geometry", "spheres" (file empty) or "from"
-    std::string file;
-    std::vector<std::pair<std::string, std::string>> springs;  ///< constants, by "springs PART" or "join NAME"
-    std::vector<std::string> notes;                            ///< what was adapted
-    std::vector<std::string> warnings{};                       ///< what makes results wrong
-};
-
-struct ParticlesWithOrigin {
-    ParticleSet particles;
-    Origin origin;
-};
 
 /// A scene, read and checked, with the particles it asks for.
 struct Prepared {
@@ -47,9 +32,6 @@ struct Prepared {
 
 /// What the files of a run say about it.
 [[nodiscard]] RunLabel label_of(const Scene& scene);
-
-/// What people call the scene: its folder's name for a scene.toml, else the file's name without its ending.
-[[nodiscard]] std::string scene_name(const Scene& scene);
 
 /// Title, file and particles of a scene, as every command opens with them.
 [[nodiscard]] std::string heading(const Prepared& prepared);

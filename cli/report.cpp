@@ -4,7 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/prepare.hpp"
-#include "cli/sweep_folder.hpp"
+#include "cli/sweep/sweep_folder.hpp"
 #include "cli/terminal.hpp"
 #include "cli/uses.hpp"
 #include "cli/workstation.hpp"

@@ -25,6 +25,7 @@
 #include "cli/run_bounds.hpp"
 #include "cli/run_log.hpp"
 #include "cli/scene_as_run.hpp"
+#include "cli/scene_name.hpp"
 #include "cli/start_from.hpp"
 #include "cli/stop_signals.hpp"
 #include "cli/summary_text.hpp"

@@ -1,8 +1,6 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/version.hpp"
 
-#include "cli/workstation.hpp"
-
 namespace dmp::cli {
 
 BuildFacts build_facts() {

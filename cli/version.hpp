@@ -16,4 +16,7 @@ struct BuildFacts {
 
 [[nodiscard]] BuildFacts build_facts();
 
+/// BuildFacts::libraries; workstation.cpp and cluster.cpp each have one of it (workstation.hpp).
+[[nodiscard]] std::string workstation_libraries();
+
 }  // namespace dmp::cli

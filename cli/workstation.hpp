@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "cli/diagnosis.hpp"
-#include "cli/prepare.hpp"
+#include "cli/particles_with_origin.hpp"
 #include "cli/uses.hpp"
 #include "postproc/pictures.hpp"
+#include "scene/scene.hpp"
 #include "solver/results/frame.hpp"
 #include "solver/results/frame_source.hpp"
 #include "solver/results/run_label.hpp"
@@ -18,9 +20,6 @@ namespace dmp::cli {
 
 // What dmp does with gmsh, CGAL and VTK, which a cluster need not have. workstation.cpp does it; in builds for clusters
 // cluster.cpp stands in its place and says what to do instead. The commands 'mesh' and 'convert' go the same way.
-
-/// What this dmp was built with: "VTK 9.1.0, gmsh 4.8.4"; empty: without them.
-[[nodiscard]] std::string workstation_libraries();
 
 /// The particles that a scene's geometry asks for. Throws InputError.
 [[nodiscard]] ParticlesWithOrigin particles_from_geometry(const Scene& scene, const GeometryReading& reading);

@@ -15,10 +15,12 @@ namespace dmp::study {
 namespace {
 
 constexpr std::size_t most_characters = 10'000;
+/// Those of a Latin hypercube hardly ever come again: they need not all be kept.
+constexpr std::size_t most_known = 10'000;
 
 /// With the values of keys in place of their names.
 Quantity quantity_of(const WrittenText& formula, const std::string& subject, const std::vector<VariedKey>& keys,
-                     const std::vector<VariedValue>& values) {
+                     const std::vector<VariedValue>& values, FormulaValues& known) {
     const std::string& text = formula.text;
     std::string filled;
     const auto part_of_key = [&](std::size_t at) {
@@ -53,7 +55,7 @@ Quantity quantity_of(const WrittenText& formula, const std::string& subject, con
         at = end;
     }
     // Columns are those of the text with the numbers in it.
-    return constant_formula({filled, formula.location, {}}, subject);
+    return known.of({filled, formula.location, {}}, subject);
 }
 
 WrittenText read_formula_text(const TomlNode& node) {
@@ -65,6 +67,15 @@ WrittenText read_formula_text(const TomlNode& node) {
 }
 
 }  // namespace
+
+Quantity FormulaValues::of(const WrittenText& formula, const std::string& subject) {
+    if (const auto found = known_.find(formula.text); found != known_.end()) return found->second;
+    const Quantity value = constant_formula(formula, subject);
+    ++worked_out_;
+    if (known_.size() == most_known) known_.clear();
+    known_.emplace(formula.text, value);
+    return value;
+}
 
 void read_formulas(const TomlNode& node, Vary& vary) {
     vary.is_list = node.is_array();
@@ -79,13 +90,14 @@ void read_formulas(const TomlNode& node, Vary& vary) {
     for (const TomlNode& item : node.children) vary.formulas.push_back(read_formula_text(item));
 }
 
-VariedValue value_of(const Vary& vary, const std::vector<VariedKey>& keys, const std::vector<VariedValue>& values) {
+VariedValue value_of(const Vary& vary, const std::vector<VariedKey>& keys, const std::vector<VariedValue>& values,
+                     FormulaValues& known) {
     const std::string& subject = *vary.keys[0].key;
-    if (!vary.is_list) return varied_quantity(quantity_of(vary.formulas[0], subject, keys, values));
+    if (!vary.is_list) return varied_quantity(quantity_of(vary.formulas[0], subject, keys, values, known));
     VariedValue list;
     for (const WrittenText& formula : vary.formulas)
         list.toml +=
-            (list.toml.empty() ? "[" : ", ") + varied_quantity(quantity_of(formula, subject, keys, values)).toml;
+            (list.toml.empty() ? "[" : ", ") + varied_quantity(quantity_of(formula, subject, keys, values, known)).toml;
     list.toml += "]";
     list.cell = list.toml;
     return list;

@@ -118,7 +118,7 @@ std::vector<VariedValue> Points::values_at(std::size_t index) const {
     for (std::size_t axis = 0; axis < study_.vary.size(); ++axis) {
         const Vary& vary = study_.vary[axis];
         if (!vary.is_axis()) {
-            values.push_back(value_of(vary, keys_, values));
+            values.push_back(value_of(vary, keys_, values, formula_values_));
             continue;
         }
         for (VariedValue& value : axis_values(axis, index)) values.push_back(std::move(value));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "study/formula_value.hpp"
 #include "study/study.hpp"
 
 namespace dmp::study {
@@ -20,7 +21,8 @@ struct Point {
     std::vector<VariedValue> values;  ///< one for each key, in the order of Study::keys()
 };
 
-/// The runs of a study, in order: of a grid the first key varies slowest. They are worked out one by one, as asked for.
+/// The runs of a study, in order: of a grid the first key varies slowest. They are worked out one by one, as asked for,
+/// by one thread.
 class Points {
   public:
     /// Throws InputError where keys that vary together have different numbers of values, or there are more than
@@ -32,6 +34,8 @@ class Points {
     [[nodiscard]] Point at(std::size_t index) const;
     /// Its values alone, one for each key. Throws likewise.
     [[nodiscard]] std::vector<VariedValue> values_at(std::size_t index) const;
+    /// How many values of formulas have been worked out for all runs asked for; others were known.
+    [[nodiscard]] std::size_t formulas_worked_out() const { return formula_values_.worked_out(); }
 
   private:
     [[nodiscard]] std::vector<VariedValue> axis_values(std::size_t axis, std::size_t index) const;
@@ -40,6 +44,7 @@ class Points {
     std::vector<VariedKey> keys_;
     std::size_t size_ = 0;
     std::string scene_hash_;
+    mutable FormulaValues formula_values_;
     std::vector<std::vector<std::uint32_t>> strata_;  ///< Latin hypercube: of each axis, the stratum of each sample
 };
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "base/nearest_name.hpp"
@@ -70,7 +71,9 @@ void check_formulas(const Study& study, const Points& points) {
         std::size_t key;
         SourceLocation location;
         ValueCheck check;
+        std::unordered_set<std::string> checked{};  ///< what it was worked out to before
     };
+    constexpr std::size_t most_checked = 10'000;
     std::vector<Formula> formulas;
     std::size_t key = 0;
     for (const Vary& vary : study.vary) {
@@ -83,7 +86,13 @@ void check_formulas(const Study& study, const Points& points) {
     for (std::size_t index = 0; index < points.size(); ++index) {
         try {
             const std::vector<VariedValue> values = points.values_at(index);
-            for (const Formula& each : formulas) each.check(parse_toml_value(values[each.key].toml, each.location));
+            for (Formula& each : formulas) {
+                const std::string& value = values[each.key].toml;
+                if (each.checked.contains(value)) continue;
+                each.check(parse_toml_value(value, each.location));
+                if (each.checked.size() == most_checked) each.checked.clear();
+                each.checked.insert(value);
+            }
         } catch (const InputError& error) {
             throw InputError(
                 error.where(),

@@ -189,16 +189,17 @@ void read_formula_of(const TomlNode& node, const Study& study, Vary& vary) {
     // For the first run; its unit is that of all.
     const std::vector<VariedKey> above = study.keys();
     std::vector<VariedValue> values;
+    FormulaValues known;
     for (const Vary& each : study.vary) {
         if (!each.is_axis())
-            values.push_back(value_of(each, above, values));
+            values.push_back(value_of(each, above, values, known));
         else if (each.range)
             values.push_back(varied_number(each.range->from, each.keys[0].unit, each.range->quoted));
         else
             values.insert(values.end(), each.rows.front().begin(), each.rows.front().end());
     }
     VariedKey& key = vary.keys.front();
-    const VariedValue value = value_of(vary, above, values);
+    const VariedValue value = value_of(vary, above, values, known);
     if (value.quantity) key.unit = value.quantity->dimension.si_unit();
     if (key.is_of_scene)
         ValueCheck(study.scene, *key.key, key.key.location)(parse_toml_value(value.toml, node.location));

@@ -18,8 +18,8 @@
 #include <unistd.h>
 
 #include "base/safe_file.hpp"
-#include "cli/child_process.hpp"
 #include "cli/stop_signals.hpp"
+#include "cli/sweep/child_process.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/temporary_files.hpp"
 

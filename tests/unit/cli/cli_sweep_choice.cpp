@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include "cli/sweep_choice.hpp"
+#include "cli/sweep/sweep_choice.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"
 #include "tests/unit/thrown.hpp"

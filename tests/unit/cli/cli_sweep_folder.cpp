@@ -6,7 +6,7 @@
 
 #include "base/folder_lock.hpp"
 #include "base/safe_file.hpp"
-#include "cli/sweep_folder.hpp"
+#include "cli/sweep/sweep_folder.hpp"
 #include "study/points.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "cli/process_memory.hpp"
-#include "cli/sweep_memory.hpp"
+#include "cli/sweep/sweep_memory.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"
 

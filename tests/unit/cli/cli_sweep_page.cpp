@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "base/safe_file.hpp"
-#include "cli/sweep_page.hpp"
+#include "cli/sweep/sweep_page.hpp"
 #include "report/study_files.hpp"
 #include "tests/unit/study/study_text.hpp"
 #include "tests/unit/temporary_files.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/sweep_progress.hpp"
+#include "cli/sweep/sweep_progress.hpp"
 #include "tests/modules.hpp"
 
 namespace dmp::tests::sweep_progress_tests {

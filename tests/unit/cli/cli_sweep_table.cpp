@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "base/safe_file.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "postproc/tables.hpp"
 #include "tests/modules.hpp"
 #include "tests/unit/study/study_text.hpp"

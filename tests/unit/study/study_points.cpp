@@ -162,5 +162,16 @@ formula = "numerics.background_pressure + 10 Pa"
     EXPECT_EQ(Points(study).at(1).values[1].cell, "1010");
 }
 
+TEST(StudyPoints, FormulasOfTheSameNumbersAreWorkedOutOnce) {
+    const Study study = study_of(study_with("[[result]]",
+                                            "[[vary]]\nkey = \"run.duration\"\n"
+                                            "formula = \"particles.spacing / 0.1 mm * 2 s\"\n\n[[result]]"));
+    const Points points(study);
+    ASSERT_EQ(points.size(), 6U);
+    for (std::size_t index = 0; index < points.size(); ++index)
+        EXPECT_EQ(points.values_at(index)[2].cell, std::vector<std::string>({"2", "4", "8"})[index % 3]);
+    EXPECT_EQ(points.formulas_worked_out(), 3U) << "one for each spacing";
+}
+
 }  // namespace
 }  // namespace dmp::tests::study_points_tests

@@ -12,12 +12,12 @@
 
 #include "base/wall_clock.hpp"
 #include "cli/progress.hpp"
-#include "cli/slurm_folder.hpp"
-#include "cli/slurm_job.hpp"
-#include "cli/slurm_queue.hpp"
 #include "cli/stop_signals.hpp"
-#include "cli/sweep_progress.hpp"
-#include "cli/sweep_rows.hpp"
+#include "cli/sweep/slurm_folder.hpp"
+#include "cli/sweep/slurm_job.hpp"
+#include "cli/sweep/slurm_queue.hpp"
+#include "cli/sweep/sweep_progress.hpp"
+#include "cli/sweep/sweep_rows.hpp"
 
 namespace dmp::cli {
 

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_rows.hpp"
+#include "cli/sweep/sweep_rows.hpp"
 
 #include <filesystem>
 #include <map>

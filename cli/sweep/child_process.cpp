@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/child_process.hpp"
+#include "cli/sweep/child_process.hpp"
 
 #include <algorithm>
 #include <cerrno>

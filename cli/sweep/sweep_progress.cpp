@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_progress.hpp"
+#include "cli/sweep/sweep_progress.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/other_program.hpp"
+#include "cli/sweep/other_program.hpp"
 
 #include <array>
 #include <cerrno>

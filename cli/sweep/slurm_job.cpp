@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/slurm_job.hpp"
+#include "cli/sweep/slurm_job.hpp"
 
 #include <algorithm>
 #include <array>

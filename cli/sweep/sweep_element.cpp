@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_element.hpp"
+#include "cli/sweep/sweep_element.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -13,15 +13,15 @@
 #include "base/folder_lock.hpp"
 #include "base/safe_file.hpp"
 #include "base/wall_clock.hpp"
-#include "cli/child_process.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/other_program.hpp"
 #include "cli/output_folder.hpp"
-#include "cli/run_words.hpp"
-#include "cli/slurm_folder.hpp"
 #include "cli/stop_signals.hpp"
-#include "cli/sweep_folder.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/child_process.hpp"
+#include "cli/sweep/other_program.hpp"
+#include "cli/sweep/run_words.hpp"
+#include "cli/sweep/slurm_folder.hpp"
+#include "cli/sweep/sweep_folder.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "cli/terminal.hpp"
 #include "solver/state/checkpoint_folder.hpp"
 #include "study/read_study.hpp"

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/slurm_folder.hpp"
+#include "cli/sweep/slurm_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 #include "base/safe_file.hpp"
 #include "base/text_lines.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/slurm_job.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/slurm_job.hpp"
+#include "cli/sweep/sweep_table.hpp"
 
 namespace dmp::cli {
 

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_folder.hpp"
+#include "cli/sweep/sweep_folder.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -11,8 +11,8 @@
 #include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
 #include "cli/output_folder.hpp"
-#include "cli/slurm_folder.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/slurm_folder.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "cli/text.hpp"
 #include "cli/version.hpp"
 #include "report/study_files.hpp"

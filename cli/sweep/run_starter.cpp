@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/run_starter.hpp"
+#include "cli/sweep/run_starter.hpp"
 
 #include <array>
 #include <cerrno>

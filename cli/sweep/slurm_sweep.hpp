@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "cli/slurm_runs.hpp"
+#include "cli/sweep/slurm_runs.hpp"
 #include "study/study.hpp"
 
 namespace dmp::cli {

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_page.hpp"
+#include "cli/sweep/sweep_page.hpp"
 
 #include <algorithm>
 #include <map>
@@ -13,7 +13,7 @@
 #include "base/text_lines.hpp"
 #include "base/unlisted_value.hpp"
 #include "cli/run_log.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "report/html.hpp"

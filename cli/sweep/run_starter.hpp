@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/child_process.hpp"
+#include "cli/sweep/child_process.hpp"
 
 namespace dmp::cli {
 

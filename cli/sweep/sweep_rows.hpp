@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/wall_clock.hpp"
-#include "cli/sweep_folder.hpp"
-#include "cli/sweep_progress.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/sweep_folder.hpp"
+#include "cli/sweep/sweep_progress.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "cli/uses.hpp"
 #include "study/points.hpp"
 #include "study/study.hpp"

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/sweep_runs.hpp"
+#include "cli/sweep/sweep_runs.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@
 #include "cli/machine.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/process_memory.hpp"
-#include "cli/run_words.hpp"
+#include "cli/sweep/run_words.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "scene/read_scene.hpp"

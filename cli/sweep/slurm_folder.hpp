@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/slurm_queue.hpp"
+#include "cli/sweep/slurm_queue.hpp"
 
 namespace dmp::cli {
 

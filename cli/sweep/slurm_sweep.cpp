@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/slurm_sweep.hpp"
+#include "cli/sweep/slurm_sweep.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/slurm_queue.hpp"
+#include "cli/sweep/slurm_queue.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +10,7 @@
 #include "base/errors.hpp"
 #include "base/nearest_name.hpp"
 #include "base/text_lines.hpp"
-#include "cli/other_program.hpp"
+#include "cli/sweep/other_program.hpp"
 
 namespace dmp::cli {
 

@@ -1,10 +1,10 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/run_words.hpp"
+#include "cli/sweep/run_words.hpp"
 
 #include "base/errors.hpp"
 #include "cli/output_folder.hpp"
-#include "cli/sweep_folder.hpp"
-#include "cli/sweep_table.hpp"
+#include "cli/sweep/sweep_folder.hpp"
+#include "cli/sweep/sweep_table.hpp"
 #include "scene/read_scene.hpp"
 #include "solver/state/checkpoints.hpp"
 
