@@ -141,6 +141,12 @@ Orientation orient_outward(TriangleSurface& surface) {
                 ++found.turned;
             }
     }
+    // A piece that crosses itself has parts that face out and others that face in: the one looked at may be the
+    // smaller.
+    if (found.closed() && surface.enclosed_volume() < 0) {
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) turn(static_cast<int>(t));
+        found.turned = surface.triangles.size() - found.turned;
+    }
     return found;
 }
 

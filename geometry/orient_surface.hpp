@@ -26,7 +26,8 @@ struct Orientation {
 
 /// Turns the triangles of a surface so that they face outward: neighbours alike, and each connected piece by how many
 /// others lie around it (the inner wall of a hollow body faces into the hollow). Triangles are neighbours where they
-/// share two corners and no third triangle does. The sides of a piece that is not closed are a guess.
+/// share two corners and no third triangle does. The sides of a piece that is not closed are a guess. Where closed
+/// pieces cross themselves, what all of them enclose is not negative.
 Orientation orient_outward(TriangleSurface& surface);
 
 }  // namespace dmp::geometry

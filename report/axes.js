@@ -34,6 +34,8 @@ const pageAxes = (function () {
       size: isHorizontal ? 40 : (plot, values) => 22 + 7.5 * Math.max(3, ...(values || []).map((value) => value.length)),
     };
   }
+  // The numbers at an axis have six digits; ticks closer than doubles can tell apart never reach the axis' end in uPlot.
+  const drawnAsOne = (low, high) => high - low <= 1e-6 * Math.max(Math.abs(low), Math.abs(high));
   const numbersIn = (exponent) => (splits) =>
     splits.map((value) => (value == null ? "" : String(Number((value / 10 ** exponent).toPrecision(6)))));
 
@@ -51,5 +53,5 @@ const pageAxes = (function () {
     });
   }
   const widthOf = (place) => Math.max(200, Math.floor(place.clientWidth));
-  return { colour, exponentOf, superscript, axisName, axis, numbersIn, numberText, follow, widthOf };
+  return { colour, exponentOf, superscript, axisName, axis, drawnAsOne, numbersIn, numberText, follow, widthOf };
 })();

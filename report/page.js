@@ -1,18 +1,24 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the measures over time with uPlot: one plot each, with a common pointer and a common range of time.
 (function () {
-  const { colour, exponentOf, axisName, axis, numbersIn, follow, widthOf } = pageAxes;
+  const { colour, exponentOf, axisName, axis, drawnAsOne, numbersIn, follow, widthOf } = pageAxes;
   const measures = JSON.parse(document.getElementById("page-data").textContent).measures;
   // At the pointer; index: of the point there, null without a pointer.
   const number = (plot, value, series, index) =>
     index == null ? "–" : value == null ? "no value" : String(Number(value.toPrecision(7)));
+
+  function valueRange(plot, low, high) {
+    if (low == null) return [low, high];
+    const middle = (low + high) / 2;
+    return drawnAsOne(low, high) ? uPlot.rangeNum(middle, middle, 0.1, true) : uPlot.rangeNum(low, high, 0.1, true);
+  }
 
   const plots = [];
   for (const place of document.querySelectorAll(".plot")) {
     const measure = measures[Number(place.dataset.measure)];
     const options = {
       width: widthOf(place), height: 230,
-      scales: { x: { time: false } },
+      scales: { x: { time: false }, y: { range: valueRange } },
       cursor: { sync: { key: "time" }, drag: { x: true, y: false } },
       series: [
         { label: "time [s]", value: number },

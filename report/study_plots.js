@@ -1,7 +1,7 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 // The plots of a study, drawn with uPlot: results over a key, a line for each value of another one.
 function studyPlots(data, figures) {
-  const { colour, exponentOf, superscript, axisName, axis, numbersIn, follow, widthOf } = pageAxes;
+  const { colour, exponentOf, superscript, axisName, axis, drawnAsOne, numbersIn, follow, widthOf } = pageAxes;
   const height = 320, marks = 12;
   const plain = pageAxes.numberText;
   const withUnit = (text, unit) => (unit && unit !== "1" ? text + " " + unit : text);
@@ -77,7 +77,7 @@ function studyPlots(data, figures) {
   const padded = (logarithmic, part) => (plot, low, high) => {
     if (low == null) return logarithmic ? [1, 10] : [0, 1];
     if (logarithmic) { const factor = Math.max((high / low) ** part, 1.1); return [low / factor, high * factor]; }
-    const more = high > low ? part * (high - low) : Math.abs(low) * 0.1 || 1;
+    const more = drawnAsOne(low, high) ? Math.abs(low) * 0.1 || 1 : part * (high - low);
     return [low - more, high + more];
   };
   function axisOf(name, unit, values, logarithmic, isHorizontal, categories) {

@@ -50,6 +50,8 @@ PARTICLES = """new Promise(done => {
 
 
 class Pages(unittest.TestCase):
+    dmp = None
+
     def particles(self, at=None):
         """`at`: the number of a frame, -1: the last, None: as it is, drawn again."""
         redraw = "window.dispatchEvent(new Event('resize'))" if at is None else "0"
@@ -98,6 +100,20 @@ class Page(Pages):
                                      "rgb(255, 255, 255)" if scheme == "light" else "rgb(13, 17, 23)")
                     if self.keep:
                         self.browser.screenshot(self.keep / f"report_{width}_{scheme}.png")
+
+    def test_plots_values_that_differ_by_rounding_alone(self):
+        copy = self.results.parent / "rounded"
+        shutil.copytree(self.results, copy, ignore=shutil.ignore_patterns("frames", "*.png"))
+        header, *rows = (copy / "measures.csv").read_text().splitlines()
+        for at, row in enumerate(rows):
+            values = row.split(",")
+            values[1] = ("1", "1.0000000000000002", "0.9999999999999999")[at % 3]
+            rows[at] = ",".join(values)
+        (copy / "measures.csv").write_text("\n".join([header, *rows]) + "\n")
+        subprocess.run([self.dmp, "report", copy], check=True, stdout=subprocess.DEVNULL)
+        self.browser.open(copy / "report.html", 1600, "light")
+        self.assertEqual(self.browser.complaints(), [])
+        self.assertTrue(all(self.browser.value(DRAWN)))
 
     def test_plots_are_read_and_zoomed_by_keyboard(self):
         self.browser.open(self.page, 1600, "light")
@@ -247,7 +263,7 @@ def main():
         subprocess.run([dmp, "run", source + "/cases/vein_valve", "--set", 'particles.spacing="0.8 mm"', "--set",
                         'output.every="10 ms"', "--until", "0.2 s", "--threads", "1", "--out", str(Page.results)],
                        check=True, stdout=subprocess.DEVNULL)
-        PageInSpace.dmp = dmp
+        Pages.dmp = dmp
         PageInSpace.results = pathlib.Path(folder) / "spheres"
         subprocess.run([dmp, "run", source + "/cases/carrier", "--threads", "1", "--leave-out", "pictures", "--out",
                         str(PageInSpace.results)], check=True, stdout=subprocess.DEVNULL)

@@ -224,6 +224,15 @@ TEST(Repair, keeps_hollows_and_joins_solids_that_cross) {
     }
 }
 
+TEST(Repair, turns_what_crosses_itself_by_what_it_encloses) {
+    TriangleSurface surface;  // found by fuzzing: the triangle that is seen largest along x faces into the smaller part
+    surface.corners = {{0, 0, 0}, {8, 0, 0}, {9, 2, 2}, {3, 3, 7}, {2, 0, 3}, {6, 8, 5}, {4, 7, 7}, {5, 8, 0}};
+    surface.triangles = {{7, 3, 2}, {0, 2, 1}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                         {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+    EXPECT_GT(repair_surface(surface, {.spacing = 4, .highest = RepairRung::vote}, "it", {}).surface.enclosed_volume(),
+              0);
+}
+
 TEST(Repair, throws_crumbs_away_and_says_so) {
     TriangleSurface surface = cube();
     append(surface, box({2, 2, 2}, {2.1, 2.1, 2.1}));
