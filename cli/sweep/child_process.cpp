@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -74,6 +76,15 @@ void drop_handlers() {
     }
 }
 
+/// To the errors. May be called between fork and exec.
+void say(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+        if (written < 0) return;  // nobody is left to be told
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
 /// What a new process does first. Between fork and exec only functions may be called that are safe in a signal handler.
 /// Signals are blocked.
 void settle(int input, int output, pid_t parent, const sigset_t& mask) {
@@ -138,8 +149,13 @@ ChildProcess::ChildProcess(const std::function<int()>& action, const std::filesy
 
 void ChildProcess::start_program(std::vector<std::string> words, int input, int output, const std::string& program) {
     std::vector<char*> arguments = pointers_to(words), environment = environment_of_its_own();
+    const std::string failed = "error: '" + program + "' cannot be started: ";
     start({input, output, [&] {
                execve(program.c_str(), arguments.data(), environment.data());
+               const char* reason = strerrordesc_np(errno);
+               say(failed);
+               say(reason != nullptr ? reason : "unknown error");
+               say("\n");
                _exit(not_started);
            }});
 }

@@ -10,6 +10,7 @@
 #include "base/folder_lock.hpp"
 #include "base/nearest_name.hpp"
 #include "base/safe_file.hpp"
+#include "base/text_lines.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/sweep/slurm_folder.hpp"
 #include "cli/sweep/sweep_table.hpp"
@@ -141,6 +142,18 @@ std::string remove_study(const fs::path& folder) {
                        count_text(runs.folders.size(), "run"), folder.string());
 }
 
+/// Whether anything was done for the runs of the study in this folder: one that has a file, a row in a table, a job
+/// that was handed in, or an end that a job has left.
+bool has_begun(const fs::path& folder) {
+    const fs::path runs = folder / runs_name;
+    const fs::file_type type = fs::symlink_status(runs).type();
+    if (type != fs::file_type::not_found && (type != fs::file_type::directory || !fs::is_empty(runs))) return true;
+    for (const char* table : {sweep_results_name, sweep_timing_name})
+        if (fs::is_regular_file(folder / table) && text_lines(read_file(folder / table)).size() > 1) return true;
+    const SlurmFolder jobs(folder);
+    return !jobs.jobs().empty() || !jobs.ended_runs().empty();
+}
+
 /// sweep.toml.
 std::string sweep_text(const NewSweep& sweep) {
     std::string text = "# Written by 'dmp sweep': of which study the runs in this folder are.\nstudy = " +
@@ -212,9 +225,12 @@ fs::path run_output(const fs::path& folder, const std::string& run) { return fol
 SweepFolder::SweepFolder(const fs::path& folder, const NewSweep& sweep, const TypedCommand& typed)
     : folder_(not_foreign(folder), beside(folder, typed)) {
     const SweepContents contents = sweep_contents_of(path());
-    need_fitting_contents(path(), contents, sweep, typed);
+    // Such as one whose jobs sbatch has refused: there is nothing to go on with, and nothing to lose.
+    const bool anew = contents.kind == SweepContents::Kind::study && !sweep.resume && !has_begun(path());
+    if (!anew) need_fitting_contents(path(), contents, sweep, typed);
     if (!folder_.note().empty()) note_ = folder_.note() + "\n";
-    if (sweep.overwrite && contents.kind == SweepContents::Kind::study) note_ += remove_study(path());
+    if (anew) static_cast<void>(remove_study(path()));
+    if (!anew && sweep.overwrite && contents.kind == SweepContents::Kind::study) note_ += remove_study(path());
     write_study_files(path(), sweep);
 }
 

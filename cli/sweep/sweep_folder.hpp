@@ -54,7 +54,8 @@ struct NewSweep {
 class SweepFolder {
   public:
     /// Throws InputError if the folder cannot be made or written to, another process writes there, or it holds what the
-    /// command line does not say what to do with. Removes an earlier study where it is to be overwritten.
+    /// command line does not say what to do with. Removes an earlier study where it is to be overwritten, and, without
+    /// resume, one none of whose runs has begun.
     SweepFolder(const std::filesystem::path& folder, const NewSweep& sweep, const TypedCommand& typed);
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }

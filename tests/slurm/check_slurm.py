@@ -274,6 +274,8 @@ class Jobs(unittest.TestCase):
         self.assertIn("error: sbatch refuses the job: ", said)
         self.assertIn("invalid partition specified: nowhere", said)
         self.assertIn("--partition", said)
+        code, said = self.sweep("--slurm", "--out", "out")
+        self.assertIn("Done: 3 of 6 runs done, 3 failed", said, "no run has begun: nothing is asked about the folder")
 
     def test_without_slurm_nothing_is_written(self):
         code, said = self.sweep("--slurm", "--out", "out", environment={**self.environment, "PATH": "/nowhere"})

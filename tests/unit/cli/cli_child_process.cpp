@@ -56,6 +56,18 @@ TEST(ChildProcess, SaysHowItEndedAndWhatItSaid) {
     EXPECT_THAT(read_file(folder.path() / "failing.log"), HasSubstr("GTEST_SHARD_INDEX"));
 }
 
+TEST(ChildProcess, SaysWhyAProgramCannotBeStarted) {
+    const TemporaryFolder folder;
+    ChildProcess missing({"it"}, folder.path() / "missing.log", (folder.path() / "nothing").string());
+    EXPECT_EQ(waited_for(missing).exit_code, 127);
+    EXPECT_EQ(read_file(folder.path() / "missing.log"),
+              "error: '" + (folder.path() / "nothing").string() + "' cannot be started: No such file or directory\n");
+    ChildProcess crowded({"test_cli", std::string(200'000, 'x')},
+                         folder.path() / "crowded.log");  // 128 KiB are allowed
+    EXPECT_EQ(waited_for(crowded).exit_code, 127);
+    EXPECT_THAT(read_file(folder.path() / "crowded.log"), HasSubstr("cannot be started: Argument list too long"));
+}
+
 TEST(ChildProcess, MayBeACopyThatHasNoneOfTheOpenFiles) {
     const TemporaryFolder folder;
     const std::filesystem::path other = folder.path() / "other";

@@ -68,11 +68,31 @@ TEST_F(SweepFolders, RefusesAnotherStudyOrNoneToGoOnWith) {
     EXPECT_THAT(refused("study.toml", true), HasSubstr("out: there is no study to go on with\n"));
     EXPECT_FALSE(fs::exists("out"));
     make("other.toml");
+    put_finished_run("0001_0123abcd");
     EXPECT_THAT(refused("study.toml"), HasSubstr("out: it holds another study, or this one with another scene or other "
                                                  "values: 'other'"));
     EXPECT_THAT(refused("study.toml", true), HasSubstr("it holds another study"));
     write_file("out/sweep.toml", "damaged = ");
     EXPECT_THAT(refused("study.toml", true), HasSubstr("it holds another study"));
+}
+
+TEST_F(SweepFolders, OneWithoutRunsIsStartedAnew) {
+    make("other.toml");
+    // As 'dmp sweep --slurm' leaves it where sbatch refuses the job.
+    write_file("out/results.csv", "run,exit_code,error\n");
+    make_folder("out/slurm/ends");
+    make("study.toml");
+    EXPECT_EQ(read_file("out/study.toml"), good_study);
+    EXPECT_FALSE(fs::exists("out/results.csv") || fs::exists("out/slurm"));
+    for (const char* file :
+         {"out/runs/0001_0123abcd.log", "out/slurm/1/runs.txt", "out/slurm/ends/0001_0123abcd.csv"}) {
+        make_folder(fs::path(file).parent_path());
+        write_file(file, "x");
+        EXPECT_THAT(refused("study.toml"), HasSubstr("it holds this study")) << file;
+        fs::remove(file);
+    }
+    write_file("out/results.csv", "run,exit_code,error\n0001_0123abcd,4,no memory\n");
+    EXPECT_THAT(refused("other.toml"), HasSubstr("it holds another study"));
 }
 
 TEST_F(SweepFolders, RefusesFilesOfOthers) {
