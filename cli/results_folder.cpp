@@ -25,7 +25,10 @@ bool is_longer(const NewRun& run, const FolderContents& contents) {
 InputError finished_already(const fs::path& folder, const FolderContents& contents, const NewRun& run) {
     return {SourceLocation{folder.string(), 0, 0},
             fmt::format("it holds a run that is {}, and is asked to end at {:.6g} s", end_text(contents), run.until),
-            "A finished run goes on with a later --until or run.duration."};
+            "A finished run goes on with a later --until or run.duration. Where it was killed before its pictures and "
+            "its " +
+                fmt::format("page were there, 'dmp pictures {0}' and 'dmp report {0}' make them.",
+                            shell_word(folder.string()))};
 }
 
 /// Not even a lock goes into a folder of others.

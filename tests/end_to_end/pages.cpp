@@ -40,7 +40,7 @@ TEST_F(Pages, ARunLeavesItsPage) {
 }
 
 TEST_F(Pages, TheSamePageIsWrittenAgainAlsoOnAMachineWithoutVtk) {
-    ASSERT_EQ(run("out").code, 0);
+    ASSERT_EQ(run("out", {"--frames", "hdf5"}).code, 0);
     const std::string first = page();
     for (const bool for_clusters : {false, true}) {
         remove("out/report.html");
@@ -49,6 +49,15 @@ TEST_F(Pages, TheSamePageIsWrittenAgainAlsoOnAMachineWithoutVtk) {
         EXPECT_EQ(again.output, "out/report.html\n");
         EXPECT_EQ(page(), first);
     }
+}
+
+TEST_F(Pages, WithoutVtkSaysWhyTheParticlesAreLeftOutOfParaViewFiles) {
+    ASSERT_EQ(run("out").code, 0);
+    EXPECT_THAT(page(), HasSubstr("id=\"particle-data\""));
+    ASSERT_EQ(report("out", {.for_clusters = true}).code, 0);
+    EXPECT_THAT(page(),
+                AllOf(Not(HasSubstr("id=\"particle-data\"")),
+                      HasSubstr("the frames are ParaView files, and this dmp was built for clusters, without VTK")));
 }
 
 TEST_F(Pages, AStoppedRunSaysSoUntilItIsComplete) {

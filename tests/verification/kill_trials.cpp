@@ -100,7 +100,7 @@ TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
     longest_wait_ms_ = static_cast<int>(1e3 * seconds_since(begin));
 
     std::map<std::string, int> moments;  // of the kills that were resumed
-    int runs = 0, resumed = 0, on_other_threads = 0, on_two_ranks = 0, started_anew = 0;
+    int runs = 0, resumed = 0, on_other_threads = 0, on_two_ranks = 0, started_anew = 0, killed_at_the_end = 0;
     while (resumed < resumed_kills_wanted) {
         const std::string out = "run_" + std::to_string(++runs);
         SCOPED_TRACE(out);
@@ -127,7 +127,11 @@ TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
             ++moments[moment(out)];
             on_other_threads += threads != "1" ? 1 : 0;
         }
-        ASSERT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+        // The results of a run that was killed while its page was being written are whole.
+        const bool at_its_end =
+            outcome.errors.find("it holds a run that is finished at t = 0.1 s") != std::string::npos;
+        ASSERT_EQ(outcome.code, at_its_end ? 2 : 0) << outcome.output << outcome.errors;
+        killed_at_the_end += at_its_end ? 1 : 0;
         expect_same(out, "whole");
         if (HasFailure()) return;
         fs::remove_all(folder_.path() / out);
@@ -136,7 +140,8 @@ TEST_F(KillTrials, FiftyKillsLeaveNoTrace) {
     for (const auto& [hit, count] : moments) std::cout << "  " << count << ' ' << hit << '\n';
     std::cout << "  " << on_other_threads << " resumed on 2 or 3 threads, " << on_two_ranks
               << " runs ended on 2 ranks; " << started_anew
-              << " more kills before there was a checkpoint, started anew\n";
+              << " more kills before there was a checkpoint, started anew; " << killed_at_the_end
+              << " runs killed when their results were there, and refused\n";
     EXPECT_GE(moments["while a checkpoint was being written"], 5) << "the trials missed what they are for";
 }
 

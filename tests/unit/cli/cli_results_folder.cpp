@@ -104,7 +104,7 @@ TEST_F(Results, OfAFinishedRunAreKept) {
     for (const double until : {1.0, 0.5})
         EXPECT_THAT(refused({.scene = scene, .until = until, .resume = true}),
                     AllOf(HasSubstr("it holds a run that is finished at t = 1 s, and is asked to end at "),
-                          HasSubstr("later --until")));
+                          HasSubstr("later --until"), HasSubstr("'dmp report ")));
     EXPECT_THAT(refused({other_scene, 1}),
                 AllOf(HasSubstr("finished run of another scene or other values:\n  particles.spacing: was"),
                       HasSubstr("dmp run x --overwrite"), HasSubstr(beside())));
