@@ -5,6 +5,7 @@
     check_slurm.py DMP SOURCE_FOLDER [unittest's options]
 
 Ends with 77 where Slurm is not installed (Debian: slurm-wlm, munge), which ctest takes as skipped."""
+import contextlib
 import csv
 import os
 import pathlib
@@ -86,6 +87,12 @@ class Jobs(unittest.TestCase):
         (self.folder / "my study.toml").write_text(STUDY)
         self.environment["XDG_CACHE_HOME"] = str(self.folder / ".cache")
 
+    def run(self, result=None):
+        result = super().run(result)
+        if not result.wasSuccessful():
+            print(f"Slurm after {self.id()}:{self.slurm.logs()}", file=sys.stderr)
+        return result
+
     def tearDown(self):
         subprocess.run(["scancel", "--user", str(os.getuid())], env=self.environment, capture_output=True, check=False)
         self.wait_until(lambda: not self.slurm.queue(), "jobs of this test go on")
@@ -123,12 +130,31 @@ class Jobs(unittest.TestCase):
         while not condition():
             if time.monotonic() > end:
                 self.fail(otherwise)
-            time.sleep(0.05)
+            time.sleep(0.02)
 
-    def wait_for_frames(self, out, count):
-        """Until so many runs have written their frames at 0.05 s."""
-        self.wait_until(lambda: len(list((self.folder / out / "runs").glob("*/frames/fluid_000005.vtp"))) >= count,
-                        f"no {count} runs of {out} are half-way")
+    @contextlib.contextmanager
+    def halfway(self, out, count):
+        """Within it so many runs stand still, each after its frame at 0.05 s: none ends before the test has acted."""
+        stopped = {}
+
+        def all_stand():
+            for frame in (self.folder / out / "runs").glob("*/frames/fluid_000005.vtp"):
+                if frame not in stopped:
+                    stopped[frame] = self.process_of(frame.parents[1])
+                    os.kill(stopped[frame], signal.SIGSTOP)
+            return len(stopped) >= count
+
+        try:
+            self.wait_until(all_stand, f"no {count} runs of {out} are half-way")
+            yield
+        finally:
+            for process in stopped.values():
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(process, signal.SIGCONT)
+
+    @staticmethod
+    def process_of(run):
+        return int((run / "dmp.lock").read_text().split("pid = ")[1].split()[0])
 
     def logs(self, out):
         return [file.read_text() for file in sorted((self.folder / out / "runs").glob("*/run.log"))]
@@ -154,20 +180,20 @@ class Jobs(unittest.TestCase):
         self.make_longer("0.6 s")
         whole = self.local()
         sweep = self.start("--slurm", "--out", "out")
-        self.wait_for_frames("out", 2)
-        sweep.process.kill()
-        sweep.end()
-        # As Slurm does it before the limit. The jobs come back on their own.
-        (job,) = {element[0] for element in self.slurm.queue()}
-        for element in (1, 2):
-            self.slurm.call("scancel", "--signal=USR1", "--batch", f"{job}_{element}")
+        with self.halfway("out", 2):
+            sweep.process.kill()
+            sweep.end()
+            # As Slurm does it before the limit. The jobs come back on their own.
+            (job,) = {element[0] for element in self.slurm.queue()}
+            for element in (1, 2):
+                self.slurm.call("scancel", "--signal=USR1", "--batch", f"{job}_{element}")
         self.wait_until(lambda: [e[2] for e in self.slurm.queue()] == ["PD"] * 2, "the jobs are not put back")
         sweep = self.start("--out", "out", "--resume")
         self.wait_until(lambda: sweep.has_said("2 runs in the queue already."), "the jobs are not found in the queue")
-        # They would wait two minutes, in which Slurm clears up after the first start. A start before it has done so fails.
+        # They would wait two minutes. Slurm refuses a start in the second in which the one before was cleared up.
         self.wait_until(lambda: not list((self.slurm.folder / "spool").glob("job*")), "the first start is not cleared up")
         for element in (1, 2):
-            self.slurm.call("scontrol", "update", f"JobId={job}_{element}", "StartTime=now")
+            self.slurm.call("scontrol", "update", f"JobId={job}_{element}", "StartTime=now+3")
         code, said = sweep.end()
         self.assertEqual(code, 0, said)
         self.assertEqual(self.table("out"), whole)
@@ -193,8 +219,8 @@ class Jobs(unittest.TestCase):
         self.make_longer("0.6 s")
         whole = self.local()
         sweep = self.start("--slurm", "--out", "out")
-        self.wait_for_frames("out", 2)
-        self.slurm.call("scancel", "--user", str(os.getuid()))
+        with self.halfway("out", 2):
+            self.slurm.call("scancel", "--user", str(os.getuid()))
         code, said = sweep.end()
         self.assertEqual(code, 143, said)
         for row in self.rows("out"):
@@ -209,13 +235,12 @@ class Jobs(unittest.TestCase):
     def test_killed_runs_are_rows_that_say_so(self):
         self.make_longer("0.6 s")
         sweep = self.start("--slurm", "--out", "out")
-        self.wait_for_frames("out", 2)
-        runs = sorted((self.folder / "out/runs").glob("*_*"), key=lambda path: path.name)
-        runs = [run for run in runs if run.is_dir()]
-        # As the system does it for lack of memory: the run alone, and all that its job has started.
-        os.kill(int((runs[0] / "dmp.lock").read_text().split("pid = ")[1].split()[0]), signal.SIGKILL)
-        (job,) = {element[0] for element in self.slurm.queue()}
-        self.slurm.call("scancel", "--signal=KILL", "--full", f"{job}_2")
+        with self.halfway("out", 2):
+            first_run = min(run for run in (self.folder / "out/runs").glob("*_*") if run.is_dir())
+            # As the system does it for lack of memory: the run alone, and all that its job has started.
+            (job,) = {element[0] for element in self.slurm.queue()}
+            os.kill(self.process_of(first_run), signal.SIGKILL)
+            self.slurm.call("scancel", "--signal=KILL", "--full", f"{job}_2")
         code, said = sweep.end()
         self.assertEqual(code, 137, said)
         first, second = self.rows("out")
@@ -238,13 +263,13 @@ class Jobs(unittest.TestCase):
     def test_what_jobs_write_into_is_not_removed(self):
         self.make_longer("0.6 s")
         sweep = self.start("--slurm", "--out", "out", "--jobs", "1")
-        self.wait_for_frames("out", 1)
-        self.assertEqual(sorted(element[2] for element in self.slurm.queue()), ["PD", "R"])
-        sweep.process.terminate()
-        self.assertEqual(sweep.end()[0], 143)
-        code, said = self.sweep("--out", "out", "--overwrite")
-        self.assertEqual(code, 2, said)
-        self.assertIn("jobs of the study in it wait or run", said)
+        with self.halfway("out", 1):
+            self.assertEqual(sorted(element[2] for element in self.slurm.queue()), ["PD", "R"])
+            sweep.process.terminate()
+            self.assertEqual(sweep.end()[0], 143)
+            code, said = self.sweep("--out", "out", "--overwrite")
+            self.assertEqual(code, 2, said)
+            self.assertIn("jobs of the study in it wait or run", said)
         self.slurm.call("scancel", "--user", str(os.getuid()))
         self.wait_until(lambda: not self.slurm.queue(), "the jobs do not end")
         code, said = self.sweep("--out", "out", "--overwrite", "--slurm")

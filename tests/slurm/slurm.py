@@ -110,7 +110,7 @@ class Slurm:
     def _start(self, *words):
         started = subprocess.run(words, env=self.environment, capture_output=True, text=True, check=False)
         if started.returncode != 0:
-            raise RuntimeError(f"{words[0]} does not start: {started.stderr}{self._logs()}")
+            raise RuntimeError(f"{words[0]} does not start: {started.stderr}{self.logs()}")
 
     def _wait_for_the_node(self):
         end = time.monotonic() + SECONDS_TO_START
@@ -120,9 +120,10 @@ class Slurm:
             if "idle" in said.stdout:
                 return
             time.sleep(0.2)
-        raise RuntimeError(f"the node does not come up: {self._logs()}")
+        raise RuntimeError(f"the node does not come up: {self.logs()}")
 
-    def _logs(self):
+    def logs(self):
+        """The ends of what its programs have written."""
         return "".join(f"\n{log.name}:\n{log.read_text(errors='replace')[-2000:]}" for log in self.folder.glob("*.log"))
 
     @staticmethod

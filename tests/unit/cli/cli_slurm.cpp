@@ -55,8 +55,8 @@ runs=$(sed -n "${SLURM_ARRAY_TASK_ID}p" '/home/me/50% "a"/out/slurm/1/runs.txt')
 dmp=$!
 # Slurm sends SIGUSR1 before the time limit: the run writes a checkpoint, dmp ends with code 138, and the element goes
 # back into the queue, to go on from there. SIGTERM comes with scancel: a checkpoint, and that was it.
-trap 'kill -USR1 "$dmp"' USR1
-trap 'kill -TERM "$dmp"' TERM
+trap 'kill -USR1 "$dmp" 2>/dev/null' USR1
+trap 'kill -TERM "$dmp" 2>/dev/null' TERM
 while wait "$dmp"; code=$?; kill -0 "$dmp" 2>/dev/null; do :; done # a signal ends a wait early
 if [ "$code" -eq 138 ]; then scontrol requeue "$SLURM_JOB_ID"; fi
 exit "$code"
