@@ -61,6 +61,7 @@ class Parser {
         app_.get_formatter()->column_width(26);
         add_run();
         add_sweep();
+        add_trade();
         add_mesh();
         add_inspect();
         add_new();
@@ -87,10 +88,11 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             throw InputError(plain(error), "'" + name_of(chosen()) + " --help' shows how it goes.");
         }
-        run_.typed = sweep_.typed = mesh_.typed = inspect_.typed = new_.typed =
+        run_.typed = sweep_.typed = trade_.typed = mesh_.typed = inspect_.typed = new_.typed =
             TypedCommand({argv.begin(), argv.end()});
         if (*run_app_) return run_;
         if (*sweep_app_) return sweep_;
+        if (*trade_app_) return trade_;
         if (*mesh_app_) return mesh_;
         if (*inspect_app_) return inspect_;
         if (*new_app_) return new_;
@@ -151,6 +153,13 @@ class Parser {
                        "run my_scene.toml --until \"0.2 s\" --threads 1", "run my_scene.toml --resume",
                        R"(run my_scene.toml --out soft --from "out/my_scene@1 s" --set contact.strength="1 uJ")",
                        "run my_scene.toml --particles my_scene.h5 --frames hdf5"}));
+    }
+
+    void add_trade() {
+        trade_app_ = app_.add_subcommand("trade", "Costs and errors of a scene's spacings and quality levels");
+        add_trade_options(*trade_app_, trade_);
+        trade_app_->footer(examples(program_, {"trade cases/vein_valve --until \"1.2 s\" --budget \"20 min\"",
+                                               "trade my_scene.toml --measures flow --tolerance \"2 %\""}));
     }
 
     void add_sweep() {
@@ -406,6 +415,8 @@ class Parser {
     CLI::App* doctor_app_ = nullptr;
     RunCommand run_;
     SweepCommand sweep_;
+    CLI::App* trade_app_ = nullptr;
+    TradeCommand trade_;
     MeshCommand mesh_;
     InspectCommand inspect_;
     NewCommand new_;

@@ -82,6 +82,22 @@ struct SweepCommand {
     TypedCommand typed;             ///< for lines to paste
 };
 
+/// `dmp trade`: costs and errors of a scene's spacings and quality levels (docs/trade.md).
+struct TradeCommand {
+    std::string scene;                    ///< a scene file, or a folder with a scene.toml
+    std::vector<std::string> overrides;   ///< "key=value", as given
+    std::string out;                      ///< empty: out/NAME_trade below the current folder
+    std::string until;                    ///< a time with its unit; empty: the scene's duration
+    std::vector<std::string> measures;    ///< that are compared; empty: all
+    std::string budget;                   ///< wall time with its unit; empty: any
+    std::vector<std::string> tolerances;  ///< errors to advise for; empty: 1, 5 and 10 %
+    int jobs = 0;                         ///< runs at a time; 0: as many as there are processors for
+    bool dry_run = false;
+    bool resume = false;     ///< go on with the trade in the folder
+    bool overwrite = false;  ///< remove what an earlier trade has left in the folder
+    TypedCommand typed;      ///< for lines to paste
+};
+
 /// `dmp convert`: ParaView's files from the HDF5 frames of a run.
 struct ConvertCommand {
     std::string folder;  ///< of the run; the files go there
@@ -155,13 +171,14 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, SweepCommand, MeshCommand, InspectCommand, NewCommand, ConvertCommand,
-                             PicturesCommand, ReportCommand, ExplainCommand, EscapeCommand, DoctorCommand,
-                             ReadGeometryCommand, StartRunsCommand, PrintCommand>;
+using Command = std::variant<RunCommand, SweepCommand, TradeCommand, MeshCommand, InspectCommand, NewCommand,
+                             ConvertCommand, PicturesCommand, ReportCommand, ExplainCommand, EscapeCommand,
+                             DoctorCommand, ReadGeometryCommand, StartRunsCommand, PrintCommand>;
 
 /// Each does its command and returns the exit code; what goes wrong is thrown.
 int execute(const RunCommand& command);
 int execute(const SweepCommand& command);
+int execute(const TradeCommand& command);
 int execute(const MeshCommand& command);
 int execute(const InspectCommand& command);
 int execute(const NewCommand& command);

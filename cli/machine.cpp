@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -119,6 +120,14 @@ Machine inspect_machine(const fs::path& folder) {
     machine.xvfb = find_program("Xvfb");
     machine.vector_units = vector_unit_names();
     return machine;
+}
+
+int runs_at_a_time(int asked, int threads) {
+    if (asked > 0) return asked;
+    const Machine machine = inspect_machine(fs::current_path());
+    double processors = machine.processors;
+    if (machine.processor_quota > 0) processors = std::min(processors, machine.processor_quota);
+    return std::max(1, static_cast<int>(std::floor(processors / threads)));
 }
 
 }  // namespace dmp::cli

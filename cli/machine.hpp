@@ -27,4 +27,7 @@ struct MachineMemory {
 
 [[nodiscard]] Machine inspect_machine(const std::filesystem::path& folder);
 
+/// Runs at a time: `asked`; where that is 0, as many of so many threads each as there are processors for.
+[[nodiscard]] int runs_at_a_time(int asked, int threads);
+
 }  // namespace dmp::cli

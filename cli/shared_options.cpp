@@ -108,4 +108,24 @@ void add_vector_unit(CLI::App& app, VectorUnit& unit) {
         ->check(CLI::Validator(a_vector_unit, ""));
 }
 
+void add_trade_options(CLI::App& app, TradeCommand& trade) {
+    app.add_option("SCENE", trade.scene, "A scene file, or a folder with a scene.toml")->required()->type_name("");
+    add_set(app, trade.overrides);
+    app.add_option("--out", trade.out, "Folder for the runs; default: out/NAME OF THE SCENE_trade")->type_name("DIR");
+    app.add_option("--until", trade.until, "Run to this time instead of the scene's duration, e.g. \"0.2 s\"")
+        ->type_name("TIME");
+    app.add_option("--measures", trade.measures, "Names of the measures that count; default: all of the scene")
+        ->type_name("NAME");
+    app.add_option("--budget", trade.budget, "Wall time that the runs may take in all, e.g. \"30 min\"")
+        ->type_name("TIME");
+    app.add_option("--tolerance", trade.tolerances, "Error to find a setting for; default: \"1 %\" \"5 %\" \"10 %\"")
+        ->type_name("ERROR");
+    app.add_option("--jobs", trade.jobs, "Runs at a time; default: as many as there are processors for")
+        ->type_name("N")
+        ->check(CLI::Validator(at_least_one, ""));
+    auto* resume = app.add_flag("--resume", trade.resume, "Go on with the trade in the folder");
+    app.add_flag("--overwrite", trade.overwrite, "Remove the trade that is in the folder")->excludes(resume);
+    app.add_flag("--dry-run", trade.dry_run, "Only say which settings there are, and what the cheapest would take");
+}
+
 }  // namespace dmp::cli

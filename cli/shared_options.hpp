@@ -24,6 +24,9 @@ void add_frames(CLI::App& app, std::optional<FrameFormat>& format);
 void add_leave_out(CLI::App& app, study::LeftOut& left_out);
 void add_vector_unit(CLI::App& app, VectorUnit& unit);
 
+/// Those of `dmp trade`.
+void add_trade_options(CLI::App& app, TradeCommand& trade);
+
 /// What is wrong with a number of threads or runs; "": nothing.
 [[nodiscard]] std::string at_least_one(const std::string& text);
 

@@ -45,6 +45,19 @@ std::string quantity_text(double value, std::string_view unit) { return fmt::for
 
 std::string percent_text(double fraction) { return fmt::format("{:+.2g} %", fraction * 100); }
 
+std::string table_text(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const auto& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format(" {:<{}} ", row[k], widths[k]);
+        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
 std::string Listing::text() const {
     std::size_t width = 0;
     for (const auto& [name, text] : lines_) width = std::max(width, name.size());

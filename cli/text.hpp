@@ -23,6 +23,9 @@ std::string quantity_text(double value, std::string_view unit);
 /// A relative difference: "+1.3 %", "-0.02 %".
 std::string percent_text(double fraction);
 
+/// Rows of as many cells each, below each other, indented by two.
+std::string table_text(const std::vector<std::vector<std::string>>& rows);
+
 /// Lines of "  name   text" with the texts below each other.
 class Listing {
   public:

@@ -1,6 +1,8 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/measure_columns.hpp"
 
+#include <algorithm>
+
 #include "base/unlisted_value.hpp"
 
 namespace dmp::study {
@@ -43,6 +45,13 @@ MeasureColumns columns_of(MeasureKind kind) {
             return {depends, ""};
     }
     unlisted_value(kind);
+}
+
+bool is_column_of(const Scene& scene, const std::string& measure, const std::string& column) {
+    const auto begins = [&](const std::string& name) { return column == name || column.starts_with(name + "_"); };
+    return begins(measure) && std::ranges::none_of(scene.measures, [&](const Measure& other) {
+               return other.name->size() > measure.size() && begins(*other.name);
+           });
 }
 
 }  // namespace dmp::study

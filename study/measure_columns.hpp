@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/items.hpp"
+#include "scene/scene.hpp"
 #include "study/uses.hpp"
 
 namespace dmp::study {
@@ -17,5 +18,9 @@ struct MeasureColumns {
 };
 
 [[nodiscard]] MeasureColumns columns_of(MeasureKind kind);
+
+/// Whether a column of measures.csv is one of this measure's: not of another, "flux_in" beside "flux", whose name is
+/// longer.
+[[nodiscard]] bool is_column_of(const Scene& scene, const std::string& measure, const std::string& column);
 
 }  // namespace dmp::study

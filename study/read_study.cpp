@@ -113,10 +113,16 @@ std::vector<VariedKey> Study::keys() const {
 }
 
 Study read_study(const std::string& path) {
+    const std::string file = study_file(path);
+    return parse_study(read_file(file), file);
+}
+
+Study parse_study(const std::string& text, const std::string& file) {
     Study study;
-    study.file = study_file(path);
+    study.file = file;
+    study.text = text;
     study.name = name_of(study.file);
-    const TomlNode document = parse_toml(read_file(study.file), study.file);
+    const TomlNode document = parse_toml(text, study.file);
     const TomlTable table(
         document, "",
         {"title", "purpose", "scene", "combine", "samples", "seed", "leave_out", "vary", "result", "plot", "slurm"});
@@ -131,11 +137,11 @@ Study read_study(const std::string& path) {
     if (const TomlNode* list = table.find("leave_out"))
         study.left_out = {read_left_out(*list, "leave_out"), list->location};
 
-    const fs::path scene = fs::path(study.file).parent_path() / *study.scene_path;
+    const fs::path scene = (fs::path(study.file).parent_path() / *study.scene_path).lexically_normal();
     if (std::error_code none; !fs::exists(scene, none))
         throw InputError(study.scene_path.location, "scene: there is no '" + scene.string() + "'",
                          "give the scene's file, or its folder, relative to the folder of the study");
-    study.scene = read_scene(scene.lexically_normal().string());
+    study.scene = read_scene(scene.string());
     for (const TomlNode* node : tables_of(document, "vary")) study.vary.push_back(read_vary(*node, study));
     check_axes(study);
     for (const TomlNode* node : tables_of(document, "result")) study.results.push_back(read_result(*node, study));

@@ -11,4 +11,7 @@ namespace dmp::study {
 /// with file:line:column.
 Study read_study(const std::string& path);
 
+/// Likewise of the text of a study that is, or is to be, in `file`.
+Study parse_study(const std::string& text, const std::string& file);
+
 }  // namespace dmp::study

@@ -12,22 +12,8 @@ namespace dmp::study {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
 /// A row at a window's end counts as inside it: times are sums of steps.
 constexpr double tolerance = 1e-9;
-
-void add(TimeSeries& series, double time, double value) {
-    series.time.push_back(time);
-    series.value.push_back(value);
-}
-
-TimeSeries with_values(const TimeSeries& series) {
-    TimeSeries kept;
-    for (std::size_t i = 0; i < series.time.size(); ++i)
-        if (std::isfinite(series.value[i])) add(kept, series.time[i], series.value[i]);
-    return kept;
-}
 
 /// The rows in the window.
 TimeSeries rows_in(const TimeSeries& series, const Window& window) {
@@ -35,14 +21,8 @@ TimeSeries rows_in(const TimeSeries& series, const Window& window) {
     TimeSeries kept;
     for (std::size_t i = 0; i < series.time.size(); ++i)
         if (series.time[i] >= window.from - slack && series.time[i] <= window.until + slack)
-            add(kept, series.time[i], series.value[i]);
+            kept.add(series.time[i], series.value[i]);
     return kept;
-}
-
-/// On the line between the rows i and i + 1.
-double value_between(const TimeSeries& series, std::size_t i, double time) {
-    const double part = (time - series.time[i]) / (series.time[i + 1] - series.time[i]);
-    return (1 - part) * series.value[i] + part * series.value[i + 1];
 }
 
 /// The rows in the window, and the ends of the window where they lie between two rows.
@@ -51,19 +31,12 @@ TimeSeries lines_in(const TimeSeries& series, const Window& window) {
     TimeSeries clipped;
     const auto add_end = [&](double end) {
         for (std::size_t i = 0; i + 1 < series.time.size(); ++i)
-            if (series.time[i] < end && end < series.time[i + 1]) add(clipped, end, value_between(series, i, end));
+            if (series.time[i] < end && end < series.time[i + 1]) clipped.add(end, value_between(series, i, end));
     };
     if (rows.time.empty() || window.from < rows.time.front()) add_end(window.from);
-    for (std::size_t i = 0; i < rows.time.size(); ++i) add(clipped, rows.time[i], rows.value[i]);
+    for (std::size_t i = 0; i < rows.time.size(); ++i) clipped.add(rows.time[i], rows.value[i]);
     if (rows.time.empty() || window.until > rows.time.back()) add_end(window.until);
     return clipped;
-}
-
-double integral(const TimeSeries& series) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < series.time.size(); ++i)
-        sum += (series.value[i] + series.value[i + 1]) / 2 * (series.time[i + 1] - series.time[i]);
-    return sum;
 }
 
 double mean(const TimeSeries& series) {
@@ -80,7 +53,7 @@ double first_crossing(const TimeSeries& series, double level) {
         if ((above < 0) == (next < 0) || next == 0) continue;
         return series.time[i] + (series.time[i + 1] - series.time[i]) * above / (above - next);
     }
-    return nothing;
+    return no_number;
 }
 
 /// The time that each row stands for: half the times to its neighbours.
@@ -108,13 +81,13 @@ Eigen::Vector<double, Count> fitted(const TimeSeries& series, const auto& functi
         values[i] = root * series.value[k];
     }
     const auto solver = matrix.colPivHouseholderQr();
-    if (rows < Count || solver.rank() < Count) return Eigen::Vector<double, Count>::Constant(nothing);
+    if (rows < Count || solver.rank() < Count) return Eigen::Vector<double, Count>::Constant(no_number);
     return solver.solve(values);
 }
 
 double slope(const TimeSeries& series) {
     const double start = series.time.front(), length = series.time.back() - start;
-    if (!(length > 0)) return nothing;
+    if (!(length > 0)) return no_number;
     const auto line = [&](double time) { return Eigen::Vector2d(1, (time - start) / length); };
     return fitted<2>(series, line)[1] / length;
 }
@@ -142,9 +115,9 @@ std::string per_time(const std::string& unit, bool times) {
 }  // namespace
 
 double reduced(const TimeSeries& series, Reduction reduction, const Window& window, const ReductionOptions& options) {
-    const TimeSeries known = with_values(series);
+    const TimeSeries known = finite_rows(series);
     const TimeSeries lines = lines_in(known, window);
-    if (lines.time.empty()) return nothing;
+    if (lines.time.empty()) return no_number;
     const TimeSeries rows = rows_in(known, window);
     switch (reduction) {
         case Reduction::mean:
@@ -160,7 +133,7 @@ double reduced(const TimeSeries& series, Reduction reduction, const Window& wind
         case Reduction::first_crossing:
             return first_crossing(lines, options.level);
         case Reduction::slope:
-            return rows.time.empty() ? nothing : slope(rows);
+            return rows.time.empty() ? no_number : slope(rows);
         case Reduction::amplitude: {
             const Eigen::Vector3d fit = wave(rows, options.period);
             return std::hypot(fit[1], fit[2]);

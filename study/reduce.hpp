@@ -3,17 +3,11 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "study/study.hpp"
+#include "study/time_series.hpp"
 
 namespace dmp::study {
-
-/// A measure over time, as measures.csv has it.
-struct TimeSeries {
-    std::vector<double> time;   ///< [s], increasing
-    std::vector<double> value;  ///< NaN where there was none
-};
 
 /// The part of a run that a result is of [s].
 struct Window {

@@ -78,6 +78,7 @@ struct Result {
 /// A study: one scene, the keys that vary, and what is kept of each run.
 struct Study {
     std::string file;     ///< path of the study as given
+    std::string text;     ///< what is in it
     std::string name;     ///< of its folder for study.toml, else of the file
     std::string title;    ///< of its page; "": its name
     std::string purpose;  ///< what it is to find out, for its page

@@ -1,6 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,15 +36,6 @@ namespace fs = std::filesystem;
 
 /// Threads of each run: many runs at a time with one thread each take less time than few with more.
 int threads_of(const study::Study& study) { return std::max(1, *study.scene.run.threads); }
-
-/// Runs at a time: as many as there are processors for.
-int jobs_of(const SweepCommand& command, int threads) {
-    if (command.jobs > 0) return command.jobs;
-    const Machine machine = inspect_machine(fs::current_path());
-    double processors = machine.processors;
-    if (machine.processor_quota > 0) processors = std::min(processors, machine.processor_quota);
-    return std::max(1, static_cast<int>(std::floor(processors / threads)));
-}
 
 std::string left_out_text(const study::Study& study, const study::LeftOut& left_out) {
     if (left_out.empty()) return "";
@@ -147,7 +137,7 @@ int execute(const SweepCommand& command) {
     SweepSettings settings;
     settings.program = command.typed.program();
     settings.threads = threads_of(study);
-    settings.jobs = jobs_of(command, settings.threads);
+    settings.jobs = runs_at_a_time(command.jobs, settings.threads);
     const std::vector<std::size_t> chosen = chosen_runs(study, points, command.only);
     const SlurmSettings slurm = slurm_settings(command, study, out);  // checks its options
     settings.left_out = left_out_of(study, points.size());

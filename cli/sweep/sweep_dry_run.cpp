@@ -24,19 +24,6 @@ namespace {
 constexpr std::size_t most_shown = 20;
 constexpr double trial_seconds = 1;
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    for (const auto& row : rows)
-        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-    std::string text;
-    for (const auto& row : rows) {
-        std::string line = " ";
-        for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format(" {:<{}} ", row[k], widths[k]);
-        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-    }
-    return text;
-}
-
 }  // namespace
 
 double disk_of_run(std::size_t particles, double frames, bool pictures, const study::LeftOut& left_out) {
@@ -64,7 +51,7 @@ std::string runs_text(const study::Study& study, const study::Points& points, co
         std::vector<std::string>& row = rows.emplace_back(1, point.name);
         for (const study::VariedValue& value : point.values) row.push_back(value.cell);
     }
-    std::string text = aligned(rows);
+    std::string text = table_text(rows);
     if (chosen.size() > most_shown) text += fmt::format("  ... and {} more\n", count_text(chosen.size() - most_shown));
     return text;
 }

@@ -174,7 +174,7 @@ fs::path not_foreign(const fs::path& folder) {
 void write_study_files(const fs::path& folder, const NewSweep& sweep) {
     write_file(folder / sweep_file_name, sweep_text(sweep));
     make_folder(folder / runs_name);
-    write_file(folder / study_copy_name, read_file(sweep.study.file));
+    write_file(folder / study_copy_name, sweep.study.text);
     write_file(folder / scene_copy_name, read_file(sweep.study.scene.file));
 }
 

@@ -53,11 +53,15 @@ SweepRuns::SweepRuns(SweepRows& rows, SweepSettings settings)
     waiting_.assign(unfinished.begin(), unfinished.end());
 }
 
+bool SweepRuns::is_to_stop(const StopSignals& signals) const {
+    return signals.flag() || WallClock::now() >= settings_.stop_at;
+}
+
 void SweepRuns::run(const StopSignals& signals) {
     bool stopping = false;
     learn_memory(signals);
     while (true) {
-        if (signals.flag() && !stopping) {
+        if (is_to_stop(signals) && !stopping) {
             stopping = true;
             starter_.stop_all();
             if (!running_.empty()) say("Stopping: the runs write their checkpoints.");
@@ -77,7 +81,7 @@ void SweepRuns::run(const StopSignals& signals) {
 void SweepRuns::start_some(const StopSignals& signals) {
     waiting_.insert(waiting_.begin(), put_off_.begin(), put_off_.end());
     put_off_.clear();
-    while (!waiting_.empty() && running_.size() < static_cast<std::size_t>(settings_.jobs) && !signals.flag()) {
+    while (!waiting_.empty() && running_.size() < static_cast<std::size_t>(settings_.jobs) && !is_to_stop(signals)) {
         const std::size_t index = waiting_.front();
         waiting_.pop_front();
         study::Point point = points_.at(index);
@@ -86,6 +90,8 @@ void SweepRuns::start_some(const StopSignals& signals) {
             put_off_.push_back(index);
         } else if (contents_of(run).kind == FolderContents::Kind::finished) {
             add(index, finished_row(study_, point, run));
+        } else if (settings_.may_start && !settings_.may_start(index)) {
+            continue;
         } else if (!has_room(point)) {
             waiting_.push_front(index);
             return;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <list>
 #include <set>
 #include <string>
@@ -28,6 +29,10 @@ struct SweepSettings {
     int jobs = 1;             ///< runs at a time
     int threads = 1;          ///< of each
     study::LeftOut left_out;  ///< what they do not write
+    /// Whether a run may be started now; one that may not is left undone. Empty: all may.
+    std::function<bool(std::size_t index)> may_start{};
+    /// Then those that still run are stopped, and go on from their checkpoints another time.
+    WallClock::time_point stop_at = WallClock::time_point::max();
 };
 
 /// Does the chosen runs of a study, several at a time, each in a process of its own. Those that are finished in the
@@ -39,9 +44,9 @@ class SweepRuns {
     SweepRuns(const SweepRuns&) = delete;
     SweepRuns& operator=(const SweepRuns&) = delete;
 
-    /// Until the last one has ended, or a signal asks to stop: then the runs get SIGTERM, and write their checkpoints.
-    /// Throws InputError where the scene's file is changed meanwhile, ResourceError where a table cannot be written;
-    /// the runs are stopped then, too.
+    /// Until the last one has ended, it is time to stop, or a signal asks for it: then the runs get SIGTERM, and write
+    /// their checkpoints. Throws InputError where the scene's file is changed meanwhile, ResourceError where a table
+    /// cannot be written; the runs are stopped then, too.
     void run(const StopSignals& signals);
 
   private:
@@ -51,6 +56,7 @@ class SweepRuns {
         WallClock::time_point start;
     };
 
+    [[nodiscard]] bool is_to_stop(const StopSignals& signals) const;
     /// Starts what there is room for; what another process still writes is put off.
     void start_some(const StopSignals& signals);
     void start(std::size_t index, study::Point point);

@@ -18,6 +18,7 @@
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
 #include "postproc/tables.hpp"
+#include "study/measure_columns.hpp"
 #include "study/read_result.hpp"
 #include "study/reduce.hpp"
 
@@ -34,24 +35,16 @@ SweepRow row_of(const study::Point& point) {
     return row;
 }
 
-/// Whether a column is one of a measure's: not of another, "flux_in" beside "flux", whose name is longer.
-bool is_of(const std::string& measure, const std::string& column, const Scene& scene) {
-    const auto begins = [&](const std::string& name) { return column == name || column.starts_with(name + "_"); };
-    return begins(measure) && std::ranges::none_of(scene.measures, [&](const Measure& other) {
-               return other.name->size() > measure.size() && begins(*other.name);
-           });
-}
-
 /// The column of a result in measures.csv. Throws InputError where there is none.
 std::size_t column_of(const study::Result& result, const Scene& scene, const MeasureSeries& measures) {
     const auto found = std::ranges::find_if(measures.names, [&](const std::string& name) {
-        return name == result.column_name() && is_of(*result.measure, name, scene);
+        return name == result.column_name() && study::is_column_of(scene, *result.measure, name);
     });
     if (found != measures.names.end()) return static_cast<std::size_t>(found - measures.names.begin());
     const std::string start = *result.measure + "_";
     std::vector<std::string> columns;
     for (const std::string& name : measures.names)
-        if (name.starts_with(start) && is_of(*result.measure, name, scene))
+        if (name.starts_with(start) && study::is_column_of(scene, *result.measure, name))
             columns.push_back(name.substr(start.size()));
     const SourceLocation& where = result.column.given() ? result.column.location : result.measure.location;
     if (columns.empty())
@@ -186,6 +179,24 @@ std::string SweepTable::text() const {
         text += "," + std::to_string(row->exit_code) + "," + csv_cell(row->error) + "\n";
     }
     return text;
+}
+
+std::map<std::string, RunTime> run_times(const fs::path& file) {
+    std::map<std::string, RunTime> times;
+    if (!fs::is_regular_file(file)) return times;
+    for (const std::string& line : text_lines(read_file(file))) {
+        const std::vector<std::string> cells = csv_cells(line);
+        if (cells.size() < 3 || cells[0] == "run") continue;
+        const auto number = [](const std::string& text) {
+            double value = 0;
+            std::from_chars(text.data(), text.data() + text.size(), value);
+            return value;
+        };
+        RunTime& time = times[cells[0]];
+        time.wall_s += number(cells[1]);
+        time.processor_s += number(cells[2]);
+    }
+    return times;
 }
 
 std::map<std::string, EarlierFailure> earlier_failures(const fs::path& file) {

@@ -58,6 +58,14 @@ struct EarlierFailure {
 /// Those in an earlier results.csv, by the name of the run; none where there is no such file.
 [[nodiscard]] std::map<std::string, EarlierFailure> earlier_failures(const std::filesystem::path& file);
 
+/// What a run took, by timing.csv: all its starts together.
+struct RunTime {
+    double wall_s = 0, processor_s = 0;
+};
+
+/// Those in a timing.csv, by the name of the run; none where there is no such file.
+[[nodiscard]] std::map<std::string, RunTime> run_times(const std::filesystem::path& file);
+
 /// All rows of a study.
 class SweepTable {
   public:

@@ -1,0 +1,41 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "base/wall_clock.hpp"
+#include "cli/uses.hpp"
+#include "study/points.hpp"
+#include "study/trade_settings.hpp"
+
+namespace dmp::cli {
+
+/// The wall time that the runs of a trade may take, all starts together, and what they are expected to take.
+class TradeBudget {
+  public:
+    /// `seconds`: none: any. `folder`: of the trade, whose timing.csv says what was spent.
+    TradeBudget(std::optional<double> seconds, const study::TradeSettings& settings, const study::Points& points,
+                std::filesystem::path folder, int jobs);
+
+    /// Whether a run is expected to end within the budget, by those that have ended. What cannot be expected may start.
+    [[nodiscard]] bool may_start(std::size_t index) const;
+    /// When it is spent.
+    [[nodiscard]] WallClock::time_point end() const;
+    /// Processor time [s] that runs of these settings are expected to take; none before any run has ended.
+    [[nodiscard]] std::optional<double> expected(const std::vector<std::size_t>& settings) const;
+
+  private:
+    [[nodiscard]] double left() const;
+
+    std::optional<double> seconds_;
+    const study::TradeSettings& settings_;
+    const study::Points& points_;
+    std::filesystem::path folder_;
+    double spent_ = 0;  ///< before this process [s]
+    WallClock::time_point start_ = WallClock::now();
+};
+
+}  // namespace dmp::cli

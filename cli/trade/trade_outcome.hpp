@@ -1,0 +1,55 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/sweep/sweep_table.hpp"
+#include "cli/uses.hpp"
+#include "scene/scene.hpp"
+#include "study/points.hpp"
+#include "study/trade_errors.hpp"
+#include "study/trade_settings.hpp"
+
+namespace dmp::cli {
+
+inline constexpr const char* trade_file_name = "trade.json";
+
+/// What a trade has found, of the runs that have ended.
+struct TradeOutcome {
+    std::string scene_path;           ///< as given
+    std::vector<std::string> common;  ///< what is set in all runs, "key=value"
+    double until = 0, duration = 0;   ///< of the runs of the trade, and of the scene [s]
+    study::TradeSettings settings;
+    std::vector<std::string> names;     ///< of the run of each setting
+    std::vector<std::string> failures;  ///< of each setting; "": it has not failed
+    std::vector<std::string> columns;   ///< of measures.csv, which are compared
+    std::vector<std::string> units;     ///< of those
+    std::vector<study::TradeRun> runs;  ///< that have ended
+    study::TradeErrors errors;          ///< where two of them or more are no repeats
+
+    /// Enough to compare.
+    [[nodiscard]] bool is_known() const { return !errors.runs.empty(); }
+    [[nodiscard]] const study::TradeSetting& setting(const study::TradeRun& run) const {
+        return settings.settings[run.setting];
+    }
+    /// Indices of the runs that no other beats in cost and error, cheapest first.
+    [[nodiscard]] std::vector<std::size_t> front() const;
+};
+
+/// Of the runs in the folder of a trade. `measures`: names of the scene's measures that are compared; empty: all.
+/// Throws InputError where none of their columns has a number in all runs that have ended.
+[[nodiscard]] TradeOutcome trade_outcome(const std::filesystem::path& folder, const Scene& scene,
+                                         const study::TradeSettings& settings, const study::Points& points,
+                                         const std::vector<std::string>& measures);
+
+/// For people: the table of settings, what is known of the measures, and for each tolerance the cheapest setting.
+[[nodiscard]] std::string trade_text(const TradeOutcome& outcome, const std::vector<double>& tolerances,
+                                     const std::string& program);
+
+/// trade.json.
+void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcome);
+
+}  // namespace dmp::cli

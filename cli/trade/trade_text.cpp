@@ -1,0 +1,105 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// What a trade tells on the terminal.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/shell_word.hpp"
+#include "cli/terminal.hpp"
+#include "cli/text.hpp"
+#include "cli/trade/trade_outcome.hpp"
+#include "study/front.hpp"
+
+namespace dmp::cli {
+
+namespace {
+
+/// "3.2 %", "-" where it is not known.
+std::string part_text(double part) { return std::isnan(part) ? "-" : number_text(100 * part, 2) + " %"; }
+
+std::string setting_text(const study::TradeSetting& setting) {
+    return setting.spacing_text + (setting.spacing_text.empty() ? "" : ", ") + to_string(setting.quality);
+}
+
+std::string settings_table(const TradeOutcome& outcome) {
+    std::vector<std::vector<std::string>> rows{{"spacing", "quality", "processor time", "error", "of", ""}};
+    const std::vector<std::size_t> front = outcome.front();
+    for (std::size_t index = 0; index < outcome.settings.settings.size(); ++index) {
+        const study::TradeSetting& setting = outcome.settings.settings[index];
+        std::vector<std::string> row{
+            setting.spacing_text.empty() ? "-" : setting.spacing_text, to_string(setting.quality), "", "", "", ""};
+        const auto run = std::ranges::find(outcome.runs, index, &study::TradeRun::setting);
+        if (run == outcome.runs.end()) {
+            row[2] = outcome.failures[index].empty() ? "not run" : "failed";
+            row[4] = outcome.failures[index];
+        } else {
+            const auto r = static_cast<std::size_t>(run - outcome.runs.begin());
+            const study::RunError& error = outcome.errors.runs[r];
+            row[2] = duration_text(run->cost);
+            row[3] = part_text(error.error);
+            if (!std::isnan(error.error)) row[4] = outcome.columns[error.column];
+            row[5] = r == outcome.errors.reference                ? "the reference"
+                     : setting.is_repeat                          ? "repeat, for the scatter"
+                     : std::ranges::find(front, r) != front.end() ? "*"
+                                                                  : "";
+        }
+        rows.push_back(std::move(row));
+    }
+    return table_text(rows) + "  *: no other setting is cheaper and as good\n";
+}
+
+std::string measures_table(const TradeOutcome& outcome) {
+    std::vector<std::vector<std::string>> rows{{"measure", "scatter", "reference's error", "order", ""}};
+    for (std::size_t c = 0; c < outcome.columns.size(); ++c) {
+        const study::ColumnTrust& trust = outcome.errors.columns[c];
+        rows.push_back({outcome.columns[c], part_text(trust.scatter), part_text(trust.reference),
+                        std::isnan(trust.order) ? "-" : fmt::format("{:.1f}", trust.order),
+                        trust.counts() ? trust.why_not : "not counted: it scatters by more than half its size"});
+    }
+    return table_text(rows);
+}
+
+/// The smallest error, and how much of it is scatter, where it is that of a measure whose runs scatter.
+std::string best_text(const TradeOutcome& outcome) {
+    const study::RunError* best = nullptr;
+    for (std::size_t r = 0; r < outcome.runs.size(); ++r) {
+        const study::RunError& each = outcome.errors.runs[r];
+        if (outcome.setting(outcome.runs[r]).is_repeat || std::isnan(each.error)) continue;
+        if (best == nullptr || each.error < best->error) best = &each;
+    }
+    if (best == nullptr) return "not reachable: no error is known";
+    const double scatter = outcome.errors.columns[best->column].scatter;
+    return fmt::format("not reachable: the best was {} of {}{}", part_text(best->error), outcome.columns[best->column],
+                       scatter > 0 ? fmt::format(", and repeats scatter by {}", part_text(scatter)) : "");
+}
+
+std::string advice(const TradeOutcome& outcome, double tolerance, const std::string& program) {
+    for (const std::size_t r : outcome.front()) {
+        if (outcome.errors.runs[r].error > tolerance) continue;
+        const study::TradeRun& run = outcome.runs[r];
+        std::string line = program + " run " + shell_word(outcome.scene_path);
+        for (const std::string& each : outcome.common)
+            if (!each.starts_with("run.duration=")) line += " --set " + shell_word(each);
+        for (const std::string& each : outcome.settings.overrides(outcome.setting(run)))
+            line += " --set " + shell_word(each);
+        return fmt::format("{}, error {}, about {} of one processor\n  {}\n", setting_text(outcome.setting(run)),
+                           part_text(outcome.errors.runs[r].error),
+                           duration_text(run.cost * outcome.duration / outcome.until), line);
+    }
+    return best_text(outcome) + "\n";
+}
+
+}  // namespace
+
+std::string trade_text(const TradeOutcome& outcome, const std::vector<double>& tolerances, const std::string& program) {
+    const Style style(Stream::output);
+    std::string text = style.strong("Settings") + "\n" + settings_table(outcome) + style.strong("Measures") + "\n" +
+                       measures_table(outcome) + style.strong("The cheapest setting") + "\n";
+    for (const double tolerance : tolerances)
+        text += fmt::format("For {}: {}", part_text(tolerance), advice(outcome, tolerance, program));
+    return text;
+}
+
+}  // namespace dmp::cli

@@ -1,0 +1,165 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/trade_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace dmp::study {
+
+namespace {
+
+constexpr double lowest_order = 0.5, highest_order = 4, most_apart = 0.75;
+
+/// A run's distance from the reference.
+struct Distance {
+    double spacing = 0, distance = 0;
+};
+
+/// p of d = C (h^p - h0^p) through two distances, by bisection.
+std::optional<double> order_through(const Distance& coarse, const Distance& fine, double finest) {
+    const auto ratio_at = [&](double order) {
+        const double own = std::pow(finest, order);
+        return (std::pow(coarse.spacing, order) - own) / (std::pow(fine.spacing, order) - own);
+    };
+    if (!(fine.distance > 0) || !(coarse.distance > fine.distance)) return {};
+    const double ratio = coarse.distance / fine.distance;
+    double low = lowest_order, high = highest_order;
+    if (ratio < ratio_at(low) || ratio > ratio_at(high)) return {};
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (ratio < ratio_at(middle) ? high : low) = middle;
+    }
+    return (low + high) / 2;
+}
+
+class Errors {
+  public:
+    Errors(const TradeSettings& settings, const std::vector<TradeRun>& runs, const std::vector<std::size_t>& measure_of)
+        : settings_(settings), runs_(runs), measure_of_(measure_of) {}
+
+    TradeErrors all() {
+        TradeErrors errors;
+        errors.reference = reference_ = finest().value();
+        const std::size_t columns = runs_.front().measures.size();
+        errors.runs.resize(runs_.size());
+        for (std::size_t c = 0; c < columns; ++c) {
+            for (std::size_t r = 0; r < runs_.size(); ++r) errors.runs[r].distance.push_back(between(r, reference_, c));
+            errors.columns.push_back(trust_of(c, errors.runs));
+        }
+        for (RunError& each : errors.runs) add_largest(each, errors.columns);
+        return errors;
+    }
+
+  private:
+    [[nodiscard]] const TradeSetting& setting(std::size_t run) const { return settings_.settings[runs_[run].setting]; }
+
+    [[nodiscard]] SeriesError between(std::size_t run, std::size_t other, std::size_t column) const {
+        SeriesSize size;
+        for (std::size_t c = 0; c < measure_of_.size(); ++c)
+            if (measure_of_[c] == measure_of_[column]) size = size.with(size_of(runs_[other].measures[c]));
+        return error_of(runs_[run].measures[column], runs_[other].measures[column], size);
+    }
+
+    /// The one with the smallest spacing, then of the highest quality; none where there is no other than `but`.
+    [[nodiscard]] std::optional<std::size_t> finest(std::optional<std::size_t> but = {}) const {
+        const auto rank = [&](std::size_t run) {
+            const TradeSetting& each = setting(run);
+            return std::tuple(each.is_repeat, each.spacing, -static_cast<int>(each.quality));
+        };
+        std::optional<std::size_t> best;
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            if (run != but && (!best || rank(run) < rank(*best))) best = run;
+        return best;
+    }
+
+    [[nodiscard]] double scatter_of(std::size_t column) const {
+        double scatter = no_number;
+        for (std::size_t r = 0; r < runs_.size(); ++r) {
+            if (!setting(r).is_repeat) continue;
+            for (std::size_t other = 0; other < runs_.size(); ++other) {
+                const TradeSetting& repeated = setting(other);
+                if (repeated.is_repeat || repeated.quality != setting(r).quality ||
+                    std::abs(repeated.spacing / setting(r).spacing - 1) > 0.01)
+                    continue;
+                scatter = std::fmax(scatter, between(r, other, column).largest());
+            }
+        }
+        return scatter;
+    }
+
+    /// Of the reference's level, coarsest first, without the reference.
+    [[nodiscard]] std::vector<Distance> ladder(std::size_t column, const std::vector<RunError>& errors) const {
+        std::vector<Distance> distances;
+        for (std::size_t r = 0; r < runs_.size(); ++r) {
+            const TradeSetting& each = setting(r);
+            const double distance = errors[r].distance[column].largest();
+            if (r == reference_ || each.is_repeat || each.quality != setting(reference_).quality || each.spacing == 0 ||
+                std::isnan(distance))
+                continue;
+            distances.push_back({each.spacing, distance});
+        }
+        std::ranges::sort(distances, std::greater(), &Distance::spacing);
+        return distances;
+    }
+
+    [[nodiscard]] ColumnTrust trust_of(std::size_t column, const std::vector<RunError>& errors) const {
+        ColumnTrust trust;
+        trust.scatter = scatter_of(column);
+        const double spacing = setting(reference_).spacing;
+        const std::vector<Distance> distances = ladder(column, errors);
+        if (distances.empty()) {
+            if (const auto next = finest(reference_)) trust.reference = errors[*next].distance[column].largest();
+            trust.why_not = "no other spacing has been run at its level";
+            return trust;
+        }
+        for (const Distance& each : distances)
+            if (std::isnan(trust.reference) || each.spacing > 1.8 * spacing) trust.reference = each.distance;
+        if (distances.size() < 3) {
+            trust.why_not = "there are fewer than four spacings";
+            return trust;
+        }
+        const auto last = distances.end();
+        const auto coarse = order_through(*(last - 3), *(last - 2), spacing);
+        const auto fine = order_through(*(last - 2), *(last - 1), spacing);
+        if (!coarse || !fine) {
+            trust.why_not = fmt::format("it does not fall with an order of {} to {}", lowest_order, highest_order);
+            return trust;
+        }
+        if (std::abs(*coarse - *fine) > most_apart) {
+            trust.why_not = fmt::format("two sets of spacings have the orders {:.1f} and {:.1f}", *coarse, *fine);
+            return trust;
+        }
+        trust.order = *fine;
+        const double own = std::pow(spacing, *fine), next = std::pow((last - 1)->spacing, *fine);
+        trust.reference = (last - 1)->distance * own / (next - own);
+        return trust;
+    }
+
+    static void add_largest(RunError& run, const std::vector<ColumnTrust>& columns) {
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            const double own = run.distance[c].largest();
+            if (std::isnan(own) || !columns[c].counts()) continue;
+            const double error = std::fmax(own + columns[c].reference, columns[c].scatter);
+            if (std::isnan(error) || error <= run.error) continue;
+            run.error = error;
+            run.column = c;
+        }
+    }
+
+    const TradeSettings& settings_;
+    const std::vector<TradeRun>& runs_;
+    const std::vector<std::size_t>& measure_of_;
+    std::size_t reference_ = 0;
+};
+
+}  // namespace
+
+TradeErrors trade_errors(const TradeSettings& settings, const std::vector<TradeRun>& runs,
+                         const std::vector<std::size_t>& measure_of) {
+    return Errors(settings, runs, measure_of).all();
+}
+
+}  // namespace dmp::study

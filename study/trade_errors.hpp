@@ -1,0 +1,62 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/series_error.hpp"
+#include "study/time_series.hpp"
+#include "study/trade_settings.hpp"
+#include "study/uses.hpp"
+
+namespace dmp::study {
+
+/// A run of a trade that has ended.
+struct TradeRun {
+    std::size_t setting = 0;           ///< index of TradeSettings::settings
+    double cost = 0;                   ///< processor time [s]
+    std::vector<TimeSeries> measures;  ///< one for each column of measures
+};
+
+/// How well one column of measures is known.
+struct ColumnTrust {
+    double scatter = no_number;    ///< largest error of the repeats against the run that they repeat; NaN: not known
+    double reference = no_number;  ///< of the reference itself, by the convergence with the spacing; NaN: not known
+    double order = no_number;      ///< observed, of the error; NaN: `why_not`
+    std::string why_not;           ///< no order was observed
+
+    /// Not where it scatters by more than half its size: it is zero, or chance.
+    [[nodiscard]] bool counts() const { return !(scatter > 0.5); }
+};
+
+/// How wrong a run is, by all columns.
+struct RunError {
+    std::vector<SeriesError> distance;  ///< from the reference, of each column
+    double error = no_number;  ///< largest over the columns that count, with the reference's own; NaN: not known
+    std::size_t column = 0;    ///< which it is of
+};
+
+struct TradeErrors {
+    std::size_t reference = 0;         ///< index of the run that all are compared with: the finest one
+    std::vector<ColumnTrust> columns;  ///< one for each column
+    std::vector<RunError> runs;        ///< one for each run
+};
+
+/// What a run's error is of a column: its distance from the reference, plus the reference's own error; not less than
+/// the scatter.
+///
+/// The reference's own error follows from how the distances d of runs of its level fall with their spacings h to its
+/// own, h0: d = C (h^p - h0^p), an error of C h0^p, with p from the largest and the middle one and likewise from the
+/// middle and the smallest one, in 0.5 to 4, and both within 0.75 of each other. Where that is not so, it is the
+/// distance of the run of about twice the spacing: right at first order, too large above; and where none of its level
+/// has another spacing, the distance of the next finest run.
+///
+/// `runs`: two or more, not only repeats. `measure_of`: for each column a number of its measure; those of the same one
+/// are the components of a vector, and their distances are parts of its size. Columns without a number in the reference
+/// are left out of the largest error.
+[[nodiscard]] TradeErrors trade_errors(const TradeSettings& settings, const std::vector<TradeRun>& runs,
+                                       const std::vector<std::size_t>& measure_of);
+
+}  // namespace dmp::study

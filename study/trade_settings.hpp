@@ -1,0 +1,47 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "study/uses.hpp"
+
+namespace dmp::study {
+
+/// A setting of a scene's resolution and quality, whose cost and error a trade measures.
+struct TradeSetting {
+    double spacing = 0;        ///< of the particles [m]; 0: the scene has none
+    std::string spacing_text;  ///< "0.1414 mm"; "": the scene has none
+    Quality quality = Quality::standard;
+    bool is_repeat =
+        false;        ///< of the scene's own setting, only for the scatter: spacing and step are a little different
+    double cost = 1;  ///< expected, as a multiple of that of the scene's own spacing with quality standard
+    std::vector<std::string> values;  ///< of the trade's keys, as TOML
+};
+
+/// The settings that a trade compares: spacings of 2, sqrt(2), 1 and 1 / sqrt(2) times the scene's own, each with the
+/// quality levels that differ in this scene, and two repeats.
+struct TradeSettings {
+    std::vector<std::string> keys;       ///< that differ, as --set names them
+    std::vector<TradeSetting> settings;  ///< cheapest first
+
+    /// What makes a run of the scene this setting, as --set takes it; without what its quality sets.
+    [[nodiscard]] std::vector<std::string> overrides(const TradeSetting& setting) const;
+};
+
+/// What all runs of a trade have in common.
+struct TradeScene {
+    std::string path;                    ///< a scene file, or a folder with a scene.toml
+    std::vector<std::string> overrides;  ///< of the scene, "key=value", as given to --set
+};
+
+/// Throws InputError where the scene cannot be read.
+[[nodiscard]] TradeSettings trade_settings(const TradeScene& scene);
+
+/// The study that runs them in this order, for a file in `folder`.
+[[nodiscard]] std::string trade_study(const TradeScene& scene, const TradeSettings& settings,
+                                      const std::filesystem::path& folder);
+
+}  // namespace dmp::study

@@ -1,0 +1,149 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// dmp trade: settings of a scene, their costs and errors.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/small_valve.hpp"
+
+namespace dmp::tests::trades_tests {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+/// The vein valve with coarse particles, for a short time.
+class Trades : public SmallValve {
+  protected:
+    Trades() {
+        folder_.replace("scene.toml", "spacing = \"0.2 mm\"", "spacing = \"0.4 mm\"");
+        folder_.replace("scene.toml", "every = \"40 ms\"", "every = \"10 ms\"");
+    }
+    [[nodiscard]] Outcome trade(const Words& more, const Surroundings& with = {}) const {
+        Words words{"trade", "scene.toml", "--until", "60 ms"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_dmp(folder_.path(), words, with);
+    }
+    [[nodiscard]] bool has_all_errors(const std::string& out) const {
+        return std::ranges::all_of(result(out)["settings"], [](const auto& each) { return each.contains("error"); });
+    }
+    [[nodiscard]] nlohmann::json result(const std::string& out) const {
+        return nlohmann::json::parse(folder_.read(out + "/trade.json"));
+    }
+};
+
+TEST_F(Trades, SayWhatEachSettingCostsAndHowWrongItIs) {
+    const Outcome ended = trade({"--out", "out", "--measures", "inlet_flux", "--tolerance", "30 %", "0.0001"});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    // The sound speed of this scene is given, so that its levels are the same.
+    EXPECT_THAT(ended.output, HasSubstr("6 settings of scene.toml"));
+    EXPECT_THAT(ended.output, HasSubstr("For 0.01 %: not reachable: the best was "));
+    EXPECT_THAT(ended.output, HasSubstr("run scene.toml --set 'particles.spacing=\""));
+    const nlohmann::json found = result("out");
+    ASSERT_THAT(found["settings"], SizeIs(6));
+    ASSERT_THAT(found["measures"], SizeIs(1));
+    EXPECT_EQ(found["measures"][0]["name"], "inlet_flux");
+    EXPECT_EQ(found["simulated_s"], 0.06);
+    EXPECT_EQ(found["duration_s"], 4.0);
+    EXPECT_EQ(found["set_in_all"], nlohmann::json::array({"run.duration=\"0.06 s\""}));
+    for (const auto& setting : found["settings"]) {
+        EXPECT_GT(setting["processor_s"], 0);
+        EXPECT_GE(setting["error"], found["measures"][0]["scatter"]);
+        EXPECT_GE(setting["error"], found["measures"][0]["error_of_reference"]);
+    }
+    EXPECT_GT(found["settings"][0]["error"], found["settings"][5]["error"]) << "the coarsest, the finest";
+    EXPECT_EQ(found["settings"][5]["run"], found["reference"]);
+    EXPECT_EQ(found["settings"][5]["distance"]["inlet_flux"]["whole"], 0);
+    EXPECT_EQ(found["settings"][5]["set"],
+              nlohmann::json::array({"particles.spacing=\"0.2828 mm\"", "quality=\"standard\""}));
+    EXPECT_TRUE(fs::exists(folder_.path() / "out/report.html"));
+
+    EXPECT_THAT(trade({"--out", "out"}).errors, HasSubstr("it holds this study, 6 of 6 runs done"));
+    const Outcome again = trade({"--out", "out", "--measures", "inlet_flux", "--resume"});
+    EXPECT_EQ(again.code, 0);
+    EXPECT_EQ(result("out"), found) << "the same runs, which are not run again";
+}
+
+TEST_F(Trades, AreTheStudyThatLiesInTheirFolder) {
+    ASSERT_EQ(trade({"--out", "out"}).code, 0);
+    const Outcome sweep = run_dmp(folder_.path(), {"sweep", "out/study.toml", "--out", "sweep"});
+    EXPECT_EQ(sweep.code, 0) << sweep.errors;
+    EXPECT_EQ(folder_.read("sweep/results.csv"), folder_.read("out/results.csv"));
+}
+
+TEST_F(Trades, KeepToTheirBudgetAndGoOnWithALargerOne) {
+    const Outcome small = trade({"--out", "out", "--budget", "1 ms"});
+    EXPECT_EQ(small.code, 2);
+    EXPECT_THAT(small.errors,
+                AllOf(HasSubstr("--budget: 1 ms is too little to compare settings: "), HasSubstr("--resume")));
+    const Outcome all = trade({"--out", "out", "--budget", "10 h", "--resume"});
+    EXPECT_EQ(all.code, 0) << all.errors;
+    EXPECT_THAT(all.output, Not(HasSubstr("not done within")));
+    EXPECT_TRUE(has_all_errors("out"));
+}
+
+TEST_F(Trades, AreStoppedBySignalsAndGoOn) {
+    const auto first_has_ended = [this] {
+        return fs::exists(folder_.path() / "out/timing.csv") &&
+               folder_.read("out/timing.csv").find("0001_") != std::string::npos;
+    };
+    const Outcome stopped = trade({"--out", "out"}, {.interrupt_when = first_has_ended, .signal = SIGINT});
+    EXPECT_EQ(stopped.code, 130);
+    EXPECT_THAT(stopped.output, HasSubstr("Stopped before its end, by Ctrl-C"));
+    EXPECT_EQ(trade({"--out", "out", "--resume"}).code, 0);
+    EXPECT_TRUE(has_all_errors("out"));
+}
+
+TEST_F(Trades, HaveARowForWhatIsRefused) {
+    folder_.replace("scene.toml", "spacing = \"0.4 mm\"", "spacing = \"0.8 mm\"");
+    const Outcome ended = trade({"--out", "out"});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_THAT(ended.output, HasSubstr("1.6 mm     standard  failed"));
+    const nlohmann::json coarsest = result("out")["settings"][0];
+    EXPECT_THAT(std::string(coarsest["failure"]), HasSubstr("stand on top of each other"));
+    EXPECT_FALSE(coarsest.contains("error"));
+}
+
+TEST_F(Trades, NeedTwoSettingsThatEnd) {
+    folder_.replace("scene.toml", "spacing = \"0.4 mm\"", "spacing = \"10 mm\"");
+    const Outcome ended = trade({"--out", "out"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.errors,
+                AllOf(HasSubstr("fewer than two settings have come to their end"), HasSubstr("results.csv")));
+}
+
+TEST_F(Trades, NeedMeasures) {
+    std::string scene = folder_.read("scene.toml");
+    folder_.write("scene.toml", scene.substr(0, scene.find("[[measure]]")));
+    const Outcome ended = trade({"--out", "out"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.errors, AllOf(HasSubstr("the scene measures nothing"), HasSubstr("kind = \"kinetic_energy\"")));
+}
+
+TEST_F(Trades, RefuseWhatMakesNoSense) {
+    const std::vector<std::pair<Words, std::string>> wrong{
+        {{"--measures", "flux"}, "--measures: the scene has no measure 'flux'"},
+        {{"--tolerance", "0"}, "--tolerance: '0' is no error above 0"},
+        {{"--tolerance", "5 kg"}, "--tolerance: '5 kg' is no error above 0"},
+        {{"--budget", "0 s"}, "--budget: '0 s' is no time above 0"},
+        {{"--budget", "5 kg"}, "--budget: found \"5 kg\" (mass)"},
+        {{"--budget", "-1 s"}, "--budget: '-1 s' is no time above 0"},
+        {{"--resume"}, "there is no study to go on with"},
+        {{"--set", "particles.spacing=5"}, "particles.spacing"},
+    };
+    for (const auto& [words, said] : wrong) {
+        const Outcome ended = trade(words);
+        EXPECT_EQ(ended.code, 2) << said;
+        EXPECT_THAT(ended.errors, HasSubstr(said));
+    }
+    EXPECT_FALSE(fs::exists(folder_.path() / "out/scene_trade"));
+}
+
+}  // namespace
+}  // namespace dmp::tests::trades_tests

@@ -1,0 +1,266 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Settings of a trade, errors of measures, convergence with the spacing, and the front of cost and error.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "study/front.hpp"
+#include "study/grid_convergence.hpp"
+#include "study/points.hpp"
+#include "study/read_study.hpp"
+#include "study/series_error.hpp"
+#include "study/trade_errors.hpp"
+#include "study/trade_settings.hpp"
+#include "tests/modules.hpp"
+#include "tests/unit/scene/scene_text.hpp"
+
+namespace dmp::tests::study_trade_tests {
+namespace {
+
+using study::CostAndError;
+using study::error_of;
+using study::GridValue;
+using study::SeriesError;
+using study::TimeSeries;
+using study::TradeRun;
+using study::TradeSetting;
+using study::TradeSettings;
+using testing::ElementsAre;
+using testing::SizeIs;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class Value>
+TimeSeries sampled(int rows, const Value& value_at) {
+    TimeSeries series;
+    for (int i = 0; i <= rows; ++i) {
+        series.time.push_back(static_cast<double>(i) / rows);
+        series.value.push_back(value_at(series.time.back()));
+    }
+    return series;
+}
+
+double sine(double t) { return std::sin(2 * std::numbers::pi * t); }
+
+TEST(SeriesError, OfAMeasureThatIsTenPercentTooLarge) {
+    const auto error = error_of(sampled(200, [](double t) { return 1.1 * sine(t) + 2.2; }),
+                                sampled(300, [](double t) { return sine(t) + 2; }));
+    EXPECT_NEAR(error.whole, 0.1, 1e-4);
+    EXPECT_NEAR(error.end, 0.2 / 3, 1e-4);
+    EXPECT_NEAR(error.peak, 0.1, 1e-4);
+    EXPECT_NEAR(error.integral, 0.1, 1e-4);
+    EXPECT_DOUBLE_EQ(error.largest(), std::max(error.whole, error.peak));
+}
+
+TEST(SeriesError, OfAShiftInTimeIsSeenByTheWholeAlone) {
+    const auto error =
+        error_of(sampled(400, [](double t) { return sine(t - 0.05); }), sampled(400, [](double t) { return sine(t); }));
+    EXPECT_NEAR(error.whole, 2 * std::sin(std::numbers::pi * 0.05), 1e-3);
+    EXPECT_NEAR(error.peak, 0, 1e-3);
+    EXPECT_NEAR(error.integral, 0, 1e-3);
+}
+
+TEST(SeriesError, TakesTheTimeThatBothHaveAndLeavesOutRowsWithoutValue) {
+    TimeSeries longer{{0, 1, 2, 3, 4}, {1, nan, 1, 1, 100}};
+    EXPECT_DOUBLE_EQ(error_of(longer, {{0.5, 3}, {1, 1}}).largest(), 0);
+    EXPECT_DOUBLE_EQ(error_of({{0.5, 3}, {1, 1}}, {{0, 1, 2, 3}, {2, 2, 2, 2}}).largest(), 0.5);
+}
+
+TEST(SeriesError, IsNotANumberWithoutTimeInCommonOrAReferenceThatIsZero) {
+    EXPECT_TRUE(std::isnan(error_of({{0, 1}, {1, 1}}, {{1, 2}, {1, 1}}).largest()));
+    EXPECT_TRUE(std::isnan(error_of({{0, 1}, {1, 1}}, {{0, 1}, {0, 0}}).largest()));
+    EXPECT_TRUE(std::isnan(error_of({{0}, {1}}, {{0, 1}, {1, 1}}).largest()));
+}
+
+std::vector<GridValue> values_of(double limit, double factor, double order, std::vector<double> spacings) {
+    std::vector<GridValue> values;
+    for (const double h : spacings) values.push_back({h, limit + factor * std::pow(h, order)});
+    return values;
+}
+
+TEST(GridConvergence, FindsTheOrderAndTheLimitOfAPowerWithAnyRatios) {
+    for (const double order : {0.7, 1.0, 2.0, 3.5})
+        for (const double factor : {-2.0, 0.3}) {
+            std::string why_not;
+            const auto found = grid_convergence(values_of(5, factor, order, {1, 0.8, 0.5, 0.4}), why_not);
+            ASSERT_TRUE(found) << order << ": " << why_not;
+            EXPECT_NEAR(found->order, order, 1e-9);
+            EXPECT_NEAR(found->limit, 5, 1e-9);
+            EXPECT_NEAR(found->uncertainty, 1.25 * std::abs(factor) * std::pow(0.4, order), 1e-9);
+        }
+}
+
+TEST(GridConvergence, IsNotClaimedWhereItWouldNotBeHonest) {
+    std::string why_not;
+    EXPECT_FALSE(grid_convergence(values_of(1, 1, 2, {1, 0.5, 0.25}), why_not));
+    EXPECT_EQ(why_not, "there are fewer than four spacings");
+    EXPECT_FALSE(grid_convergence({{1, 1.0}, {0.7, 1.1}, {0.5, 1.05}, {0.35, 1.08}}, why_not));
+    EXPECT_EQ(why_not, "the values do not change in one direction");
+    EXPECT_FALSE(grid_convergence(values_of(1, 1, 6, {1, 0.7, 0.5, 0.35}), why_not));
+    EXPECT_EQ(why_not, "the observed order is above 4");
+    EXPECT_FALSE(grid_convergence(values_of(1, 1, 0.2, {1, 0.7, 0.5, 0.35}), why_not));
+    EXPECT_EQ(why_not, "the observed order is below 0.5");
+    // The first three go to 0 with order 3.5, the last three far below it, slowly.
+    EXPECT_FALSE(grid_convergence({{4, 128}, {2, 11.3}, {1, 1}, {0.5, -6}}, why_not));
+    EXPECT_EQ(why_not, "the limits of two sets of spacings do not agree");
+}
+
+TEST(Front, HasWhatNothingBeats) {
+    const std::vector<CostAndError> tried{{1, 0.3}, {2, 0.1}, {2, 0.2}, {3, 0.1}, {0.5, nan}, {10, 0.01}, {4, 0.05}};
+    EXPECT_THAT(front_of(tried), ElementsAre(0, 1, 6, 5));
+    EXPECT_EQ(cheapest_within(tried, 0.05), 6U);
+    EXPECT_EQ(cheapest_within(tried, 0.06), 6U);
+    EXPECT_EQ(cheapest_within(tried, 1), 0U);
+    EXPECT_FALSE(cheapest_within(tried, 0.001));
+    EXPECT_THAT(front_of({}), ElementsAre());
+}
+
+TradeSettings settings_of(const std::string& scene, const std::vector<std::string>& overrides = {}) {
+    const Folder folder;
+    Folder::write(scene);
+    return study::trade_settings({"scene.toml", overrides});
+}
+
+TEST(TradeSettings, AreFourSpacingsWithEachLevelAndTwoRepeatsCheapestFirst) {
+    const TradeSettings all = settings_of(good_scene);  // 0.1 mm
+    EXPECT_THAT(all.keys, ElementsAre("particles.spacing", "quality", "numerics.step_factor"));
+    ASSERT_THAT(all.settings, SizeIs(14));
+    EXPECT_TRUE(std::ranges::is_sorted(all.settings, {}, &TradeSetting::cost));
+    EXPECT_THAT(all.overrides(all.settings.front()), ElementsAre("particles.spacing=\"0.2 mm\"", "quality=\"draft\""));
+    EXPECT_THAT(all.overrides(all.settings.back()),
+                ElementsAre("particles.spacing=\"0.07071 mm\"", "quality=\"fine\""));
+    EXPECT_NEAR(all.settings.front().cost, 2.0 / 3 / 8, 1e-12) << "in 2-D: particles times steps";
+    std::vector<std::vector<std::string>> repeats;
+    for (const TradeSetting& each : all.settings)
+        if (each.is_repeat) repeats.push_back(all.overrides(each));
+    EXPECT_THAT(
+        repeats,
+        ElementsAre(
+            ElementsAre("particles.spacing=\"0.0995 mm\"", "quality=\"standard\"", "numerics.step_factor=0.485"),
+            ElementsAre("particles.spacing=\"0.1005 mm\"", "quality=\"standard\"", "numerics.step_factor=0.47")));
+}
+
+TEST(TradeSettings, LeaveOutLevelsThatMakeTheSameRun) {
+    // The corrected scheme's levels set the Mach number and the walls' layers.
+    const TradeSettings all =
+        settings_of(good_scene, {"numerics.sound_speed=\"1 m/s\"", "numerics.mach_number=0.1", "part.wall.layers=3"});
+    std::set<std::string> levels;
+    for (const TradeSetting& each : all.settings) levels.insert(to_string(each.quality));
+    EXPECT_THAT(levels, ElementsAre("standard"));
+    EXPECT_THAT(all.settings, SizeIs(6));
+}
+
+TEST(TradeSettings, MakeAStudyOfTheirRunsInTheirOrder) {
+    const Folder folder;
+    Folder::write(good_scene);
+    const study::TradeScene scene{"scene.toml", {"run.duration=\"0.5 s\""}};
+    const TradeSettings all = study::trade_settings(scene);
+    std::filesystem::create_directories("out/trade");
+    const Study read = study::parse_study(study::trade_study(scene, all, "out/trade"), "out/trade/study.toml");
+    const study::Points points(read);
+    ASSERT_EQ(points.size(), all.settings.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        std::vector<std::string> values;
+        for (const auto& value : points.values_at(k)) values.push_back(value.toml);
+        std::vector<std::string> expected = all.settings[k].values;
+        expected.emplace_back("\"0.5 s\"");
+        EXPECT_EQ(values, expected);
+    }
+}
+
+/// Runs whose one measure is 1 + factor h^order at all times, of these spacings.
+struct Ladder {
+    Ladder(const std::vector<double>& spacings, double factor, double order) {
+        for (const double h : spacings) add(h, 1 + factor * std::pow(h, order), false);
+    }
+    void add(double spacing, double value, bool repeat) {
+        settings.settings.push_back({spacing, "", Quality::standard, repeat, 1, {}});
+        runs.push_back({runs.size(), 1, {TimeSeries{{0, 1}, {value, value}}}});
+    }
+    [[nodiscard]] study::TradeErrors errors() const {
+        return trade_errors(settings, runs, std::vector<std::size_t>(runs.front().measures.size()));
+    }
+
+    TradeSettings settings;
+    std::vector<TradeRun> runs;
+};
+
+TEST(TradeErrors, AreThoseFromTheLimitWhereTheRunsConverge) {
+    for (const double order : {0.7, 1.0, 2.0, 3.0}) {
+        const double factor = 0.1;
+        const Ladder ladder({0.5, 1, 0.25, 0.7}, factor, order);
+        const auto errors = ladder.errors();
+        EXPECT_EQ(errors.reference, 2U);
+        const double reference = ladder.runs[2].measures[0].value[0];
+        EXPECT_NEAR(errors.columns[0].order, order, 1e-9);
+        EXPECT_NEAR(errors.columns[0].reference, factor * std::pow(0.25, order) / reference, 1e-9);
+        for (std::size_t r = 0; r < 4; ++r)
+            EXPECT_NEAR(errors.runs[r].error, factor * std::pow(ladder.settings.settings[r].spacing, order) / reference,
+                        1e-9);
+    }
+}
+
+TEST(TradeErrors, OfTheReferenceAreTheDistanceOfTwiceTheSpacingWhereRunsDoNotConverge) {
+    Ladder ladder({}, 0, 1);
+    for (const auto& [spacing, value] : {std::pair{1.0, 1.02}, {0.7, 0.9}, {0.5, 1.05}, {0.35, 1.0}})
+        ladder.add(spacing, value, false);
+    const auto errors = ladder.errors();
+    EXPECT_TRUE(std::isnan(errors.columns[0].order));
+    EXPECT_EQ(errors.columns[0].why_not, "it does not fall with an order of 0.5 to 4");
+    EXPECT_NEAR(errors.columns[0].reference, 0.1, 1e-12);
+    EXPECT_NEAR(errors.runs[2].error, 0.15, 1e-12);
+    EXPECT_NEAR(errors.runs[3].error, 0.1, 1e-12) << "of the reference: its own";
+}
+
+TEST(TradeErrors, AreNotLessThanTheScatterOfRepeats) {
+    Ladder ladder({1, 0.7, 0.5, 0.35}, 0.001, 1);
+    ladder.add(0.502, 1.03, true);
+    ladder.add(0.498, 0.99, true);
+    const auto errors = ladder.errors();
+    EXPECT_EQ(errors.reference, 3U);
+    EXPECT_NEAR(errors.columns[0].scatter, 0.0295 / 1.0005, 1e-3);
+    for (std::size_t r = 0; r < 4; ++r) EXPECT_DOUBLE_EQ(errors.runs[r].error, errors.columns[0].scatter);
+}
+
+TEST(TradeErrors, OfAVectorsComponentAreTakenOfTheVectorsSize) {
+    Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
+    for (std::size_t r = 0; r < 4; ++r)
+        ladder.runs[r].measures.push_back({{0, 1}, {1e-12, static_cast<double>(r) * 1e-12}});
+    const auto together = trade_errors(ladder.settings, ladder.runs, {7, 7});
+    EXPECT_LT(together.runs[0].distance[1].largest(), 1e-11);
+    EXPECT_EQ(together.runs[0].column, 0U);
+    EXPECT_GT(trade_errors(ladder.settings, ladder.runs, {0, 1}).runs[0].distance[1].largest(), 0.5);
+}
+
+TEST(TradeErrors, DoNotCountWhatScattersMoreThanHalfItsSize) {
+    Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
+    ladder.add(0.502, 1.05, true);
+    for (std::size_t r = 0; r < 5; ++r) ladder.runs[r].measures.push_back({{0, 1}, {1, r == 4 ? -1.0 : 1.0}});
+    const auto errors = trade_errors(ladder.settings, ladder.runs, {0, 1});
+    EXPECT_TRUE(errors.columns[0].counts());
+    EXPECT_FALSE(errors.columns[1].counts());
+    EXPECT_EQ(errors.runs[0].column, 0U);
+}
+
+TEST(TradeErrors, AreOfTheWorstMeasureThatHasANumber) {
+    Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
+    for (std::size_t r = 0; r < 4; ++r) {
+        const double h = ladder.settings.settings[r].spacing;
+        ladder.runs[r].measures.push_back({{0, 1}, {nan, nan}});
+        ladder.runs[r].measures.push_back({{0, 1}, {0, 5 + 2 * h}});
+    }
+    const auto errors = trade_errors(ladder.settings, ladder.runs, {0, 1, 2});
+    EXPECT_EQ(errors.runs[0].column, 2U);
+    EXPECT_NEAR(errors.runs[0].error, 2 / 5.7, 1e-9);
+    EXPECT_TRUE(std::isnan(errors.columns[1].reference));
+}
+
+}  // namespace
+}  // namespace dmp::tests::study_trade_tests
