@@ -113,6 +113,8 @@ class Parser {
             ->type_name("DIR");
         run_app_->add_option("--until", run_.until, "Stop at this time instead of the scene's duration, e.g. \"0.2 s\"")
             ->type_name("TIME");
+        run_app_->add_option("--tolerance", run_.tolerance, "Take the cheapest setting for this error, by 'dmp trade'")
+            ->type_name("ERROR");
         add_threads(*run_app_, run_.threads);
         add_vector_unit(*run_app_, run_.vector_unit);
         add_particles(*run_app_, run_.scene);

@@ -34,9 +34,10 @@ enum class FrameFormat { vtk, hdf5 };
 /// `dmp run`: everything from the scene to the pictures.
 struct RunCommand {
     SceneChoice scene;
-    std::string out;    ///< empty: out/NAME below the current folder
-    std::string until;  ///< a time with its unit; empty: the scene's duration
-    int threads = 0;    ///< 0: as the scene says
+    std::string out;        ///< empty: out/NAME below the current folder
+    std::string until;      ///< a time with its unit; empty: the scene's duration
+    std::string tolerance;  ///< error to take the setting for from a trade of the scene; empty: as the scene says
+    int threads = 0;        ///< 0: as the scene says
     VectorUnit vector_unit = VectorUnit::widest;
     std::optional<FrameFormat> frames;  ///< none: vtk, or hdf5 where dmp was built without VTK
     study::LeftOut left_out;            ///< what it does not write

@@ -31,6 +31,7 @@
 #include "cli/summary_text.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/trade/known_trade.hpp"
 #include "cli/uses.hpp"
 #include "cli/version.hpp"
 #include "cli/workstation.hpp"
@@ -332,11 +333,21 @@ int run_as_one_of_many(const RunCommand& command, Prepared prepared, const Resou
     return exit_done;
 }
 
+/// With the setting that a trade of the scene has found for the error that was asked for.
+RunCommand with_known_setting(RunCommand command, bool is_told) {
+    if (command.tolerance.empty()) return command;
+    const KnownSetting known = known_setting(command.scene, command.tolerance, command.typed.program());
+    command.scene = known.scene;
+    if (is_told) print(known.text);
+    return command;
+}
+
 }  // namespace
 
-int execute(const RunCommand& command) {
+int execute(const RunCommand& asked) {
     const MpiSession session;
     return on_all_ranks(session, [&] {
+        const RunCommand command = with_known_setting(asked, session.ranks().is_first());
         Resources resources;
         resources.ranks = session.ranks();
         resources.vector_unit = chosen_vector_unit(command.vector_unit);

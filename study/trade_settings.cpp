@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "base/hex_text.hpp"
 #include "base/number_text.hpp"
+#include "base/text_hash.hpp"
 #include "base/unlisted_value.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/toml_node.hpp"
@@ -137,6 +139,16 @@ std::vector<std::string> TradeSettings::overrides(const TradeSetting& setting) c
 }
 
 TradeSettings trade_settings(const TradeScene& scene) { return Rows(scene).settings(); }
+
+std::string trade_identity(const TradeScene& scene) {
+    Scene read = with(scene, {assignment(quality_key, toml_quoted(to_string(Quality::standard)))});
+    const Scene defaults;
+    read.title = defaults.title;
+    read.run.duration = 1;
+    read.run.threads = defaults.run.threads;
+    read.output = defaults.output;
+    return hex_text(text_hash(resolved_scene(read)));
+}
 
 std::string trade_study(const TradeScene& scene, const TradeSettings& settings, const fs::path& folder) {
     const std::size_t runs = settings.settings.size();

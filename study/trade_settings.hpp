@@ -40,6 +40,10 @@ struct TradeScene {
 /// Throws InputError where the scene cannot be read.
 [[nodiscard]] TradeSettings trade_settings(const TradeScene& scene);
 
+/// A hash of all that costs and errors depend on besides the settings, 16 hex digits: of the scene with its own
+/// spacing, not of its duration, quality, title, threads and output. Throws InputError likewise.
+[[nodiscard]] std::string trade_identity(const TradeScene& scene);
+
 /// The study that runs them in this order, for a file in `folder`.
 [[nodiscard]] std::string trade_study(const TradeScene& scene, const TradeSettings& settings,
                                       const std::filesystem::path& folder);

@@ -1,6 +1,5 @@
 // Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -23,6 +22,7 @@
 #include "cli/sweep/sweep_runs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text.hpp"
+#include "cli/trade/known_trade.hpp"
 #include "cli/trade/trade_budget.hpp"
 #include "cli/trade/trade_outcome.hpp"
 #include "cli/uses.hpp"
@@ -42,17 +42,6 @@ double time_of(const std::string& text, const char* option) {
     const double time = read_quantity(text, "s", location);
     if (!(time > 0)) throw InputError(location, "'" + text + "' is no time above 0", "Give one such as \"20 min\".");
     return time;
-}
-
-/// "5 %", or "0.05".
-double tolerance_of(const std::string& text) {
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    std::string_view unit(read.ptr, static_cast<std::size_t>(text.data() + text.size() - read.ptr));
-    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-    if (read.ec != std::errc() || (!unit.empty() && unit != "%") || !(value > 0))
-        throw InputError({"--tolerance", 0, 0}, "'" + text + "' is no error above 0", "Give one such as \"5 %\".");
-    return unit.empty() ? value : value / 100;
 }
 
 std::vector<double> tolerances_of(const TradeCommand& command) {
@@ -134,6 +123,7 @@ int close(const TradeCommand& command, const Trade& trade, const SweepRows& rows
     const fs::path& folder = rows.folder().path();
     TradeOutcome outcome = trade_outcome(folder, trade.read, trade.settings, rows.points(), command.measures);
     outcome.scene_path = command.scene;
+    outcome.identity = study::trade_identity(trade.scene);
     outcome.common = trade.scene.overrides;
     outcome.until = *trade.read.run.duration;
     outcome.duration = trade.duration;

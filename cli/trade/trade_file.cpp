@@ -48,12 +48,15 @@ Json of_setting(const TradeOutcome& outcome, std::size_t index) {
 }  // namespace
 
 void write_trade(const std::filesystem::path& folder, const TradeOutcome& outcome) {
-    Json json{
-        {"scene", outcome.scene_path},    {"version", build_facts().version},
-        {"set_in_all", outcome.common},   {"simulated_s", outcome.until},
-        {"duration_s", outcome.duration}, {"reference", outcome.names[outcome.runs[outcome.errors.reference].setting]},
-        {"measures", Json::array()},      {"settings", Json::array()},
-        {"front", Json::array()}};
+    Json json;
+    json["scene"] = outcome.scene_path;
+    json["identity"] = outcome.identity;
+    json["version"] = build_facts().version;
+    json["set_in_all"] = outcome.common;
+    json["simulated_s"] = outcome.until;
+    json["duration_s"] = outcome.duration;
+    json["reference"] = outcome.names[outcome.runs[outcome.errors.reference].setting];
+    for (const char* list : {"measures", "settings", "front"}) json[list] = Json::array();
     for (std::size_t c = 0; c < outcome.columns.size(); ++c) json["measures"].push_back(of_column(outcome, c));
     for (std::size_t index = 0; index < outcome.settings.settings.size(); ++index)
         json["settings"].push_back(of_setting(outcome, index));

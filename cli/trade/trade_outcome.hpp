@@ -20,6 +20,7 @@ inline constexpr const char* trade_file_name = "trade.json";
 /// What a trade has found, of the runs that have ended.
 struct TradeOutcome {
     std::string scene_path;           ///< as given
+    std::string identity;             ///< study::trade_identity of it
     std::vector<std::string> common;  ///< what is set in all runs, "key=value"
     double until = 0, duration = 0;   ///< of the runs of the trade, and of the scene [s]
     study::TradeSettings settings;

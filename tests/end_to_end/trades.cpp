@@ -110,6 +110,31 @@ TEST_F(Trades, HaveARowForWhatIsRefused) {
     EXPECT_FALSE(coarsest.contains("error"));
 }
 
+TEST_F(Trades, GiveARunTheSettingForItsTolerance) {
+    const auto run = [&](const Words& more) {
+        Words words{"run", "scene.toml", "--until", "20 ms", "--out", "run"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_dmp(folder_.path(), words);
+    };
+    const Outcome without = run({"--tolerance", "5 %"});
+    EXPECT_EQ(without.code, 2);
+    EXPECT_THAT(without.errors, AllOf(HasSubstr("there is no trade of this scene"), HasSubstr(" trade scene.toml")));
+    ASSERT_EQ(trade({"--measures", "inlet_flux"}).code, 0);  // into its default folder
+    const std::string name = folder_.path().filename().string();
+    const nlohmann::json found = result("out/" + name + "_trade");
+    const double coarsest = found["settings"][0]["error"];
+    const Outcome ended = run({"--tolerance", std::to_string(100 * coarsest + 0.01) + " %"});
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+    EXPECT_THAT(ended.output, HasSubstr("particles.spacing=\"0.8 mm\" quality=\"standard\" (error "));
+    EXPECT_EQ(summary("run")["particles"],
+              summary("out/" + name + "_trade/runs/" + std::string(found["settings"][0]["run"]))["particles"]);
+    EXPECT_THAT(run({"--overwrite", "--tolerance", "1e-9"}).errors, HasSubstr("no setting has an error of at most"));
+    EXPECT_THAT(run({"--overwrite", "--tolerance", "5 %", "--set", "part.blood.viscosity=\"4 mPa*s\""}).errors,
+                HasSubstr("it is of another scene, or of this one with other values"));
+    folder_.write("out/" + name + "_trade/trade.json", "{");
+    EXPECT_EQ(run({"--overwrite", "--tolerance", "5 %"}).code, 2);
+}
+
 TEST_F(Trades, NeedTwoSettingsThatEnd) {
     folder_.replace("scene.toml", "spacing = \"0.4 mm\"", "spacing = \"10 mm\"");
     const Outcome ended = trade({"--out", "out"});

@@ -1,0 +1,25 @@
+// Copyright the dmp developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/uses.hpp"
+
+namespace dmp::cli {
+
+/// "5 %", or "0.05". Throws InputError where it is no number above 0.
+[[nodiscard]] double tolerance_of(const std::string& text);
+
+/// The cheapest setting that a trade of a scene has found for an error.
+struct KnownSetting {
+    SceneChoice scene;  ///< with what --set takes for it
+    std::string text;   ///< what is to be told of it
+};
+
+/// Looks into the folder that `dmp trade` writes by default, then for a trade.json beside the scene. Throws InputError
+/// where there is none, or it is of another scene or other values, or no setting reaches the error.
+[[nodiscard]] KnownSetting known_setting(const SceneChoice& scene, const std::string& tolerance,
+                                         const std::string& program);
+
+}  // namespace dmp::cli
