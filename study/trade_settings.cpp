@@ -16,6 +16,7 @@
 #include "base/unlisted_value.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/toml_node.hpp"
+#include "study/measure_columns.hpp"
 
 namespace dmp::study {
 
@@ -151,10 +152,14 @@ std::string trade_identity(const TradeScene& scene) {
 }
 
 std::string trade_study(const TradeScene& scene, const TradeSettings& settings, const fs::path& folder) {
+    const Scene read = with(scene, {});
     const std::size_t runs = settings.settings.size();
     std::string text =
-        "# Written by 'dmp trade': settings of the scene whose costs and errors it compares, cheapest first.\n"
-        "scene = " +
+        "# Written by 'dmp trade': settings of the scene whose costs and errors it compares, cheapest first.\ntitle "
+        "= " +
+        toml_quoted("Cost and error: " + (read.title->empty() ? scene.path : *read.title)) +
+        "\npurpose = \"What the settings of the scene cost, and how far their results lie apart; trade.json has the "
+        "errors.\"\nscene = " +
         toml_quoted(fs::absolute(scene.path).lexically_normal().lexically_proximate(fs::absolute(folder)).string()) +
         "\ncombine = \"zip\"\nleave_out = [\"frames\", \"pictures\", \"page\"]\n";
     const auto vary = [&](const std::string& key, const std::vector<std::string>& values) {
@@ -168,6 +173,13 @@ std::string trade_study(const TradeScene& scene, const TradeSettings& settings, 
     for (const std::string& each : scene.overrides) {
         const auto equals = each.find('=');
         vary(each.substr(0, equals), std::vector(runs, toml_text(parse_toml_value(each.substr(equals + 1), {}))));
+    }
+    // For the page's plots: numbers by which people see the runs converge.
+    for (const Measure& measure : read.measures) {
+        if (columns_of(*measure.kind).count != MeasureColumns::Count::one) continue;
+        for (const char* reduction : {"mean", "maximum"})
+            text += fmt::format("\n[[result]]\nname = {}\nmeasure = {}\nreduce = \"{}\"\n",
+                                toml_quoted(*measure.name + "_" + reduction), toml_quoted(*measure.name), reduction);
     }
     return text;
 }
