@@ -74,6 +74,8 @@ JsonValue::Json read_json_object(const std::filesystem::path& file) {
         const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
         const auto column = static_cast<int>(before.size() - (before.rfind('\n') + 1)) + 1;
         throw InputError(SourceLocation{file.string(), line, column}, "this is not valid JSON", what_to_do);
+    } catch (const JsonValue::Json::exception&) {  // such as a number that is too large
+        throw InputError(SourceLocation{file.string(), 0, 0}, "this is not valid JSON", what_to_do);
     }
 }
 

@@ -11,7 +11,7 @@ namespace dmp::study {
 std::vector<std::size_t> front_of(const std::vector<CostAndError>& tried) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < tried.size(); ++i)
-        if (!std::isnan(tried[i].error)) order.push_back(i);
+        if (!std::isnan(tried[i].error) && !std::isnan(tried[i].cost)) order.push_back(i);
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::tuple(tried[i].cost, tried[i].error); });
     std::vector<std::size_t> front;
     double smallest = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace dmp::study {
 
 /// What a setting took, and how wrong it was.
 struct CostAndError {
-    double cost = 0;   ///< e.g. processor time [s]
+    double cost = 0;   ///< e.g. processor time [s]; NaN: not known
     double error = 0;  ///< NaN: none, as of a run that failed
 };
 

@@ -10,6 +10,8 @@ namespace dmp::study {
 
 namespace {
 
+constexpr double least_common = 0.95;
+
 /// On the straight line between the rows around `time`, which lies within the series.
 double value_at(const TimeSeries& series, double time) {
     const auto after = std::ranges::upper_bound(series.time, time);
@@ -28,7 +30,7 @@ std::optional<Pair> common(const TimeSeries& series, const TimeSeries& reference
     if (series.time.size() < 2 || reference.time.size() < 2) return {};
     const double from = std::max(series.time.front(), reference.time.front());
     const double until = std::min(series.time.back(), reference.time.back());
-    if (!(from < until)) return {};
+    if (!(until - from >= least_common * (reference.time.back() - reference.time.front()))) return {};
     std::vector<double> times;
     std::ranges::merge(series.time, reference.time, std::back_inserter(times));
     Pair pair;

@@ -30,9 +30,9 @@ struct SeriesError {
     [[nodiscard]] double largest() const;
 };
 
-/// Of the straight lines between the rows; rows without a value are left out. All parts are NaN where less than two
-/// rows of each, or no time, are common, and where the size is zero. `size`: that of the reference, or of the vector
-/// that it is a component of.
+/// Of the straight lines between the rows; rows without a value are left out. All parts are NaN where there are less
+/// than two rows of each, where the series lacks more than 5 % of the reference's time, and where the size is zero.
+/// `size`: that of the reference, or of the vector that it is a component of.
 [[nodiscard]] SeriesError error_of(const TimeSeries& series, const TimeSeries& reference, const SeriesSize& size);
 [[nodiscard]] SeriesError error_of(const TimeSeries& series, const TimeSeries& reference);
 

@@ -18,27 +18,44 @@ struct Distance {
     double spacing = 0, distance = 0;
 };
 
-/// p of d = C (h^p - h0^p) through two distances, by bisection.
+/// d of the coarser over d of the finer where d = C (h^p - h0^p); it grows with p.
+double ratio_at(double order, const Distance& coarse, const Distance& fine, double finest) {
+    const double own = std::pow(finest, order);
+    return (std::pow(coarse.spacing, order) - own) / (std::pow(fine.spacing, order) - own);
+}
+
+/// p through two distances, by bisection.
 std::optional<double> order_through(const Distance& coarse, const Distance& fine, double finest) {
-    const auto ratio_at = [&](double order) {
-        const double own = std::pow(finest, order);
-        return (std::pow(coarse.spacing, order) - own) / (std::pow(fine.spacing, order) - own);
-    };
     if (!(fine.distance > 0) || !(coarse.distance > fine.distance)) return {};
     const double ratio = coarse.distance / fine.distance;
     double low = lowest_order, high = highest_order;
-    if (ratio < ratio_at(low) || ratio > ratio_at(high)) return {};
+    if (ratio < ratio_at(low, coarse, fine, finest) || ratio > ratio_at(high, coarse, fine, finest)) return {};
     for (int i = 0; i < 60; ++i) {
         const double middle = (low + high) / 2;
-        (ratio < ratio_at(middle) ? high : low) = middle;
+        (ratio < ratio_at(middle, coarse, fine, finest) ? high : low) = middle;
     }
     return (low + high) / 2;
 }
 
+/// Of the reference, by the run next to twice its spacing, or else the coarsest one. `distances`: coarsest first.
+double error_at_low_order(const std::vector<Distance>& distances, double finest) {
+    const Distance* chosen = &distances.front();
+    for (const Distance& each : distances)
+        if (each.spacing > 1.8 * finest) chosen = &each;
+    const auto error_at = [&](double order) {
+        const double own = std::pow(finest, order);
+        return chosen->distance * own / (std::pow(chosen->spacing, order) - own);
+    };
+    const Distance &coarse = distances.front(), &fine = distances.back();
+    const bool is_slow = distances.size() > 1 && coarse.distance > fine.distance &&
+                         coarse.distance < fine.distance * ratio_at(lowest_order, coarse, fine, finest);
+    return error_at(is_slow ? lowest_order : 1);
+}
+
 class Errors {
   public:
-    Errors(const TradeSettings& settings, const std::vector<TradeRun>& runs, const std::vector<std::size_t>& measure_of)
-        : settings_(settings), runs_(runs), measure_of_(measure_of) {}
+    Errors(const TradeSettings& settings, const std::vector<TradeRun>& runs, const std::vector<std::size_t>& vector_of)
+        : settings_(settings), runs_(runs), vector_of_(vector_of) {}
 
     TradeErrors all() {
         TradeErrors errors;
@@ -58,8 +75,8 @@ class Errors {
 
     [[nodiscard]] SeriesError between(std::size_t run, std::size_t other, std::size_t column) const {
         SeriesSize size;
-        for (std::size_t c = 0; c < measure_of_.size(); ++c)
-            if (measure_of_[c] == measure_of_[column]) size = size.with(size_of(runs_[other].measures[c]));
+        for (std::size_t c = 0; c < vector_of_.size(); ++c)
+            if (vector_of_[c] == vector_of_[column]) size = size.with(size_of(runs_[other].measures[c]));
         return error_of(runs_[run].measures[column], runs_[other].measures[column], size);
     }
 
@@ -105,7 +122,37 @@ class Errors {
         return distances;
     }
 
+    /// Between the reference's level and the highest one, at the finest spacing that both have been run at; 0 where it
+    /// is the highest, or no spacing is common.
+    [[nodiscard]] double error_of_level(std::size_t column) const {
+        const Quality own = setting(reference_).quality;
+        std::optional<std::pair<std::size_t, std::size_t>> best;
+        for (std::size_t low = 0; low < runs_.size(); ++low)
+            for (std::size_t high = 0; high < runs_.size(); ++high) {
+                if (setting(low).is_repeat || setting(high).is_repeat || setting(low).quality != own ||
+                    setting(high).quality <= own || setting(low).spacing != setting(high).spacing)
+                    continue;
+                const auto rank = [&](std::size_t run) {
+                    return std::pair(setting(run).spacing, -static_cast<int>(setting(run).quality));
+                };
+                if (!best || rank(high) < rank(best->second)) best = {low, high};
+            }
+        return best ? between(best->first, best->second, column).largest() : 0;
+    }
+
     [[nodiscard]] ColumnTrust trust_of(std::size_t column, const std::vector<RunError>& errors) const {
+        if (std::isnan(errors[reference_].distance[column].largest())) {
+            ColumnTrust trust;
+            trust.has_size = false;
+            trust.why_not = "zero, or without values, in the reference";
+            return trust;
+        }
+        ColumnTrust trust = trust_of_spacing(column, errors);
+        trust.reference += error_of_level(column);
+        return trust;
+    }
+
+    [[nodiscard]] ColumnTrust trust_of_spacing(std::size_t column, const std::vector<RunError>& errors) const {
         ColumnTrust trust;
         trust.scatter = scatter_of(column);
         const double spacing = setting(reference_).spacing;
@@ -115,8 +162,7 @@ class Errors {
             trust.why_not = "no other spacing has been run at its level";
             return trust;
         }
-        for (const Distance& each : distances)
-            if (std::isnan(trust.reference) || each.spacing > 1.8 * spacing) trust.reference = each.distance;
+        trust.reference = error_at_low_order(distances, spacing);
         if (distances.size() < 3) {
             trust.why_not = "there are fewer than four spacings";
             return trust;
@@ -140,26 +186,31 @@ class Errors {
 
     static void add_largest(RunError& run, const std::vector<ColumnTrust>& columns) {
         for (std::size_t c = 0; c < columns.size(); ++c) {
-            const double own = run.distance[c].largest();
-            if (std::isnan(own) || !columns[c].counts()) continue;
-            const double error = std::fmax(own + columns[c].reference, columns[c].scatter);
-            if (std::isnan(error) || error <= run.error) continue;
-            run.error = error;
+            if (!columns[c].counts()) continue;
+            const double error = run.distance[c].largest() + columns[c].reference;
+            if (std::isnan(error)) {
+                run.error = no_number;
+                run.column = c;
+                return;
+            }
+            const double told = std::fmax(error, columns[c].scatter);
+            if (told <= run.error) continue;
+            run.error = told;
             run.column = c;
         }
     }
 
     const TradeSettings& settings_;
     const std::vector<TradeRun>& runs_;
-    const std::vector<std::size_t>& measure_of_;
+    const std::vector<std::size_t>& vector_of_;
     std::size_t reference_ = 0;
 };
 
 }  // namespace
 
 TradeErrors trade_errors(const TradeSettings& settings, const std::vector<TradeRun>& runs,
-                         const std::vector<std::size_t>& measure_of) {
-    return Errors(settings, runs, measure_of).all();
+                         const std::vector<std::size_t>& vector_of) {
+    return Errors(settings, runs, vector_of).all();
 }
 
 }  // namespace dmp::study

@@ -26,9 +26,10 @@ struct ColumnTrust {
     double reference = no_number;  ///< of the reference itself, by the convergence with the spacing; NaN: not known
     double order = no_number;      ///< observed, of the error; NaN: `why_not`
     std::string why_not;           ///< no order was observed
+    bool has_size = true;          ///< false: it is zero, or without values, in the reference
 
-    /// Not where it scatters by more than half its size: it is zero, or chance.
-    [[nodiscard]] bool counts() const { return !(scatter > 0.5); }
+    /// Not where it has no size, or scatters by more than half of it: it is zero, or chance.
+    [[nodiscard]] bool counts() const { return has_size && !(scatter > 0.5); }
 };
 
 /// How wrong a run is, by all columns.
@@ -45,18 +46,18 @@ struct TradeErrors {
 };
 
 /// What a run's error is of a column: its distance from the reference, plus the reference's own error; not less than
-/// the scatter.
+/// the scatter. It is unknown where a column that counts is: a run without values has not a small error.
 ///
-/// The reference's own error follows from how the distances d of runs of its level fall with their spacings h to its
-/// own, h0: d = C (h^p - h0^p), an error of C h0^p, with p from the largest and the middle one and likewise from the
-/// middle and the smallest one, in 0.5 to 4, and both within 0.75 of each other. Where that is not so, it is the
-/// distance of the run of about twice the spacing: right at first order, too large above; and where none of its level
-/// has another spacing, the distance of the next finest run.
+/// The reference's own error follows from how the distances d of runs of its level fall as their spacings h approach
+/// its own, h0: d = C (h^p - h0^p), an error of C h0^p, with p from the largest and the middle one and likewise from
+/// the middle and the smallest one, in 0.5 to 4, and both within 0.75 of each other. Where that is not so, p is taken
+/// as 1, or as 0.5 where the distances fall more slowly, and the run next to twice the spacing; where none of its level
+/// has another spacing, the distance of the next finest run. Where a higher level has been run at all, the distance
+/// between both levels at the finest spacing that both have comes on top.
 ///
-/// `runs`: two or more, not only repeats. `measure_of`: for each column a number of its measure; those of the same one
-/// are the components of a vector, and their distances are parts of its size. Columns without a number in the reference
-/// are left out of the largest error.
+/// `runs`: two or more, not only repeats. `vector_of`: for each column a number of its vector; those of the same one
+/// are its components, and their distances are parts of its size.
 [[nodiscard]] TradeErrors trade_errors(const TradeSettings& settings, const std::vector<TradeRun>& runs,
-                                       const std::vector<std::size_t>& measure_of);
+                                       const std::vector<std::size_t>& vector_of);
 
 }  // namespace dmp::study

@@ -16,6 +16,7 @@
 #include "base/unlisted_value.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/toml_node.hpp"
+#include "study/input_files.hpp"
 #include "study/measure_columns.hpp"
 
 namespace dmp::study {
@@ -83,10 +84,32 @@ std::map<Quality, Scene> different_levels(const TradeScene& scene) {
     return different;
 }
 
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t");
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// What is set in all runs, besides what the settings set, as TOML; of a key that is given twice the last one. Threads
+/// are not a run's own.
+std::map<std::string, std::string> common_values(const TradeScene& scene, const TradeSettings& settings) {
+    std::map<std::string, std::string> values;
+    for (const std::string& each : scene.overrides) {
+        const auto equals = each.find('=');
+        const std::string key = trimmed(each.substr(0, equals));
+        if (key == "run.threads" || std::ranges::find(settings.keys, key) != settings.keys.end()) continue;
+        values[key] = toml_text(parse_toml_value(each.substr(equals + 1), {}));
+    }
+    return values;
+}
+
 /// Columns of settings: what each of the trade's keys is set to.
 class Rows {
   public:
-    Rows(const TradeScene& scene) : levels_(different_levels(scene)), own_(levels_.at(Quality::standard)) {
+    explicit Rows(const TradeScene& scene)
+        : levels_(different_levels(scene)),
+          own_(levels_.at(Quality::standard)),
+          own_quality_(*with(scene, {}).quality) {
+        if (!levels_.contains(own_quality_)) own_quality_ = Quality::standard;  // which is the same
         has_spacing_ = own_.particles.spacing.given();
         has_steps_ = own_.flow.largest_speed.given() && has_spacing_;
         if (has_spacing_) result_.keys.emplace_back(spacing_key);
@@ -99,7 +122,7 @@ class Rows {
             for (const double factor : factors)
                 for (const auto& [quality, at_level] : levels_) add(factor, quality, 1);
             for (std::size_t k = 0; k < repeat_spacings.size(); ++k) {
-                add(repeat_spacings[k], Quality::standard, has_steps_ ? repeat_steps[k] : 1);
+                add(repeat_spacings[k], own_quality_, has_steps_ ? repeat_steps[k] : 1);
                 result_.settings.back().is_repeat = true;
             }
         } else {
@@ -126,6 +149,7 @@ class Rows {
 
     std::map<Quality, Scene> levels_;
     const Scene& own_;
+    Quality own_quality_;
     bool has_spacing_ = false, has_steps_ = false;
     TradeSettings result_;
 };
@@ -148,7 +172,11 @@ std::string trade_identity(const TradeScene& scene) {
     read.run.duration = 1;
     read.run.threads = defaults.run.threads;
     read.output = defaults.output;
-    return hex_text(text_hash(resolved_scene(read)));
+    std::string all = resolved_scene(read);
+    Study study;
+    study.scene = std::move(read);
+    for (const InputFile& file : input_files(study)) all += file.name + " " + file.hash + "\n";
+    return hex_text(text_hash(all));
 }
 
 std::string trade_study(const TradeScene& scene, const TradeSettings& settings, const fs::path& folder) {
@@ -160,7 +188,10 @@ std::string trade_study(const TradeScene& scene, const TradeSettings& settings, 
         toml_quoted("Cost and error: " + (read.title->empty() ? scene.path : *read.title)) +
         "\npurpose = \"What the settings of the scene cost, and how far their results lie apart; trade.json has the "
         "errors.\"\nscene = " +
-        toml_quoted(fs::absolute(scene.path).lexically_normal().lexically_proximate(fs::absolute(folder)).string()) +
+        toml_quoted(fs::absolute(scene.path)
+                        .lexically_normal()
+                        .lexically_proximate(fs::absolute(folder).lexically_normal())
+                        .string()) +
         "\ncombine = \"zip\"\nleave_out = [\"frames\", \"pictures\", \"page\"]\n";
     const auto vary = [&](const std::string& key, const std::vector<std::string>& values) {
         text += "\n[[vary]]\nkey = " + toml_quoted(key) + fmt::format("\nvalues = [{}]\n", fmt::join(values, ", "));
@@ -170,10 +201,7 @@ std::string trade_study(const TradeScene& scene, const TradeSettings& settings, 
         for (const TradeSetting& setting : settings.settings) values.push_back(setting.values[k]);
         vary(settings.keys[k], values);
     }
-    for (const std::string& each : scene.overrides) {
-        const auto equals = each.find('=');
-        vary(each.substr(0, equals), std::vector(runs, toml_text(parse_toml_value(each.substr(equals + 1), {}))));
-    }
+    for (const auto& [key, value] : common_values(scene, settings)) vary(key, std::vector(runs, value));
     // For the page's plots: numbers by which people see the runs converge.
     for (const Measure& measure : read.measures) {
         if (columns_of(*measure.kind).count != MeasureColumns::Count::one) continue;

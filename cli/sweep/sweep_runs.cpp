@@ -91,7 +91,7 @@ void SweepRuns::start_some(const StopSignals& signals) {
         } else if (contents_of(run).kind == FolderContents::Kind::finished) {
             add(index, finished_row(study_, point, run));
         } else if (settings_.may_start && !settings_.may_start(index)) {
-            continue;
+            refused_.push_back(index);
         } else if (!has_room(point)) {
             waiting_.push_front(index);
             return;
@@ -102,7 +102,7 @@ void SweepRuns::start_some(const StopSignals& signals) {
 }
 
 void SweepRuns::learn_memory(const StopSignals& signals) {
-    if (waiting_.empty() || signals.flag()) return;
+    if (waiting_.empty() || is_to_stop(signals)) return;
     const std::size_t index = waiting_.front();
     const study::Point point = points_.at(index);
     const fs::path output = run_output(folder_.path(), point.name);
@@ -112,7 +112,7 @@ void SweepRuns::learn_memory(const StopSignals& signals) {
     starter_.start(index, words, output);
     std::vector<RunEnd> ends;
     for (bool stopping = false; ends.empty();) {
-        if (signals.flag() && !std::exchange(stopping, true)) starter_.stop_all();
+        if (is_to_stop(signals) && !std::exchange(stopping, true)) starter_.stop_all();
         line_.show("making particles, to learn what memory a run takes");
         ends = starter_.ends(look_again_ms);
         folder_.check();
@@ -168,6 +168,9 @@ void SweepRuns::start(std::size_t index, study::Point point) {
 void SweepRuns::collect(bool stopping) {
     const std::vector<RunEnd> ends = starter_.ends(look_again_ms);
     put_off_lost(ends);
+    // What was learnt from those that have ended may let others start.
+    if (!ends.empty()) waiting_.insert(waiting_.begin(), refused_.begin(), refused_.end());
+    if (!ends.empty()) refused_.clear();
     for (const RunEnd& end : ends) {
         const auto run = std::ranges::find(running_, end.id, &Running::index);
         --rows_.counts().running;

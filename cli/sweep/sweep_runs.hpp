@@ -29,7 +29,7 @@ struct SweepSettings {
     int jobs = 1;             ///< runs at a time
     int threads = 1;          ///< of each
     study::LeftOut left_out;  ///< what they do not write
-    /// Whether a run may be started now; one that may not is left undone. Empty: all may.
+    /// Whether a run may be started now; one that may not is asked for again when another has ended. Empty: all may.
     std::function<bool(std::size_t index)> may_start{};
     /// Then those that still run are stopped, and go on from their checkpoints another time.
     WallClock::time_point stop_at = WallClock::time_point::max();
@@ -82,6 +82,7 @@ class SweepRuns {
     SweepSettings settings_;
     std::string scene_text_;
     std::deque<std::size_t> waiting_;
+    std::vector<std::size_t> refused_;  ///< by may_start, since a run has ended
     std::vector<std::size_t> put_off_;  ///< another process has their folders
     std::set<std::size_t> told_held_;   ///< of which it was said that they wait for another process
     std::list<Running> running_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,9 +16,12 @@
 #include "cli/output_folder.hpp"
 #include "cli/scene_name.hpp"
 #include "cli/text.hpp"
+#include "cli/sweep/sweep_folder.hpp"
 #include "cli/trade/trade_outcome.hpp"
 #include "report/json_value.hpp"
 #include "scene/read_scene.hpp"
+#include "study/front.hpp"
+#include "study/time_series.hpp"
 #include "study/trade_settings.hpp"
 
 namespace dmp::cli {
@@ -40,17 +44,26 @@ std::string how_to_make_one(const SceneChoice& scene, const std::string& program
     return "Measure what its settings cost and how wrong they are:\n  " + line;
 }
 
-/// The cheapest one that counts; missing where there is none within the tolerance. `best`: the smallest error of all.
-std::optional<JsonValue> cheapest_within(const JsonValue& trade, double tolerance, double& best) {
-    std::optional<JsonValue> cheapest;
+/// The settings that may be taken, and what they cost.
+struct KnownSettings {
+    std::vector<JsonValue> settings;
+    std::vector<study::CostAndError> costs;
+};
+
+KnownSettings settings_in(const JsonValue& trade) {
+    KnownSettings known;
     for (const JsonValue& setting : trade["settings"].elements()) {
-        const double error = setting["error"].number();
-        if (setting["is_repeat"].truth() || std::isnan(error)) continue;
-        best = std::fmin(best, error);
-        if (error > tolerance) continue;
-        if (!cheapest || setting["processor_s"].number() < (*cheapest)["processor_s"].number()) cheapest = setting;
+        if (setting["is_repeat"].truth()) continue;
+        known.settings.push_back(setting);
+        known.costs.push_back({setting["processor_s"].number(), setting["error"].number()});
     }
-    return cheapest;
+    return known;
+}
+
+double smallest_error(const KnownSettings& known) {
+    double best = study::no_number;
+    for (const study::CostAndError& each : known.costs) best = std::fmin(best, each.error);
+    return best;
 }
 
 std::string percent(double part) { return number_text(100 * part, 2) + " %"; }
@@ -62,9 +75,11 @@ double tolerance_of(const std::string& text) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
     std::string_view unit(read.ptr, static_cast<std::size_t>(text.data() + text.size() - read.ptr));
     unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-    if (read.ec != std::errc() || (!unit.empty() && unit != "%") || !(value > 0))
-        throw InputError({"--tolerance", 0, 0}, "'" + text + "' is no error above 0", "Give one such as \"5 %\".");
-    return unit.empty() ? value : value / 100;
+    const double part = unit == "%" ? value / 100 : value;
+    if (read.ec != std::errc() || (!unit.empty() && unit != "%") || !(part > 0 && part < 1))
+        throw InputError({"--tolerance", 0, 0}, "'" + text + "' is no error above 0 and below 100 %",
+                         "Give one such as \"5 %\", or 0.05.");
+    return part;
 }
 
 KnownSetting known_setting(const SceneChoice& scene, const std::string& tolerance, const std::string& program) {
@@ -78,21 +93,22 @@ KnownSetting known_setting(const SceneChoice& scene, const std::string& toleranc
     if (trade["identity"].text() != study::trade_identity({scene.path, scene.overrides}))
         throw InputError(where, "it is of another scene, or of this one with other values",
                          how_to_make_one(scene, program));
-    double best = study::no_number;
-    const auto found = cheapest_within(trade, largest, best);
-    if (!found)
-        throw InputError(
-            where,
-            fmt::format("no setting has an error of at most {}: the best was {}", percent(largest), percent(best)),
-            "Choose a smaller particles.spacing and make a new trade, or take what can be reached.");
+    const KnownSettings all = settings_in(trade);
+    const auto index = study::cheapest_within(all.costs, largest);
+    if (!index)
+        throw InputError(where,
+                         fmt::format("no setting has an error of at most {}: the best was {}", percent(largest),
+                                     percent(smallest_error(all))),
+                         "Choose a smaller particles.spacing and make a new trade, or take what can be reached.");
+    const JsonValue& found = all.settings[*index];
     KnownSetting known{scene, "For an error of " + percent(largest) + ", by " + file->string() + ":"};
-    for (const JsonValue& each : (*found)["set"].elements()) {
+    for (const JsonValue& each : found["set"].elements()) {
         known.scene.overrides.push_back(each.text());
         known.text += " " + each.text();
     }
     const double part = trade["duration_s"].number() / trade["simulated_s"].number();
-    known.text += fmt::format(" (error {}, about {} of one processor)\n", percent((*found)["error"].number()),
-                              duration_text((*found)["processor_s"].number() * part));
+    known.text += fmt::format(" (error {}, about {} of one processor)\n", percent(found["error"].number()),
+                              duration_text(found["processor_s"].number() * part));
     return known;
 }
 

@@ -88,16 +88,23 @@ Trade trade_of(const TradeCommand& command) {
     trade.read = read_scene(command.scene, trade.scene.overrides);
     check_measures(trade, command.measures);
     trade.settings = study::trade_settings(trade.scene);
+    if (trade.settings.settings.size() < 2)
+        throw InputError({scene.file, 0, 0},
+                         "there is nothing to trade: its quality levels are the same, and it has no spacing",
+                         "Vary a key of it with 'dmp sweep' (docs/studies.md).");
     return trade;
 }
 
-/// That three settings can be compared; `names`: of the runs.
+/// Throws where the budget has ended before two settings could be compared.
 void need_enough_budget(const TradeOutcome& outcome, const TradeBudget& budget, const Trade& trade,
                         const TypedCommand& typed) {
     if (outcome.is_known()) return;
     std::string would = "not even one run has ended within it";
-    if (const auto time = budget.expected({0, 1, 2}))
-        would = "the three cheapest runs take about " + duration_text(*time) + " of one processor";
+    std::vector<std::size_t> cheapest(std::min<std::size_t>(3, trade.settings.settings.size()));
+    std::iota(cheapest.begin(), cheapest.end(), 0UL);
+    if (const auto time = budget.expected(cheapest))
+        would = fmt::format("the {} cheapest runs take about {} of one processor's time", cheapest.size(),
+                            duration_text(*time));
     throw InputError({"--budget", 0, 0},
                      fmt::format("{} is too little to compare settings: {}", duration_text(*trade.budget), would),
                      "Give more, or a shorter run with --until, and go on:\n  " + typed.with("--resume"));
@@ -124,7 +131,7 @@ int close(const TradeCommand& command, const Trade& trade, const SweepRows& rows
     TradeOutcome outcome = trade_outcome(folder, trade.read, trade.settings, rows.points(), command.measures);
     outcome.scene_path = command.scene;
     outcome.identity = study::trade_identity(trade.scene);
-    outcome.common = trade.scene.overrides;
+    outcome.common = command.overrides;
     outcome.until = *trade.read.run.duration;
     outcome.duration = trade.duration;
     const std::string page = write_sweep_page(folder, rows.study(), rows.points());
@@ -174,7 +181,7 @@ int execute(const TradeCommand& command) {
     std::iota(all.begin(), all.end(), 0UL);
     SweepSettings settings;
     settings.program = command.typed.program();
-    settings.threads = std::max(1, *study.scene.run.threads);
+    settings.threads = std::max(1, *trade.read.run.threads);
     settings.jobs = runs_at_a_time(command.jobs, settings.threads);
     settings.left_out = study.left_out;
     print(Style(Stream::output).strong(scene_name(trade.read)) + ": " + count_text(all.size(), "setting") + " of " +
@@ -194,7 +201,7 @@ int execute(const TradeCommand& command) {
     begin_sweep_page(folder.path(), study, points, command.typed);
     const StopSignals signals;
     SweepRows rows(study, points, folder, all);
-    const TradeBudget budget(trade.budget, trade.settings, points, folder.path(), settings.jobs);
+    const TradeBudget budget(trade.budget, trade.settings, points, folder.path(), settings.jobs, settings.threads);
     settings.may_start = [&](std::size_t index) { return budget.may_start(index); };
     settings.stop_at = budget.end();
     SweepRuns(rows, settings).run(signals);

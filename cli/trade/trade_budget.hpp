@@ -18,7 +18,7 @@ class TradeBudget {
   public:
     /// `seconds`: none: any. `folder`: of the trade, whose timing.csv says what was spent.
     TradeBudget(std::optional<double> seconds, const study::TradeSettings& settings, const study::Points& points,
-                std::filesystem::path folder, int jobs);
+                std::filesystem::path folder, int jobs, int threads);
 
     /// Whether a run is expected to end within the budget, by those that have ended. What cannot be expected may start.
     [[nodiscard]] bool may_start(std::size_t index) const;
@@ -34,6 +34,7 @@ class TradeBudget {
     const study::TradeSettings& settings_;
     const study::Points& points_;
     std::filesystem::path folder_;
+    int threads_;
     double spent_ = 0;  ///< before this process [s]
     WallClock::time_point start_ = WallClock::now();
 };

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/safe_file.hpp"
+#include "cli/sweep/sweep_folder.hpp"
 #include "cli/trade/trade_outcome.hpp"
 #include "cli/version.hpp"
 

@@ -35,16 +35,16 @@ std::vector<std::string> common_columns(const std::vector<MeasureSeries>& tables
     return columns;
 }
 
-/// For each column the index of its measure in the scene; of one that is of none, a number of its own.
-std::vector<std::size_t> measures_of(const std::vector<std::string>& columns, const Scene& scene) {
-    std::vector<std::size_t> numbers;
+/// For each column a number of its vector: velocity_x, velocity_y and velocity_z are of one, all others of their own.
+std::vector<std::size_t> vectors_of(const std::vector<std::string>& columns) {
+    std::map<std::string, std::size_t> numbers;
+    std::vector<std::size_t> all;
     for (const std::string& name : columns) {
-        const auto found = std::ranges::find_if(
-            scene.measures, [&](const Measure& measure) { return study::is_column_of(scene, *measure.name, name); });
-        numbers.push_back(found == scene.measures.end() ? scene.measures.size() + numbers.size()
-                                                        : static_cast<std::size_t>(found - scene.measures.begin()));
+        const bool is_component = name.ends_with("_x") || name.ends_with("_y") || name.ends_with("_z");
+        const std::string vector = is_component ? name.substr(0, name.size() - 1) : name;
+        all.push_back(numbers.emplace(vector, numbers.size()).first->second);
     }
-    return numbers;
+    return all;
 }
 
 study::TimeSeries column(const MeasureSeries& table, const std::string& name) {
@@ -52,6 +52,17 @@ study::TimeSeries column(const MeasureSeries& table, const std::string& name) {
     study::TimeSeries series;
     for (std::size_t i = 0; i < table.rows.size(); ++i) series.add(table.time[i], table.rows[i][at]);
     return series;
+}
+
+void need_columns(const std::vector<std::string>& columns, const Scene& scene, const std::vector<std::string>& measures,
+                  const fs::path& folder) {
+    for (const std::string& measure : measures)
+        if (std::ranges::none_of(columns, [&](auto& name) { return study::is_column_of(scene, measure, name); }))
+            throw InputError({folder.string(), 0, 0}, "the runs have no column of '" + measure + "' in common",
+                             "Name other measures with --measures.");
+    if (columns.empty())
+        throw InputError({folder.string(), 0, 0}, "the runs have no column of measures in common",
+                         "Name measures with --measures that all runs have.");
 }
 
 }  // namespace
@@ -77,23 +88,26 @@ TradeOutcome trade_outcome(const fs::path& folder, const Scene& scene, const stu
         outcome.failures.push_back(failure == failures.end() ? "" : failure->second.error);
         const fs::path run = run_folder(folder, name);
         if (contents_of(run).kind != FolderContents::Kind::finished) continue;
-        tables.push_back(postproc::read_measures_csv(run));
+        try {
+            tables.push_back(postproc::read_measures_csv(run));
+        } catch (const Error& error) {
+            outcome.failures.back() = one_line(error);
+            continue;
+        }
         const auto time = times.find(name);
         outcome.runs.push_back({index, time == times.end() ? study::no_number : time->second.processor_s, {}});
         comparable += settings.settings[index].is_repeat ? 0 : 1;
     }
     if (comparable < 2) return outcome;
     outcome.columns = common_columns(tables, scene, measures);
-    if (outcome.columns.empty())
-        throw InputError({folder.string(), 0, 0}, "the runs have no column of measures in common",
-                         "Name others with --measures.");
+    need_columns(outcome.columns, scene, measures, folder);
     for (const std::string& name : outcome.columns) {
         const auto& names = tables.front().names;
         outcome.units.push_back(
             tables.front().units[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())]);
         for (std::size_t r = 0; r < tables.size(); ++r) outcome.runs[r].measures.push_back(column(tables[r], name));
     }
-    outcome.errors = study::trade_errors(settings, outcome.runs, measures_of(outcome.columns, scene));
+    outcome.errors = study::trade_errors(settings, outcome.runs, vectors_of(outcome.columns));
     return outcome;
 }
 

@@ -15,13 +15,11 @@
 
 namespace dmp::cli {
 
-inline constexpr const char* trade_file_name = "trade.json";
-
 /// What a trade has found, of the runs that have ended.
 struct TradeOutcome {
     std::string scene_path;           ///< as given
     std::string identity;             ///< study::trade_identity of it
-    std::vector<std::string> common;  ///< what is set in all runs, "key=value"
+    std::vector<std::string> common;  ///< what is set in all runs, "key=value", besides the duration
     double until = 0, duration = 0;   ///< of the runs of the trade, and of the scene [s]
     study::TradeSettings settings;
     std::vector<std::string> names;     ///< of the run of each setting
@@ -41,7 +39,8 @@ struct TradeOutcome {
 };
 
 /// Of the runs in the folder of a trade. `measures`: names of the scene's measures that are compared; empty: all.
-/// Throws InputError where none of their columns has a number in all runs that have ended.
+/// A run whose table of measures is damaged has failed. Throws InputError where one of `measures` has no column that
+/// all runs have.
 [[nodiscard]] TradeOutcome trade_outcome(const std::filesystem::path& folder, const Scene& scene,
                                          const study::TradeSettings& settings, const study::Points& points,
                                          const std::vector<std::string>& measures);

@@ -39,7 +39,7 @@ std::string settings_table(const TradeOutcome& outcome) {
             const study::RunError& error = outcome.errors.runs[r];
             row[2] = duration_text(run->cost);
             row[3] = part_text(error.error);
-            if (!std::isnan(error.error)) row[4] = outcome.columns[error.column];
+            row[4] = outcome.columns[error.column] + (std::isnan(error.error) ? " is not known" : "");
             row[5] = r == outcome.errors.reference                ? "the reference"
                      : setting.is_repeat                          ? "repeat, for the scatter"
                      : std::ranges::find(front, r) != front.end() ? "*"
@@ -56,7 +56,9 @@ std::string measures_table(const TradeOutcome& outcome) {
         const study::ColumnTrust& trust = outcome.errors.columns[c];
         rows.push_back({outcome.columns[c], part_text(trust.scatter), part_text(trust.reference),
                         std::isnan(trust.order) ? "-" : fmt::format("{:.1f}", trust.order),
-                        trust.counts() ? trust.why_not : "not counted: it scatters by more than half its size"});
+                        trust.counts()   ? trust.why_not
+                        : trust.has_size ? "not counted: it scatters by more than half its size"
+                                         : "not counted: " + trust.why_not});
     }
     return table_text(rows);
 }
@@ -71,7 +73,8 @@ std::string best_text(const TradeOutcome& outcome) {
     }
     if (best == nullptr) return "not reachable: no error is known";
     const double scatter = outcome.errors.columns[best->column].scatter;
-    return fmt::format("not reachable: the best was {} of {}{}", part_text(best->error), outcome.columns[best->column],
+    return fmt::format("not reachable: the smallest error is {}, in {}{}", part_text(best->error),
+                       outcome.columns[best->column],
                        scatter > 0 ? fmt::format(", and repeats scatter by {}", part_text(scatter)) : "");
 }
 
@@ -80,8 +83,7 @@ std::string advice(const TradeOutcome& outcome, double tolerance, const std::str
         if (outcome.errors.runs[r].error > tolerance) continue;
         const study::TradeRun& run = outcome.runs[r];
         std::string line = program + " run " + shell_word(outcome.scene_path);
-        for (const std::string& each : outcome.common)
-            if (!each.starts_with("run.duration=")) line += " --set " + shell_word(each);
+        for (const std::string& each : outcome.common) line += " --set " + shell_word(each);
         for (const std::string& each : outcome.settings.overrides(outcome.setting(run)))
             line += " --set " + shell_word(each);
         return fmt::format("{}, error {}, about {} of one processor\n  {}\n", setting_text(outcome.setting(run)),

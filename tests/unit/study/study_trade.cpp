@@ -12,7 +12,6 @@
 #include <gmock/gmock.h>
 
 #include "study/front.hpp"
-#include "study/grid_convergence.hpp"
 #include "study/points.hpp"
 #include "study/read_study.hpp"
 #include "study/series_error.hpp"
@@ -26,7 +25,6 @@ namespace {
 
 using study::CostAndError;
 using study::error_of;
-using study::GridValue;
 using study::SeriesError;
 using study::TimeSeries;
 using study::TradeRun;
@@ -67,10 +65,12 @@ TEST(SeriesError, OfAShiftInTimeIsSeenByTheWholeAlone) {
     EXPECT_NEAR(error.integral, 0, 1e-3);
 }
 
-TEST(SeriesError, TakesTheTimeThatBothHaveAndLeavesOutRowsWithoutValue) {
+TEST(SeriesError, TakesTheTimeOfTheReferenceAndLeavesOutRowsWithoutValue) {
     TimeSeries longer{{0, 1, 2, 3, 4}, {1, nan, 1, 1, 100}};
     EXPECT_DOUBLE_EQ(error_of(longer, {{0.5, 3}, {1, 1}}).largest(), 0);
-    EXPECT_DOUBLE_EQ(error_of({{0.5, 3}, {1, 1}}, {{0, 1, 2, 3}, {2, 2, 2, 2}}).largest(), 0.5);
+    EXPECT_DOUBLE_EQ(error_of({{0.1, 3}, {1, 1}}, {{0, 1, 2, 3}, {2, 2, 2, 2}}).largest(), 0.5);
+    EXPECT_TRUE(std::isnan(error_of({{0.5, 3}, {1, 1}}, {{0, 1, 2, 3}, {2, 2, 2, 2}}).largest()))
+        << "a sixth is missing";
 }
 
 TEST(SeriesError, IsNotANumberWithoutTimeInCommonOrAReferenceThatIsZero) {
@@ -79,41 +79,9 @@ TEST(SeriesError, IsNotANumberWithoutTimeInCommonOrAReferenceThatIsZero) {
     EXPECT_TRUE(std::isnan(error_of({{0}, {1}}, {{0, 1}, {1, 1}}).largest()));
 }
 
-std::vector<GridValue> values_of(double limit, double factor, double order, std::vector<double> spacings) {
-    std::vector<GridValue> values;
-    for (const double h : spacings) values.push_back({h, limit + factor * std::pow(h, order)});
-    return values;
-}
-
-TEST(GridConvergence, FindsTheOrderAndTheLimitOfAPowerWithAnyRatios) {
-    for (const double order : {0.7, 1.0, 2.0, 3.5})
-        for (const double factor : {-2.0, 0.3}) {
-            std::string why_not;
-            const auto found = grid_convergence(values_of(5, factor, order, {1, 0.8, 0.5, 0.4}), why_not);
-            ASSERT_TRUE(found) << order << ": " << why_not;
-            EXPECT_NEAR(found->order, order, 1e-9);
-            EXPECT_NEAR(found->limit, 5, 1e-9);
-            EXPECT_NEAR(found->uncertainty, 1.25 * std::abs(factor) * std::pow(0.4, order), 1e-9);
-        }
-}
-
-TEST(GridConvergence, IsNotClaimedWhereItWouldNotBeHonest) {
-    std::string why_not;
-    EXPECT_FALSE(grid_convergence(values_of(1, 1, 2, {1, 0.5, 0.25}), why_not));
-    EXPECT_EQ(why_not, "there are fewer than four spacings");
-    EXPECT_FALSE(grid_convergence({{1, 1.0}, {0.7, 1.1}, {0.5, 1.05}, {0.35, 1.08}}, why_not));
-    EXPECT_EQ(why_not, "the values do not change in one direction");
-    EXPECT_FALSE(grid_convergence(values_of(1, 1, 6, {1, 0.7, 0.5, 0.35}), why_not));
-    EXPECT_EQ(why_not, "the observed order is above 4");
-    EXPECT_FALSE(grid_convergence(values_of(1, 1, 0.2, {1, 0.7, 0.5, 0.35}), why_not));
-    EXPECT_EQ(why_not, "the observed order is below 0.5");
-    // The first three go to 0 with order 3.5, the last three far below it, slowly.
-    EXPECT_FALSE(grid_convergence({{4, 128}, {2, 11.3}, {1, 1}, {0.5, -6}}, why_not));
-    EXPECT_EQ(why_not, "the limits of two sets of spacings do not agree");
-}
-
 TEST(Front, HasWhatNothingBeats) {
-    const std::vector<CostAndError> tried{{1, 0.3}, {2, 0.1}, {2, 0.2}, {3, 0.1}, {0.5, nan}, {10, 0.01}, {4, 0.05}};
+    const std::vector<CostAndError> tried{{1, 0.3},   {2, 0.1},   {2, 0.2},  {3, 0.1},
+                                          {0.5, nan}, {10, 0.01}, {4, 0.05}, {nan, 0}};
     EXPECT_THAT(front_of(tried), ElementsAre(0, 1, 6, 5));
     EXPECT_EQ(cheapest_within(tried, 0.05), 6U);
     EXPECT_EQ(cheapest_within(tried, 0.06), 6U);
@@ -229,6 +197,33 @@ TEST(TradeErrors, AreNotLessThanTheScatterOfRepeats) {
     for (std::size_t r = 0; r < 4; ++r) EXPECT_DOUBLE_EQ(errors.runs[r].error, errors.columns[0].scatter);
 }
 
+TEST(TradeErrors, OfTheReferenceAreThoseOfFirstOrderByTheRunThatThereIs) {
+    const Ladder ladder({1, 1.4}, 0.1, 1);  // which the budget has cut
+    EXPECT_NEAR(ladder.errors().columns[0].reference, 0.1 / 1.1, 1e-12);
+    EXPECT_EQ(ladder.errors().columns[0].why_not, "there are fewer than four spacings");
+    const Ladder slow({1, 1.4, 2, 2.8}, 0.1, 0.3);
+    EXPECT_GT(slow.errors().columns[0].reference, 0.55 * 0.1 / 1.1) << "of order 0.5: 0.56 of that of order 0.3";
+}
+
+TEST(TradeErrors, HoldThatOfTheReferencesLevel) {
+    Ladder ladder({1, 1.4, 2}, 0.1, 1);
+    for (auto& each : ladder.settings.settings) each.quality = Quality::draft;
+    ladder.add(1.4, 1.2, false);  // of quality standard
+    const auto errors = ladder.errors();
+    EXPECT_EQ(errors.reference, 0U);
+    EXPECT_NEAR(errors.columns[0].reference, 0.1 / 1.1 + (1.2 - 1.14) / 1.2, 1e-9);
+}
+
+TEST(TradeErrors, AreNotKnownOfARunWithoutValues) {
+    Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
+    ladder.add(0.502, 1.05, true);
+    ladder.runs[0].measures[0].value = {nan, nan};
+    const auto errors = ladder.errors();
+    EXPECT_TRUE(std::isnan(errors.runs[0].error));
+    EXPECT_EQ(errors.runs[0].column, 0U);
+    EXPECT_FALSE(std::isnan(errors.runs[1].error));
+}
+
 TEST(TradeErrors, OfAVectorsComponentAreTakenOfTheVectorsSize) {
     Ladder ladder({1, 0.7, 0.5, 0.35}, 0.1, 1);
     for (std::size_t r = 0; r < 4; ++r)
@@ -259,7 +254,8 @@ TEST(TradeErrors, AreOfTheWorstMeasureThatHasANumber) {
     const auto errors = trade_errors(ladder.settings, ladder.runs, {0, 1, 2});
     EXPECT_EQ(errors.runs[0].column, 2U);
     EXPECT_NEAR(errors.runs[0].error, 2 / 5.7, 1e-9);
-    EXPECT_TRUE(std::isnan(errors.columns[1].reference));
+    EXPECT_FALSE(errors.columns[1].counts());
+    EXPECT_EQ(errors.columns[1].why_not, "zero, or without values, in the reference");
 }
 
 }  // namespace
